@@ -2,7 +2,7 @@
 
 use crate::readable::significant;
 use oilwedge_report::check::CheckReport;
-use oilwedge_report::tables::{effects, heading, mesh, printable, table};
+use oilwedge_report::tables::{duration, effects, heading, mesh, printable, table};
 
 /// Everything about a scene or mesh that can be used.
 pub(crate) fn check_report(found: &CheckReport) -> String {
@@ -53,9 +53,16 @@ fn facts(found: &CheckReport) -> String {
         format!(
             "cost      {} unknown pressures, {factor} MB for the factorised matrix",
             cost.unknowns
-        )
+        ) + &orbit_words(cost.orbit_seconds)
     }));
     lines.join("\n")
+}
+
+/// The processor time of an orbit, of which the order of magnitude is known; nothing without one.
+fn orbit_words(seconds: Option<f64>) -> String {
+    seconds.map_or(String::new(), |seconds| {
+        format!("; the orbit takes some {} of processor time", duration(seconds))
+    })
 }
 
 /// The error bars wanted; nothing without a tolerance.

@@ -1,4 +1,4 @@
-//! Progress of a long run on stderr; nothing is drawn where stderr is no terminal.
+//! Progress of a long run on stderr: a line that changes on a terminal, else a plain line every few seconds.
 
 use crate::complain::say;
 use crate::readable::{bar, readable_unit, significant};
@@ -14,9 +14,9 @@ use std::time::{Duration, Instant};
 /// Time between two frames.
 const TICK: Duration = Duration::from_millis(100);
 /// Time between two lines where there is no terminal.
-const SILENCE: Duration = Duration::from_secs(60);
+const SILENCE: Duration = Duration::from_secs(5);
 
-/// How a run gets on: one line that changes on a terminal, else a line for each mesh.
+/// How a run gets on: one line that changes on a terminal, else a line for each mesh and every few seconds.
 #[derive(Debug)]
 pub(crate) struct Steps {
     bar: ProgressBar,
@@ -24,32 +24,55 @@ pub(crate) struct Steps {
 }
 
 /// Where a run is.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Now {
     /// When the last line was written where there is no terminal.
-    told: Option<Instant>,
+    told: Instant,
+    /// The cycle of an orbit that is followed, and when it began.
+    cycle: Option<(usize, Instant)>,
+    task: &'static str,
     level: String,
     temperature: String,
     position: String,
     reached: String,
 }
 
+impl Now {
+    fn at_first() -> Self {
+        Self {
+            told: Instant::now(),
+            cycle: None,
+            task: "",
+            level: String::new(),
+            temperature: String::new(),
+            position: String::new(),
+            reached: String::new(),
+        }
+    }
+
+    /// When the cycle `number` began, which now is where the cycle before was another one.
+    fn begin_of_cycle(&mut self, number: usize) -> Instant {
+        match self.cycle {
+            Some((before, begun)) if before == number => begun,
+            _ => {
+                let begun = Instant::now();
+                self.cycle = Some((number, begun));
+                begun
+            }
+        }
+    }
+}
+
 impl Steps {
     fn show(&self, change: impl FnOnce(&mut Now)) {
         let Ok(mut now) = self.now.lock() else { return };
         change(&mut now);
-        let parts = [&now.level, &now.temperature, &now.position, &now.reached];
-        let parts: Vec<&str> = parts
-            .into_iter()
-            .map(|part| &**part)
-            .filter(|part| !part.is_empty())
-            .collect();
+        let parts: [&str; 5] = [now.task, &now.level, &now.temperature, &now.position, &now.reached];
+        let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
         let line = parts.join(", ");
-        let now_is = Instant::now();
-        let is_silent = now_is.duration_since(*now.told.get_or_insert(now_is)) > SILENCE;
-        if self.bar.is_hidden() && is_silent {
+        if self.bar.is_hidden() && now.told.elapsed() > SILENCE {
             say(&line);
-            now.told = Some(now_is);
+            now.told = Instant::now();
         }
         self.bar
             .set_message(format!("{line}; Ctrl-C ends with the best so far"));
@@ -63,8 +86,12 @@ impl SearchObserver for Steps {
 }
 
 impl OrbitObserver for Steps {
-    fn step(&self, number: usize, part: f64) {
-        self.show(|now| now.position = format!("cycle {number}: {:.0} %", 100.0 * part));
+    fn step(&self, number: usize, angle: f64, period: f64) {
+        self.show(|now| {
+            let taken = now.begin_of_cycle(number).elapsed().as_secs_f64();
+            let left = duration(taken * (period - angle) / angle);
+            now.position = format!("cycle {number}: {angle:.0} of {period:.0} deg, about {left} left of it");
+        });
     }
 }
 
@@ -97,8 +124,26 @@ impl RunObserver for Steps {
         self.show(|now| now.reached = line);
     }
 
+    fn expects(&self, unknowns: usize, seconds: Option<f64>) {
+        if let Some(seconds) = seconds.filter(|seconds| *seconds > SILENCE.as_secs_f64()) {
+            let line = format!(
+                "the orbit on {unknowns} unknowns takes some {} of processor time",
+                duration(seconds)
+            );
+            self.bar.suspend(|| say(&line));
+        }
+    }
+
+    fn turns_to(&self, task: &'static str) {
+        self.show(|now| {
+            (now.task, now.cycle) = (task, None);
+            now.position = String::new();
+        });
+    }
+
     fn temperature(&self, number: usize, celsius: f64) {
         self.show(|now| {
+            now.cycle = None;
             now.temperature = format!("temperature {number}: {celsius:.1} C");
             now.position = String::new();
         });
@@ -150,7 +195,7 @@ impl Progress {
     pub(crate) fn observer(&self) -> &'static dyn RunObserver {
         let steps = Steps {
             bar: self.bar.clone(),
-            now: Mutex::default(),
+            now: Mutex::new(Now::at_first()),
         };
         // One for each run of the program.
         Box::leak(Box::new(steps))

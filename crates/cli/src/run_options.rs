@@ -1,9 +1,12 @@
 //! Arguments that `solve` and `sweep` share: error bars and limits of a run.
 
 use crate::complain::Failure;
+use cpu_time::ProcessTime;
 use oilwedge_scene::Scene;
-use oilwedge_study::{Interrupt, RunOptions};
+use oilwedge_study::{Clock, Interrupt, RunOptions};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use std::time::Instant;
 
 /// How a scene is run.
 #[derive(Debug, clap::Args)]
@@ -26,7 +29,7 @@ pub(crate) struct RunArguments {
 
     /// Time limit of a run in seconds, of each case of a sweep: for the refinement towards a tolerance and the search for a position
     /// under a load [default: 60 where the mesh is refined: with a tolerance, or with neither mesh file nor size; none on a given mesh and
-    /// for a crankshaft]. A film that was begun is finished.
+    /// for a crankshaft]. The default does not count the time that a busy machine spends on others. A film that was begun is finished.
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 
@@ -71,6 +74,11 @@ impl RunArguments {
         Ok(RunOptions {
             bars: self.bars == Bars::Auto,
             max_seconds: self.max_seconds.unwrap_or(usual.max_seconds),
+            // A limit that nobody gave does not count the time that a busy machine spends on others.
+            clock: match self.max_seconds {
+                Some(_) => Clock::WALL,
+                None => Clock::showing(own_seconds),
+            },
             max_unknowns: self.max_unknowns,
             interrupt,
             ..usual
@@ -90,6 +98,13 @@ impl RunArguments {
     pub(crate) fn folder(&self) -> PathBuf {
         folder(&self.out, &self.scene)
     }
+}
+
+/// Seconds since the first call [s]: on the wall or, where that is less, of the processor in all threads.
+fn own_seconds() -> f64 {
+    static START: LazyLock<(Instant, ProcessTime)> = LazyLock::new(|| (Instant::now(), ProcessTime::now()));
+    let (on_the_wall, of_processor) = (START.0.elapsed(), START.1.elapsed());
+    on_the_wall.min(of_processor).as_secs_f64()
 }
 
 /// The folder given, else `out/NAME` for `NAME.toml`.

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use oilwedge_mesh::coarsen::{Coarser, coarser, coarser_in_rows};
 use oilwedge_mesh::developed::{Liner, read};
-use oilwedge_mesh::generate::{Blueprint, Feature, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::generate::{Blueprint, Feature, Grading, Rows, Sense, Shape, generate, generate_in_rows};
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Locator, Mesh, Quality, refine};
 
@@ -270,6 +270,7 @@ fn coarser_meshes_of_rows_are_rows() {
         along: &|_| 0.002,
         across: &across,
         sense: Sense::Forwards,
+        grading: Grading::RESOLVED,
     };
     let fine = generate_in_rows(&blueprint, &rows).expect("a mesh");
     let coarse = coarser_in_rows(&fine, &blueprint.liner, None, 2.0, Sense::Forwards)

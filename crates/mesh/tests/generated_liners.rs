@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::generate::{
+    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate, generate_graded, generate_in_rows,
+};
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
@@ -19,6 +21,7 @@ fn plain_liners_in_rows_are_mirror_images() {
             along: &|_| 0.008,
             across: &|_| 0.005,
             sense,
+            grading: Grading::RESOLVED,
         };
         generate_in_rows(&plain, &rows).expect("a mesh")
     });
@@ -83,6 +86,20 @@ fn small_corners_are_refined_for_themselves() {
     let blueprint = liner_with_groove(0.075, [0.01, 0.003], 1e-7);
     let faults = generate(&blueprint, &|_| 0.004).expect_err("corners too small");
     assert!(matches!(faults[..], [DrawingError::SmallCorner { .. }]), "{faults:?}");
+}
+
+/// A half groove that is narrow for the wanted size: by size it brings a few times the triangles of the plain liner (72 of edges of 9.5 mm), resolved fifty times as many.
+#[test]
+fn the_wanted_size_counts_beside_a_narrow_groove() {
+    let groove = |grading| {
+        let mut blueprint = liner_with_groove(0.019, [0.0424, 0.0015], 0.0);
+        blueprint.liner.radius = 0.027;
+        let mesh = generate_graded(&blueprint, &|_| 0.012, grading).expect("a mesh");
+        assert!(Quality::of(&mesh).least_angle > 25.0);
+        mesh.triangles().len()
+    };
+    let [resolved, by_size] = [Grading::RESOLVED, Grading::BY_SIZE].map(groove);
+    assert!(by_size < 5 * 72 && resolved > 5 * by_size, "{resolved} {by_size}");
 }
 
 /// A rim of millions of edges is refused before it is cut, also where it lies between the samples of sizes.
@@ -179,6 +196,7 @@ fn features_that_touch_share_their_sides() {
             along: &|_| 0.006,
             across: &|_| 0.005,
             sense: Sense::Forwards,
+            grading: Grading::RESOLVED,
         };
         let of =
             |mesh: Result<Mesh, Vec<DrawingError>>| mesh.unwrap_or_else(|faults| panic!("{faults:?}: {blueprint:?}"));

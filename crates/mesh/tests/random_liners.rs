@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::generate::{
+    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate_graded, generate_in_rows,
+};
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
@@ -163,6 +165,11 @@ fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
     quality.least_angle
 }
 
+/// One grading after the other.
+fn grading(number: usize) -> Grading {
+    [Grading::RESOLVED, Grading::BY_SIZE][number / 2 % 2]
+}
+
 #[test]
 fn random_liners_are_meshed_or_refused() {
     let mut random = Random(2024);
@@ -171,7 +178,7 @@ fn random_liners_are_meshed_or_refused() {
     while angles.len() < 300 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
-        match generate(&blueprint, &|_| size) {
+        match generate_graded(&blueprint, &|_| size, grading(angles.len())) {
             Ok(mesh) => angles.push(check(&blueprint, &mesh, 20.0)),
             Err(faults) => {
                 refused += 1;

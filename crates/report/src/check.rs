@@ -11,6 +11,7 @@ use oilwedge_study::CompileError;
 use oilwedge_study::checks::targets;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
+use oilwedge_study::orbit::{expected_seconds, film_of_orbit};
 use oilwedge_study::refinement::at_first;
 use oilwedge_study::regime::unusual_clearance;
 use oilwedge_study::result::{MeshFacts, in_parts};
@@ -67,12 +68,15 @@ pub struct CheckReport {
 }
 
 /// What a solve costs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Cost {
     /// Nodes whose pressure is not given.
     pub unknowns: usize,
     /// Entries of the Cholesky factor.
     pub factor_entries: usize,
+    /// Processor time of an orbit, estimated [s]; `None` where the scene asks for none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orbit_seconds: Option<f64>,
 }
 
 /// Facts about a named region of a mesh.
@@ -95,7 +99,10 @@ fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Res
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
 pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
-    let film = compile(&at_first(scene))?;
+    let film = match scene.orbit {
+        Some(_) => film_of_orbit(scene)?,
+        None => compile(&at_first(scene))?,
+    };
     let mesh = film.system.space().mesh();
     let drawn = if scene.tolerance.is_some() { FIRST_DRAWN } else { DRAWN };
     let name = scene.mesh.path().unwrap_or(Path::new(drawn));
@@ -123,6 +130,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     report.cost = Some(Cost {
         unknowns: film.unknowns(),
         factor_entries: film.system.analysis().map_err(CompileError::from)?.factor_entries(),
+        orbit_seconds: expected_seconds(&film),
     });
     Ok(report)
 }

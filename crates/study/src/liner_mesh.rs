@@ -2,7 +2,8 @@
 
 use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
-    Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows, generate_in_rows_like,
+    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate_graded, generate_in_rows,
+    generate_in_rows_like,
 };
 use oilwedge_mesh::quality::lies_in_rows;
 use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
@@ -208,14 +209,25 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
+    // The films of an orbit are many, and each groove and hole is beside the thinnest film for a moment only.
+    let grading = match scene.orbit {
+        Some(_) => Grading::BY_SIZE,
+        None => Grading::RESOLVED,
+    };
     match RowDistances::of(scene, &blueprint.liner, longest, scale) {
         Some(distances) => {
             // Columns are as dense as the thinnest film along the axis needs.
             let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
             let sense = Sense::of(scene.journal.speed);
-            generate_in_rows(blueprint, &Rows { along, across, sense })
+            let rows = Rows {
+                along,
+                across,
+                sense,
+                grading,
+            };
+            generate_in_rows(blueprint, &rows)
         }
-        None => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),
+        None => generate_graded(blueprint, &|at| longest * scale.at(at) / LONGEST, grading),
     }
 }
 

@@ -7,6 +7,7 @@ use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::lubricant::LawKind;
 
 use crate::reasons::flags::MORE_SECONDS;
+use crate::reasons::{Cause, Limit};
 
 /// Why there is nothing to report.
 #[derive(Debug)]
@@ -49,6 +50,20 @@ impl std::fmt::Display for NoAnswer {
 impl std::error::Error for NoAnswer {}
 
 impl NoAnswer {
+    /// The reason, with the cause where a limit or an interrupt ended the search.
+    pub(crate) fn told(&self, cause: Cause) -> String {
+        let limit = match self {
+            Self::Orbit(NoOrbit::Ended { angle }) => Limit::FirstCycle(*angle, cause),
+            Self::Temperature(reason) if reason.is_ended => Limit::FirstTemperature(cause),
+            Self::Equilibrium(reason) => match reason.cause() {
+                NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
+                _ => return self.to_string(),
+            },
+            _ => return self.to_string(),
+        };
+        limit.to_string()
+    }
+
     /// True if an answer may exist but was not reached.
     pub fn is_unreached(&self) -> bool {
         match self {
@@ -98,6 +113,8 @@ pub struct NoTemperature {
     pub(crate) told: String,
     /// True if there may be one.
     pub(crate) is_unreached: bool,
+    /// True if the search was ended before a first temperature was solved.
+    pub(crate) is_ended: bool,
 }
 
 /// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
@@ -121,7 +138,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
             return Some("give a wider bearing.arc, or turn it under the load");
         }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
-        NoAnswer::Temperature(_) => return None,
+        NoAnswer::Temperature(reason) => return reason.is_ended.then_some(MORE_SECONDS),
     };
     Some(match film {
         NoFilm::AboveLimit {

@@ -47,6 +47,12 @@ pub trait RunObserver: SearchObserver + OrbitObserver {
     /// A mesh with so many unknowns is solved next; meshes are counted from 1.
     fn level(&self, number: usize, unknowns: usize);
 
+    /// An orbit is followed on a mesh with so many unknowns, and will take some processor time [s].
+    fn expects(&self, _unknowns: usize, _seconds: Option<f64>) {}
+
+    /// The run turns to another task, which these words name.
+    fn turns_to(&self, _task: &'static str) {}
+
     /// A mesh was solved, and its bars are known.
     fn reached(&self, reached: &Reached);
 

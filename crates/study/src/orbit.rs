@@ -5,6 +5,7 @@
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
 //! | `orbit/frame.rs` | films at even crank angles, to be drawn |
 //! | `orbit/temperature.rs` | the temperature at which the mean flow carries off the mean power |
+//! | `orbit/price.rs` | the processor time that it will take, estimated |
 //! | `orbit/sample.rs` | the films along the orbit, measured, with their error bars at that place and velocity |
 //! | `orbit/balances.rs` | oil and energy over the cycle |
 //! | `orbit/by_map.rs` | the same by maps of the film |
@@ -18,6 +19,7 @@ mod by_map;
 mod comparison;
 mod drift;
 mod frame;
+mod price;
 mod sample;
 mod start;
 mod temperature;
@@ -32,6 +34,8 @@ use serde::Serialize;
 use balances::CycleBalances;
 pub use by_map::{ByMap, by_maps, no_map};
 pub use frame::Frame;
+pub use price::expected_seconds;
+pub use start::film_of_orbit;
 pub(crate) use start::{GREATEST, USUAL, on_mesh_for, suits};
 use temperature::CycleTemperature;
 
@@ -163,11 +167,16 @@ pub(crate) fn follow_under(
     cycle: &DutyCycle,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
-    let deadline = options.deadline();
+    let watch = options.watch();
+    let deadline = watch.deadline;
     if let Some(thermal) = Sockets::of(scene).thermal {
-        return temperature::balanced((scene, model, cycle), thermal, deadline, options);
+        return temperature::balanced((scene, model, cycle), thermal, watch, options);
     }
-    let (film, begin) = start::prepared(scene, model, cycle, deadline)?;
+    let (film, begin) = start::prepared(scene, model, cycle, watch)?;
+    if let Some(observer) = options.observer {
+        observer.expects(film.unknowns(), expected_seconds(&film));
+        observer.turns_to("the orbit");
+    }
     let clearance = film.problem.bearing.clearance;
     let begin = options
         .earlier
@@ -195,6 +204,9 @@ fn followed(
             .map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
     let orbit = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit)?;
+    if let Some(observer) = options.observer.filter(|_| options.bars) {
+        observer.turns_to("the error bars of the orbit");
+    }
     let integrating = clock.elapsed().as_secs_f64();
     // What a film that conserves its oil is off by depends on what it has held all along, not on its place alone.
     let by_comparison = film.problem.cavitation.conserves_oil();
@@ -253,6 +265,7 @@ pub(crate) fn measured(
     let mut samples = sample::samples(film, motion, &steps, options.errors())?;
     sample::refine_peak(film, motion, &mut steps, &mut samples, options.errors())?;
     drift::carry(&steps, &mut samples, end);
+    drift::add_closure(&cycles, &mut samples, motion.coordinates().order);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();
     let load = motion.cycle.summary();
     let (_, peak) = load.peak;

@@ -4,6 +4,7 @@
 
 use std::fmt;
 
+use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::supply::SupplyError;
 use oilwedge_scene::wording::{factor, percent};
 
@@ -30,10 +31,18 @@ pub enum Limit {
     Position(f64, Cause),
     /// So many cycles were followed, and the last one ended this far from where it began, over the clearance.
     NotClosed(usize, f64),
+    /// So many cycles of a rotor of this mass [kg] were followed, which do not end nearer to where they began; the last one closed to this part of the clearance.
+    Whirl(usize, f64, f64),
     /// So many cycles were followed, the last of which closed to this part of the clearance, under a load of which this part turns at half the speed of the journal.
     Collapse(usize, f64, f64),
     /// As [`Self::Collapse`], of a journal that does not turn: the part of the load that keeps its direction, over the mean magnitude.
     Sinking(usize, f64, f64),
+    /// The orbit was ended at this crank angle [deg] of its first cycle.
+    FirstCycle(f64, Cause),
+    /// The search for a first position was ended, where the nearest force and the load are these [N].
+    FirstPosition([f64; 2], Cause),
+    /// The search for a temperature was ended before a first one was solved.
+    FirstTemperature(Cause),
     /// The orbit was ended after so many complete cycles, the last of which closed to this part of the clearance.
     Orbit(usize, f64, Cause),
     /// The next mesh was not finished after so many seconds.
@@ -65,12 +74,29 @@ pub enum Limit {
 }
 
 /// What ended a search or a refinement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cause {
     /// An interrupt.
     Interrupt,
-    /// The deadline.
-    Deadline,
+    /// A limit of so many seconds [s] that the caller gave.
+    GivenLimit(f64),
+    /// The usual limit of so many seconds [s], which nobody gave.
+    UsualLimit(f64),
+}
+
+impl Cause {
+    /// The sentence of a search that was ended, with its cause and the way out.
+    pub(crate) fn ends(self, search: &str) -> String {
+        match self {
+            Self::Interrupt => format!("interrupted: {search}"),
+            Self::GivenLimit(seconds) => {
+                format!("limit: {search}, by --max-seconds {seconds}; {MORE_SECONDS}")
+            }
+            Self::UsualLimit(seconds) => {
+                format!("limit: {search}, by the usual limit of {seconds} s of processor time; {MORE_SECONDS}")
+            }
+        }
+    }
 }
 
 /// How far a tolerance is.
@@ -110,10 +136,7 @@ impl fmt::Display for Distance {
 impl fmt::Display for Limit {
     // Long: a sentence for each limit.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ended = |out: &mut fmt::Formatter<'_>, search: String, cause: Cause| match cause {
-            Cause::Interrupt => write!(out, "interrupted: {search}"),
-            Cause::Deadline => write!(out, "limit: {search}; {MORE_SECONDS}"),
-        };
+        let ended = |out: &mut fmt::Formatter<'_>, search: String, cause: Cause| out.write_str(&cause.ends(&search));
         match self {
             Self::Jump(left_over) => write!(
                 out,
@@ -143,6 +166,10 @@ impl fmt::Display for Limit {
                 "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; the same command goes on from there, or give orbit.cycles a higher limit, or a greater orbit.closure",
                 if *cycles == 1 { "cycle" } else { "cycles" }
             ),
+            Self::Whirl(cycles, closure, mass) => write!(
+                out,
+                "whirl: cycles do not close, and come no nearer to it: the last of {cycles} ended {closure:.1e} of the clearance from where it began; the rotor of {mass} kg whirls, for it is heavier than that with which its equilibrium is stable ([dynamics] of the mean load gives the critical mass); give a smaller orbit.mass, a greater load or thinner oil"
+            ),
             Self::Collapse(cycles, closure, share) => write!(
                 out,
                 "collapse: {} of the load turns at half the speed of the journal, where a film carries nothing at rest with the load, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; change [load] or journal.speed",
@@ -153,10 +180,30 @@ impl fmt::Display for Limit {
                 "sinking: the journal does not turn, {} of the load keeps its direction, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; change [load], or give journal.speed",
                 percent(*share)
             ),
+            Self::FirstCycle(angle, cause) => ended(
+                out,
+                format!("the orbit was ended at {angle:.1} deg of the first cycle"),
+                *cause,
+            ),
+            Self::FirstPosition([nearest, load], cause) => ended(
+                out,
+                format!(
+                    "the search for the position was ended before it was complete; the nearest force found is {} N, the load is {} N",
+                    readable(*nearest),
+                    readable(*load)
+                ),
+                *cause,
+            ),
+            Self::FirstTemperature(cause) => ended(
+                out,
+                "the search for the temperature was ended before a first one was solved".to_owned(),
+                *cause,
+            ),
             Self::Orbit(cycles, closure, cause) => ended(
                 out,
                 format!(
-                    "the orbit was ended after {cycles} complete cycles, the last of which closed to {closure:.1e} of the clearance"
+                    "the orbit was ended after {cycles} complete {}, the last of which closed to {closure:.1e} of the clearance",
+                    if *cycles == 1 { "cycle" } else { "cycles" }
                 ),
                 *cause,
             ),
@@ -164,7 +211,7 @@ impl fmt::Display for Limit {
                 let unknowns = distance.unknowns;
                 match cause {
                     Cause::Interrupt => write!(out, "interrupted: {distance} on {unknowns} unknowns"),
-                    Cause::Deadline => write!(
+                    Cause::GivenLimit(_) | Cause::UsualLimit(_) => write!(
                         out,
                         "limit: {distance} on {unknowns} unknowns, and the next mesh was not finished after {seconds:.1} s; {MORE_SECONDS}, or {}",
                         distance.way_out()

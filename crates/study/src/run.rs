@@ -54,9 +54,12 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     let clock = Instant::now();
     if let Some(orbit) = &scene.orbit {
         let mut run = on_orbit(scene, orbit, options)?;
-        run.result
-            .timing_s
-            .push(("total".to_owned(), clock.elapsed().as_secs_f64()));
+        let before = match (&run.orbit, scene.inlet_temperature()) {
+            (Some(_), Some(_)) => SECONDS_KEY,
+            (Some(_), None) => "start",
+            (None, _) => "orbit",
+        };
+        add_total(&mut run.result, before, clock.elapsed().as_secs_f64());
         return Ok(run);
     }
     let answer = answer(scene, options)?;
@@ -73,21 +76,29 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
             Some(picture)
         }
         Err(reason) => {
-            report_reason(&reason, &mut result);
+            report_reason(&reason, options, &mut result);
             None
         }
     };
     if let Some(limit) = answer.limit {
         (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
     }
-    let total = clock.elapsed().as_secs_f64();
-    result.timing_s.push(("total".to_owned(), total));
+    add_total(&mut result, "before", clock.elapsed().as_secs_f64());
     Ok(Run {
         result,
         picture,
         orbit: None,
         frames: Vec::new(),
     })
+}
+
+/// Adds the time of all to the times of a run [s], and names that which no part has: what came `before` them.
+fn add_total(result: &mut RunResult, before: &str, total: f64) {
+    let named: f64 = result.timing_s.iter().map(|(_, seconds)| seconds).sum();
+    let parts = [(before, f64::max(total - named, 0.0)), ("total", total)];
+    result
+        .timing_s
+        .extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
 }
 
 /// Part of the load that turns at half the speed of the journal, above which the film counts as collapsing [1].
@@ -100,7 +111,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     let followed = match outcome {
         Ok(followed) => followed,
         Err(reason) => {
-            report_reason(&reason, &mut result);
+            report_reason(&reason, options, &mut result);
             return Ok(Run {
                 result,
                 picture: None,
@@ -124,6 +135,9 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         OrbitEnd::NotClosed if half_speed > MOST_AT_HALF_SPEED => {
             let reason = if turns { Limit::Collapse } else { Limit::Sinking };
             Some(reason(facts.cycles.len(), closure(&facts), half_speed))
+        }
+        OrbitEnd::NotClosed if orbit.mass > 0.0 && !contracts(&facts) => {
+            Some(Limit::Whirl(facts.cycles.len(), closure(&facts), orbit.mass))
         }
         OrbitEnd::NotClosed => Some(Limit::NotClosed(facts.cycles.len(), closure(&facts))),
         OrbitEnd::Ended => Some(Limit::Orbit(facts.cycles.len(), closure(&facts), options.cause())),
@@ -206,6 +220,14 @@ fn closure(facts: &OrbitFacts) -> f64 {
     facts.cycles.last().map_or(0.0, |cycle| cycle.closure)
 }
 
+/// Whether cycles end nearer to where they began than those two before.
+fn contracts(facts: &OrbitFacts) -> bool {
+    match facts.cycles[..] {
+        [.., before, _, last] => last.closure < before.closure,
+        _ => true,
+    }
+}
+
 /// What is known of a run whatever its outcome.
 fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), options: &RunOptions) -> RunResult {
     RunResult {
@@ -241,7 +263,7 @@ fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), option
 }
 
 /// Fills in why there is no film.
-fn report_reason(reason: &NoAnswer, result: &mut RunResult) {
+fn report_reason(reason: &NoAnswer, options: &RunOptions, result: &mut RunResult) {
     match reason {
         NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => {
             result.history = history(film.history());
@@ -258,7 +280,7 @@ fn report_reason(reason: &NoAnswer, result: &mut RunResult) {
         NoAnswer::Orbit(_) | NoAnswer::Temperature(_) => {}
     }
     result.status = Status::without(reason);
-    result.reason = Some(reason.to_string());
+    result.reason = Some(reason.told(options.cause()));
 }
 
 fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {

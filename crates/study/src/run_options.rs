@@ -79,7 +79,8 @@ impl RunOptions {
     pub(crate) fn cause(&self) -> Cause {
         match self.interrupt.is_asked() {
             true => Cause::Interrupt,
-            false => Cause::Deadline,
+            false if self.max_seconds == Self::default().max_seconds => Cause::UsualLimit(self.max_seconds),
+            false => Cause::GivenLimit(self.max_seconds),
         }
     }
 

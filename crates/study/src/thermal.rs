@@ -61,12 +61,12 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
             readable(off)
         )
     };
-    let mut is_unreached = false;
+    let (mut is_unreached, mut is_ended) = (false, false);
     let told = match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
         NoBalance::NoFilm(Left::Ended) => {
-            is_unreached = true;
-            "the search for the temperature was ended; give --max-seconds a higher limit".to_owned()
+            (is_unreached, is_ended) = (true, true);
+            "the search for the temperature was ended".to_owned()
         }
         NoBalance::Ends {
             temperature,
@@ -95,7 +95,11 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
             watts(&film, temperature)
         ),
     };
-    NoAnswer::Temperature(NoTemperature { told, is_unreached })
+    NoAnswer::Temperature(NoTemperature {
+        told,
+        is_unreached,
+        is_ended,
+    })
 }
 
 /// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.

@@ -228,7 +228,7 @@ impl SearchObserver for Told {
 }
 
 impl OrbitObserver for Told {
-    fn step(&self, _: usize, _: f64) {}
+    fn step(&self, _: usize, _: f64, _: f64) {}
 }
 
 impl RunObserver for Told {

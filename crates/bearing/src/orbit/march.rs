@@ -34,8 +34,8 @@ pub struct OrbitOptions<'a> {
 
 /// Is notified of the progress of an orbit.
 pub trait OrbitObserver: std::fmt::Debug + Sync {
-    /// The cycle `number`, from 1, has got to this part of it [1].
-    fn step(&self, number: usize, part: f64);
+    /// The cycle `number`, from 1, has got to this crank angle of its period [deg].
+    fn step(&self, number: usize, angle: f64, period: f64);
 }
 
 /// One cycle.
@@ -244,7 +244,8 @@ impl Motion<'_> {
                     steps.push(self.recorded(traveller, error, accuracy));
                     cycle.steps += 1;
                     if let Some(observer) = options.observer {
-                        observer.step(number, traveller.here.time / period);
+                        let turn = self.cycle.period().to_degrees();
+                        observer.step(number, turn * traveller.here.time / period, turn);
                     }
                 }
                 Err(reason) => {

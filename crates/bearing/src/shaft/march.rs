@@ -204,7 +204,8 @@ impl Drive<'_> {
                     *here = end;
                     cycle.steps += 1;
                     if let Some(observer) = options.observer {
-                        observer.step(number, here.time / period);
+                        let turn = (self.speed * period).to_degrees();
+                        observer.step(number, turn * here.time / period, turn);
                     }
                 }
                 Err(reason) => {

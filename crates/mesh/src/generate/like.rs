@@ -1,6 +1,6 @@
 //! A mesh in rows along the flow with the geometry and the edge lengths of another mesh.
 
-use super::{Blueprint, DrawingError, Rows, Sense, generate_in_rows};
+use super::{Blueprint, DrawingError, Grading, Rows, Sense, generate_in_rows};
 use crate::raw::doubled_area;
 use crate::{Locator, Mesh};
 
@@ -58,6 +58,7 @@ pub fn generate_in_rows_like(
             along: &along,
             across: &across,
             sense,
+            grading: Grading::RESOLVED,
         },
     )
 }

@@ -23,6 +23,7 @@ pub use like::generate_in_rows_like;
 pub use meeting::{Meeting, meeting};
 pub use rows::{Rows, Sense};
 pub use shape::{Feature, Shape};
+pub use size::Grading;
 
 use assemble::raw_mesh;
 use drawing::{faults, gaps, placed, seam_place};
@@ -45,13 +46,25 @@ const EQUILATERAL_AREA: f64 = 0.433_012_701_892_219_3;
 /// # Errors
 /// Every fault of the drawing, or that it cannot be meshed at this size.
 pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result<Mesh, Vec<DrawingError>> {
+    generate_graded(blueprint, size, Grading::RESOLVED)
+}
+
+/// Meshes a liner as [`generate`] does, with a grading towards features of the caller's choice.
+///
+/// # Errors
+/// Every fault of the drawing, or that it cannot be meshed at this size.
+pub fn generate_graded(
+    blueprint: &Blueprint,
+    size: &dyn Fn([f64; 2]) -> f64,
+    grading: Grading,
+) -> Result<Mesh, Vec<DrawingError>> {
     let blueprint = &checked(blueprint)?;
     let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
     let gaps = gaps(blueprint, &sheet);
     let widest = widest(&sheet);
     let size = &|point: [f64; 2]| size(point).min(widest);
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
-    let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps, &corners);
+    let field = SizeField::new(size, grading, sheet.period(), (&blueprint.features, &gaps), &corners);
     let domain = Domain {
         sheet,
         features: &blueprint.features,
@@ -76,6 +89,7 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
         along: &along,
         across: &across,
         sense: rows.sense,
+        grading: rows.grading,
     };
     let size = |point: [f64; 2]| rows.size(point);
     // Grooves all around have rows along their edges, which have no corner: triangles become smaller towards all else.
@@ -83,7 +97,7 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
         .filter(|(feature, _)| !feature.shape.is_full_turn())
         .unzip();
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
-    let field = SizeField::new(&size, sheet.period(), &others, &gaps, &corners);
+    let field = SizeField::new(&size, rows.grading, sheet.period(), (&others, &gaps), &corners);
     let domain = Domain {
         sheet,
         features: &blueprint.features,
@@ -164,7 +178,7 @@ fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingErr
         .filter(|feature| rows.is_none() || !feature.shape.is_full_turn())
     {
         let sides = if feature.meshed { 2.0 } else { 1.0 };
-        triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * size::GROWTH);
+        triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * field.grading.growth);
     }
     if triangles <= MOST_TRIANGLES {
         return Ok(());

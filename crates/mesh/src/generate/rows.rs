@@ -10,6 +10,7 @@ use std::collections::{BTreeSet, HashMap};
 use super::outline::cut;
 use super::shape::{Feature, Piece};
 use super::sheet::Sheet;
+use super::size::Grading;
 use super::triangulate::{Domain, Triangles};
 
 /// Stops that differ by less than this part of half of the length are one.
@@ -37,6 +38,8 @@ pub struct Rows<'a> {
     pub across: &'a dyn Fn(f64) -> f64,
     /// Sense of the flow along x: films of either sense are mirror images.
     pub sense: Sense,
+    /// How cells shrink towards features.
+    pub grading: Grading,
 }
 
 /// Sense of a flow along x.

@@ -15,10 +15,14 @@
 //! Between two steps the path is a cubic, which is off by `k s^2 (1 - s)^2` to first order, s from 0 to 1. The film at s = 1/4 shows k: its velocity, by which it carries
 //! the load, differs from that of the path by v, and `C d' + K d = -C v` there. In a wall that gives way that film is led on to by a step, and shows k by its place.
 //!
+//! An orbit that closes is still off by what further cycles would move it: by `distance/(1 - rho)` at the beginning of the last cycle and `rho` times that at its end, where
+//! `rho` is the contraction from cycle to cycle. Its direction is not known: unit deviations `u_k` of all coordinates are carried along the orbit, and a number is off by
+//! `distance/(1 - rho) sqrt(sum_k (s.u_k)^2)`.
+//!
 //! K and C of such a wall are those of slow motions, which it follows; its deflection has no deviation of its own.
 
-use oilwedge_bearing::coordinates::{Vector, length, moved};
-use oilwedge_bearing::orbit::{Motion, OrbitEnd, Span, Step};
+use oilwedge_bearing::coordinates::{Vector, length, moved, unit};
+use oilwedge_bearing::orbit::{Cycle, Motion, OrbitEnd, Span, Step};
 
 use super::sample::{Sampled, TOLERANCE, Tangents};
 use crate::no_answer::NoAnswer;
@@ -60,6 +64,35 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
     }
 }
 
+/// Adds what the closure of the last cycle leaves of the distance to the limit of all cycles; an orbit that does not contract has no bars.
+pub(super) fn add_closure(cycles: &[Cycle], samples: &mut [Sampled], order: usize) {
+    let Some(last) = cycles.last() else { return };
+    let mut deviations = Parts((0..order).map(unit).collect());
+    let (mut before, mut sizes) = (None, Vec::with_capacity(samples.len()));
+    for Sampled { sample, tangents, .. } in samples.iter() {
+        let Some(tangents) = tangents else { return };
+        if let Some(before) = before.replace(sample.time) {
+            deviations.carry(tangents, sample.time - before);
+        }
+        sizes.push(deviations.size_of_numbers(tangents));
+    }
+    let carried = deviations.0.iter().map(|deviation| length(*deviation));
+    let by_tangents = carried.fold(0.0, f64::hypot);
+    let by_cycles = match cycles {
+        [.., before, _] => Some(last.closure / before.closure).filter(|ratio| *ratio < 1.0),
+        _ => None,
+    };
+    let left = 1.0 - by_cycles.unwrap_or(by_tangents);
+    for (Sampled { sample, .. }, sizes) in samples.iter_mut().zip(sizes) {
+        match left > 0.0 {
+            true => {
+                (sample.drift.iter_mut().zip(sizes)).for_each(|([_, time], size)| *time += last.closure / left * size)
+            }
+            false => sample.drift.clear(),
+        }
+    }
+}
+
 /// What each step has made a journal deviate by until now [m].
 #[derive(Debug)]
 struct Parts(Vec<Vector>);
@@ -79,6 +112,20 @@ impl Parts {
         for part in &mut self.0 {
             *part = tangents.step(*part, [0.0; 4], dt);
         }
+    }
+
+    /// What parts of unknown sign, at right angles to each other at first, change each number of a film by.
+    fn size_of_numbers(&self, tangents: &Tangents) -> Vec<f64> {
+        let moving: Vec<[Vector; 2]> = (self.0.iter())
+            .map(|&part| [part, tangents.rate(part, [0.0; 4])])
+            .collect();
+        let size = |(by_offset, by_rate): (&Vector, &Vector)| {
+            let parts = moving
+                .iter()
+                .map(|[part, rate]| dot(*by_offset, *part) + dot(*by_rate, *rate));
+            parts.fold(0.0, f64::hypot)
+        };
+        tangents.by_offset.iter().zip(&tangents.by_rate).map(size).collect()
     }
 
     /// What they change each number of a film by, the last of them being pushed on by a `defect` of force [N].

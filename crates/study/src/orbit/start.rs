@@ -1,10 +1,9 @@
 //! The mesh of an orbit, and where the journal begins.
 
-use oilwedge_bearing::Deadline;
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{ShortMap, Travel};
-use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
+use oilwedge_bearing::orbit::{Motion, Orbit, OrbitObserver, OrbitOptions};
 use oilwedge_reynolds::Gap;
 use oilwedge_scene::Scene;
 
@@ -12,6 +11,7 @@ use super::{motion, no_map};
 use crate::compile::compile_near;
 use crate::compile_error::CompileError;
 use crate::film::Film;
+use crate::observer::Watch;
 use crate::position::Position;
 
 /// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads elsewhere, another one is drawn if
@@ -34,10 +34,10 @@ pub(super) fn prepared(
     scene: &Scene,
     model: &oilwedge_scene::Orbit,
     cycle: &DutyCycle,
-    deadline: Deadline,
+    watch: Watch,
 ) -> Result<(Film, Vector), CompileError> {
     let film = on_mesh_for(scene, USUAL)?;
-    let rough = rough(&film, scene, model, cycle, deadline);
+    let rough = rough(&film, scene, model, cycle, watch);
     let clearance = film.problem.bearing.clearance;
     let given = model.start.map(|[eccentricity, angle]| {
         let offset = eccentricity * clearance;
@@ -62,6 +62,14 @@ pub(crate) fn suits(drawn: f64, greatest: f64) -> bool {
     ratio < ELSEWHERE && ratio > 1.0 / ELSEWHERE
 }
 
+/// The film of an orbit on its first mesh.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn film_of_orbit(scene: &Scene) -> Result<Film, CompileError> {
+    on_mesh_for(scene, USUAL)
+}
+
 /// A film whose mesh is fine enough all around for an eccentricity.
 ///
 /// # Errors
@@ -83,7 +91,7 @@ fn rough(
     scene: &Scene,
     model: &oilwedge_scene::Orbit,
     cycle: &DutyCycle,
-    deadline: Deadline,
+    watch: Watch,
 ) -> Option<(Orbit, f64)> {
     let fine = motion(film, scene, model, cycle);
     let coarser = film.system.coarser.as_ref()?;
@@ -100,9 +108,12 @@ fn rough(
         tolerance: ROUGH,
         closure: model.closure,
         cycles: if by_map.is_some() { 1 } else { ROUGH_CYCLES },
-        deadline,
-        observer: None,
+        deadline: watch.deadline,
+        observer: watch.observer.map(|observer| observer as &dyn OrbitObserver),
     };
+    if let Some(observer) = watch.observer {
+        observer.turns_to("the orbit on a coarser mesh");
+    }
     let bearing = &film.problem.bearing;
     let begin = by_map.unwrap_or(first(cycle, bearing.clearance));
     let orbit = motion.orbit(begin, &options).ok()?;

@@ -15,11 +15,12 @@ use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Orbit, Scene};
 
-use super::{Followed, followed, start};
+use super::{Followed, expected_seconds, followed, start};
 use crate::compile::at_temperature;
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::no_answer::NoAnswer;
+use crate::observer::Watch;
 use crate::oil;
 use crate::quantities::{
     CYCLE_COOLING_FLOW, CYCLE_POWER_LOSS, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, Quantity, Row,
@@ -76,13 +77,12 @@ struct Search<'a> {
 pub(super) fn balanced(
     (scene, model, cycle): (&Scene, &Orbit, &DutyCycle),
     thermal: ThermalModel,
-    deadline: Deadline,
+    watch: Watch,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
     let quick = RunOptions {
         bars: false,
         frames: 0,
-        observer: None,
         earlier: None,
         ..*options
     };
@@ -93,12 +93,12 @@ pub(super) fn balanced(
         cycle,
         film,
         begin,
-        deadline,
+        deadline: watch.deadline,
         options: quick,
         tried: Vec::new(),
     };
     let first = oil::first_temperature(thermal.balance.inlet);
-    let (film, begin) = start::prepared(scene, model, cycle, deadline)?;
+    let (film, begin) = start::prepared(scene, model, cycle, watch)?;
     let rough_model = Orbit {
         tolerance: ROUGH_TOLERANCE.max(model.tolerance),
         ..*model
@@ -108,7 +108,11 @@ pub(super) fn balanced(
         Ok(found) => found,
         Err(reason) => return Ok((film, Err(none(&thermal.balance, reason)))),
     };
-    let (film, begin) = start::prepared(&oil::at_temperature(scene, found.temperature), model, cycle, deadline)?;
+    let (film, begin) = start::prepared(&oil::at_temperature(scene, found.temperature), model, cycle, watch)?;
+    if let Some(observer) = options.observer {
+        observer.expects(film.unknowns(), expected_seconds(&film));
+        observer.turns_to("the orbits at one temperature after the other");
+    }
     let mut fine = search(film, begin, *model);
     let near = Start {
         temperature: found.temperature,
@@ -145,6 +149,9 @@ impl Search<'_> {
     /// The mean flows of the orbit at a temperature [K].
     fn at(&mut self, temperature: f64) -> Result<ThermalFlows, Left> {
         let film = at_temperature(&self.film, temperature);
+        if let Some(observer) = self.options.observer {
+            observer.temperature(self.tried.len() + 1, temperature - ZERO_CELSIUS);
+        }
         let found = followed(
             &film,
             (self.scene, &self.model, self.cycle),

@@ -339,12 +339,12 @@ impl Refining<'_> {
         match self.options.cause() {
             Cause::Interrupt => Some(self.stopped(goal.worst)),
             // Time first: a mesh that is too large is made smaller where there is time for one (see `Growth::of`).
-            Cause::Deadline if elapsed + seconds > max_seconds => Some(Limit::Seconds {
+            _ if elapsed + seconds > max_seconds => Some(Limit::Seconds {
                 distance,
                 seconds: [elapsed, seconds, max_seconds],
             }),
-            Cause::Deadline if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
-            Cause::Deadline => (self.levels.len() >= MOST_LEVELS).then_some(Limit::Meshes(distance, MOST_LEVELS)),
+            _ if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
+            _ => (self.levels.len() >= MOST_LEVELS).then_some(Limit::Meshes(distance, MOST_LEVELS)),
         }
     }
 }

@@ -14,8 +14,7 @@ use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
 use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
-use crate::reasons::Limit;
-use crate::reasons::flags::MORE_SECONDS;
+use crate::reasons::{Cause, Limit};
 use crate::result::Status;
 use crate::run_options::RunOptions;
 use crate::warning::Warning;
@@ -106,7 +105,7 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     run.result
         .timing_s
         .push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
-    let outcome = found.map_err(|reason| (status(&reason), told(&reason, &compiled)));
+    let outcome = found.map_err(|reason| (status(&reason), told(&reason, &compiled, options.cause())));
     let outcome = outcome.and_then(|orbit| {
         let clock = Instant::now();
         let outcome = report(scene, engine, &compiled, &orbit, options, &mut run);
@@ -319,7 +318,7 @@ fn told_at(reason: &NoFilmAt, compiled: &Compiled) -> String {
 }
 
 /// Why the journals cannot be followed, with the name of the bearing that is meant, and the way out.
-fn told(reason: &NoShaftOrbit, compiled: &Compiled) -> String {
+fn told(reason: &NoShaftOrbit, compiled: &Compiled, cause: Cause) -> String {
     let name = |bearing: usize| compiled.bearings.get(bearing).map_or("", |bearing| &bearing.name);
     match reason {
         NoShaftOrbit::Film { bearing, .. } => format!("bearing {}: {reason}", name(*bearing)),
@@ -332,6 +331,6 @@ fn told(reason: &NoShaftOrbit, compiled: &Compiled) -> String {
             "bearing {}: {reason}; lower the loads, or give the bearing more length or its shell less stiffness",
             name(*bearing)
         ),
-        NoShaftOrbit::Ended { .. } => format!("{reason}; {MORE_SECONDS}"),
+        NoShaftOrbit::Ended { .. } => cause.ends(&reason.to_string()),
     }
 }

@@ -19,7 +19,7 @@ use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
 use crate::orbit::{GREATEST, USUAL, suits};
-use crate::reasons::flags::MORE_SECONDS;
+use crate::reasons::Cause;
 use crate::result::Status;
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, SolveOptions, Solved};
@@ -63,7 +63,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
         .push(("balance".to_owned(), clock.elapsed().as_secs_f64()));
     let clock = Clock::now();
     let outcome = found
-        .map_err(|reason| without(&reason, &compiled))
+        .map_err(|reason| without(&reason, &compiled, options.cause()))
         .and_then(|balance| report(&compiled, balance, options, result));
     if let Err((status, reason)) = outcome {
         (result.status, result.reason) = (status, Some(reason));
@@ -75,12 +75,12 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
 }
 
 /// Why there is no answer.
-fn without(reason: &NoBalance, compiled: &Compiled) -> (Status, String) {
+fn without(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> (Status, String) {
     let status = match reason {
         NoBalance::Film(at) if !at.reason.is_unreached() => Status::NoSolution,
         NoBalance::Film(_) | NoBalance::Stuck { .. } | NoBalance::Ended => Status::NotConverged,
     };
-    (status, told(reason, compiled))
+    (status, told(reason, compiled, cause))
 }
 
 fn is_graded(bearing: &Bearing) -> bool {
@@ -150,12 +150,12 @@ fn reported(
             });
         }
         let next = films.rebalanced(&asked, 0.0, &balance);
-        balance = next.map_err(|reason| without(&reason, compiled))?;
+        balance = next.map_err(|reason| without(&reason, compiled, options.cause()))?;
     }
     let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
     let (bearing, gap) = films.thinnest(&at);
     let residual = left / size;
-    Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled))
+    Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled, options.cause()))
 }
 
 /// What the film of a bearing carries whose numbers are reported.
@@ -183,7 +183,7 @@ fn report(
     } = reported(compiled, &mut films, found, options)?;
     let estimated: Vec<Estimated> = solved.par_iter().map(estimate_errors).collect();
     let displacements = displacements(&films, &balance, &estimated);
-    let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled))?;
+    let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled, options.cause()))?;
     let measure = |number: usize| {
         let (bearing, solved, of_film) = (&compiled.bearings[number], &solved[number], &films.films[number]);
         (number, bearing, solved, of_film)
@@ -277,7 +277,7 @@ fn balances(compiled: &Compiled, balance: &Balance, carried: &[Resultant]) -> Sh
 }
 
 /// Why there is no balance, with the name of the bearing that is meant, and the way out.
-fn told(reason: &NoBalance, compiled: &Compiled) -> String {
+fn told(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> String {
     let name = |bearing: usize| compiled.bearings.get(bearing).map_or("", |bearing| &bearing.name);
     match reason {
         NoBalance::Film(at) => format!("bearing {}: {}", name(at.bearing), at.reason),
@@ -285,6 +285,6 @@ fn told(reason: &NoBalance, compiled: &Compiled) -> String {
             "{reason}, in bearing {}; lower the loads, give that bearing more length, or what holds its shell more stiffness",
             name(*bearing)
         ),
-        NoBalance::Ended => format!("{reason}; {MORE_SECONDS}"),
+        NoBalance::Ended => cause.ends(&reason.to_string()),
     }
 }
