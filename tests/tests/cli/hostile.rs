@@ -218,7 +218,6 @@ fn a_scene_of_a_megabyte_of_faults_is_refused_in_a_few_words() {
         let name = format!("{name}.toml");
         bench.write(&name, &text);
         let peak = refused_soon(&bench, &name, &[word]);
-        println!("{name}: {} bytes, peak {} MB", text.len(), peak >> 20);
         assert!(peak < PROGRAM + 256 * text.len() as u64, "{name}: {peak}");
     }
 }
@@ -315,12 +314,6 @@ fn memory_is_a_small_multiple_of_the_file() {
         let name = format!("{name}.msh");
         bench.write(&name, &text);
         let peak = refused_soon(&bench, &name, &[&name]);
-        let over = peak.saturating_sub(PROGRAM) as f64 / text.len() as f64;
-        println!(
-            "{name}: {:.1} MB, peak {} MB, {over:.1} beyond the program",
-            text.len() as f64 / 1e6,
-            peak >> 20
-        );
         assert!(
             peak < PROGRAM + HOSTILE * text.len() as u64,
             "{name}: {peak} of {}",
@@ -347,7 +340,6 @@ fn memory_is_a_small_multiple_of_the_file() {
             .expect("the program runs");
         assert!(used.status.success());
         let peak = used.rusage.maxrss;
-        println!("fine.msh: {:.1} MB, peak {} MB", length as f64 / 1e6, peak >> 20);
         assert!(peak < PROGRAM + HONEST * length, "{peak} of {length}");
         std::fs::remove_file(bench.path().join("fine.msh")).expect("the file goes");
     }
