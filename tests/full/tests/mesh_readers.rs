@@ -239,7 +239,6 @@ fn both_read_a_thousand_random_liners_alike_in_every_form() {
             file.triangles.len()
         })
         .sum();
-    println!("{triangles} triangles");
 }
 
 /// The files that `docs/reference/mesh_files.md` shows: our reader and mshio differ on each of them, as said there.
