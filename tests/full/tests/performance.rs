@@ -1,4 +1,4 @@
-//! What is timed is what it says: the films of the page, the sizes from which floors are told, the gate.
+//! What is timed is what it says: the films of the page, and the sizes from which floors are told.
 
 use oilwedge_full::performance::films::{Films, Kind, scene};
 use oilwedge_full::performance::floor::Path;
