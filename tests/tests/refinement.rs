@@ -253,11 +253,6 @@ fn uniform_refinement_keeps_the_geometry() {
                 mesh = refined.mesh;
             }
             errors.push(Quality::of(&mesh).area - case.area);
-            println!(
-                "{}: area errors {errors:?}, {:e} radii off",
-                case.name,
-                off_circles(&mesh)
-            );
             if case.holes.is_empty() {
                 assert!(errors.iter().all(|error| error.abs() < 1e-13 * case.area));
             } else {
@@ -273,7 +268,6 @@ fn uniform_refinement_keeps_the_geometry() {
 /// Refines six times where `near` says, of the corners of a triangle, and compares the least angles.
 fn refine_six_times(name: &str, mut mesh: Mesh, near: impl Fn([[f64; 2]; 3]) -> bool) {
     let first = Quality::of(&mesh).least_angle;
-    let (mut most, mut cells) = (0, mesh.triangles().len());
     for _ in 0..6 {
         let marked: Vec<bool> = (0..mesh.triangles().len()).map(|t| near(mesh.corners(t))).collect();
         assert!(marked.contains(&true), "{name}");
@@ -293,11 +287,7 @@ fn refine_six_times(name: &str, mut mesh: Mesh, near: impl Fn([[f64; 2]; 3]) -> 
         mesh = refined.mesh;
         let least = Quality::of(&mesh).least_angle;
         assert!(least > 0.5 * first, "{name}: from {first} to {least} degrees");
-        most = most.max(mesh.triangles().len() - cells);
-        cells = mesh.triangles().len();
     }
-    let least = Quality::of(&mesh).least_angle;
-    println!("{name}: {cells} cells, least angle {first:.2} -> {least:.2} degrees");
 }
 
 #[test]

@@ -215,6 +215,7 @@ fn random_liners_in_rows() {
             } else {
                 Sense::Backwards
             },
+            grading: grading(angles.len()),
         };
         match generate_in_rows(&blueprint, &rows) {
             Ok(mesh) => {

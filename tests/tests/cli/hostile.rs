@@ -152,8 +152,6 @@ fn other_forms_of_meshes_are_told_with_the_way_out() {
     }
     bench.write("great.msh", b"$MeshFormat\n4.1 1 8\n\0\0\0\x01\n$EndMeshFormat\n");
     refused_soon(&bench, "great.msh", &["big-endian", "Mesh.Binary = 0"]);
-    bench.write("empty.msh", "");
-    refused_soon(&bench, "empty.msh", &["empty.msh", "not a gmsh mesh file"]);
 }
 
 #[test]
@@ -219,7 +217,6 @@ fn a_scene_of_a_megabyte_of_faults_is_refused_in_a_few_words() {
         let name = format!("{name}.toml");
         bench.write(&name, &text);
         let peak = refused_soon(&bench, &name, &[word]);
-        println!("{name}: {} bytes, peak {} MB", text.len(), peak >> 20);
         assert!(peak < PROGRAM + 256 * text.len() as u64, "{name}: {peak}");
     }
 }
@@ -316,12 +313,6 @@ fn memory_is_a_small_multiple_of_the_file() {
         let name = format!("{name}.msh");
         bench.write(&name, &text);
         let peak = refused_soon(&bench, &name, &[&name]);
-        let over = peak.saturating_sub(PROGRAM) as f64 / text.len() as f64;
-        println!(
-            "{name}: {:.1} MB, peak {} MB, {over:.1} beyond the program",
-            text.len() as f64 / 1e6,
-            peak >> 20
-        );
         assert!(
             peak < PROGRAM + HOSTILE * text.len() as u64,
             "{name}: {peak} of {}",
@@ -348,7 +339,6 @@ fn memory_is_a_small_multiple_of_the_file() {
             .expect("the program runs");
         assert!(used.status.success());
         let peak = used.rusage.maxrss;
-        println!("fine.msh: {:.1} MB, peak {} MB", length as f64 / 1e6, peak >> 20);
         assert!(peak < PROGRAM + HONEST * length, "{peak} of {length}");
         std::fs::remove_file(bench.path().join("fine.msh")).expect("the file goes");
     }

@@ -299,9 +299,4 @@ fn a_mesh_alone_is_refused_for_the_same_reasons() {
     bench.write("broken.msh", with_inverted_triangle(&text, 5));
     bench.refuses(&["check", "broken.msh", "--json"], &["broken.msh", "is inverted"]);
     bench.refuses(&["check", "nowhere.msh"], &["nowhere.msh", "check the path"]);
-    std::fs::create_dir(bench.path().join("folder.msh")).expect("a folder");
-    bench.refuses(
-        &["check", "folder.msh"],
-        &["folder.msh is not a plain file", "give the path of a .msh file"],
-    );
 }

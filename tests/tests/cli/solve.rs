@@ -287,20 +287,6 @@ fn bars_are_left_out_where_they_are_not_wanted() {
 }
 
 #[test]
-fn threads_do_not_change_the_result() {
-    let bench = Bench::new();
-    bench.scene("07_grooved_liner", &[]);
-    let run = |threads: &str| {
-        let told = bench.run(&["solve", "scene.toml", "--threads", threads, "--out", threads]);
-        assert_eq!(told.status, 0, "{}", told.stderr);
-        let file = |name: &str| std::fs::read(bench.path().join(threads).join(name)).expect(name);
-        let json = String::from_utf8(file("result.json")).expect("UTF-8");
-        (timeless(object(&json)), file("film.vtu"))
-    };
-    assert!(run("1") == run("2"));
-}
-
-#[test]
 fn unrolled_changes_the_picture_only() {
     let bench = Bench::new();
     bench.scene("02_flexpde_shell", &[]);

@@ -122,11 +122,6 @@ fn numbers_under_a_wall_that_was_left_open_have_no_bars() {
         };
         let result = run(&scene, &options).expect("a run").result;
         let left = result.balances.deflection.unwrap_or(0.0);
-        println!(
-            "{asked}: {} left {left:e} force {:e}",
-            result.status.name(),
-            result.balances.force
-        );
         if left > 1e-6 {
             near += usize::from(result.balances.force < NEAR);
             let bars = result
