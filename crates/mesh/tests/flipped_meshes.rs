@@ -1,7 +1,6 @@
 //! Meshes made Delaunay by edge flips: jittered, stretched, sheared, with holes and grooves.
 
 use std::f64::consts::{PI, TAU};
-use std::time::Instant;
 
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::flip::{Flipped, to_delaunay};
@@ -150,6 +149,11 @@ fn check(mesh: &Mesh) -> (Flipped, usize) {
     let after = &flipped.mesh;
     let [straight, curved] = wrong_edges(after);
     assert_eq!(straight, 0, "of {before:?}");
+    assert!(
+        flipped.flips < 5 * mesh.topology().edges.len(),
+        "{} flips",
+        flipped.flips
+    );
     assert!(to_delaunay(after, &[]).is_none());
     // Nothing but inner edges has changed.
     assert_eq!(after.points(), mesh.points());
@@ -259,7 +263,6 @@ fn shaken_liners_with_curved_rims() {
         flips += flipped.flips;
         left += curved;
     }
-    println!("{flips} flips, {left} edges left at rims");
     assert!(left * 100 <= flips, "{left} of {flips}");
 }
 
@@ -281,8 +284,7 @@ fn a_delaunay_mesh_is_left_alone() {
     assert!(to_delaunay(&squares, &[]).is_none());
     // Nor do they flip for ever when rounding tells them apart.
     let there = check(&sheared(&squares, 1.7)).0;
-    let back = check(&sheared(&there.mesh, -1.7)).0;
-    assert!(there.flips.max(back.flips) < 5 * squares.topology().edges.len());
+    check(&sheared(&there.mesh, -1.7));
 }
 
 #[test]
@@ -342,22 +344,5 @@ fn kept_edges_stay() {
     for edge in kept {
         let [a, b] = mesh.topology().edges[edge as usize];
         assert!(flipped.topology().edge_between(a, b).is_some());
-    }
-}
-
-#[test]
-fn time_is_about_linear() {
-    let mut random = Random(6);
-    for (aspect, factor) in [(5.0, 1), (5.0, 2), (5.0, 4), (20.0, 4), (1.0 / 3.0, 4)] {
-        let mesh = jittered(60 * factor, 80 * factor, aspect, &mut random);
-        let started = Instant::now();
-        let flipped = to_delaunay(&mesh, &[]).unwrap();
-        println!(
-            "aspect {aspect:.1}: {} flips of {} edges, {:.1} ms",
-            flipped.flips,
-            mesh.topology().edges.len(),
-            started.elapsed().as_secs_f64() * 1e3
-        );
-        assert!(flipped.flips < 5 * mesh.topology().edges.len());
     }
 }

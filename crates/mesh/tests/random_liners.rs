@@ -163,30 +163,27 @@ fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
     quality.least_angle
 }
 
+/// Whether a refusal says what is wrong with the drawing.
+fn are_named(faults: &[DrawingError], blueprint: &Blueprint) {
+    for fault in faults {
+        let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
+        assert!(!unnamed, "{fault}: {blueprint:?}");
+    }
+}
+
 #[test]
 fn random_liners_are_meshed_or_refused() {
     let mut random = Random(2024);
     let mut angles = Vec::new();
-    let mut refused = 0;
     while angles.len() < 300 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         match generate(&blueprint, &|_| size) {
             Ok(mesh) => angles.push(check(&blueprint, &mesh, 20.0)),
-            Err(faults) => {
-                refused += 1;
-                for fault in faults {
-                    let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
-                    assert!(!unnamed, "{fault}: {blueprint:?}");
-                }
-            }
+            Err(faults) => are_named(&faults, &blueprint),
         }
     }
     angles.sort_unstable_by(f64::total_cmp);
-    println!(
-        "least {:.2}, 1 % {:.2}, median {:.2} deg; {refused} refused",
-        angles[0], angles[3], angles[150]
-    );
     assert!(angles[150] >= 30.0, "median of the least angles {}", angles[150]);
 }
 
@@ -214,19 +211,10 @@ fn random_liners_in_rows() {
                 angles.push(check(&blueprint, &mesh, 0.5));
                 across.push(share_across_flow(&mesh));
             }
-            Err(faults) => {
-                for fault in faults {
-                    let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
-                    assert!(!unnamed, "{fault}: {blueprint:?}");
-                }
-            }
+            Err(faults) => are_named(&faults, &blueprint),
         }
     }
     angles.sort_unstable_by(f64::total_cmp);
     across.sort_unstable_by(f64::total_cmp);
-    println!(
-        "least {:.2}, median {:.2} deg; across the flow median {:.3}, most {:.3}",
-        angles[0], angles[50], across[50], across[99]
-    );
     assert!(across[50] < 0.05 && across[99] < 0.3, "{across:?}");
 }

@@ -14,7 +14,6 @@ pub mod flexpde_page;
 pub mod flow_meshes;
 pub mod gallery;
 pub mod mesh_page;
-pub mod mesh_readers;
 pub mod msh_file;
 pub mod notation_page;
 pub mod orbits_page;

@@ -26,7 +26,6 @@ fn the_bars_of_a_mass_conserving_film_hold() {
             let (value, error) = bar(&coarse, name);
             let off = (value - quantity(&fine, name).value).abs();
             let own = quantity(&fine, name).error().expect("a bar");
-            println!("{size} mm, {name}: {value:e} ± {error:e}, off {off:e} ± {own:e}");
             assert!(off < error + own, "{size} mm, {name}: off {off:e}, bar {error:e}");
         }
     }

@@ -14,7 +14,6 @@ fn compare(case: &ThreeFilms) {
     let tilt = case.greatest_tilt();
     for (number, bearing) in case.bearings.iter().enumerate() {
         let found = [0, 1, 2, 3, 4].map(|k: usize| columns[k][number]);
-        println!("{number}: {found:?}");
         let force = bearing[0].hypot(bearing[1]);
         for k in 0..2 {
             assert!(

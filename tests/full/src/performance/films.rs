@@ -9,7 +9,7 @@ use oilwedge_mesh::{Mesh, gmsh};
 use oilwedge_scene::Scene;
 use tempfile::TempDir;
 
-use crate::msh_file::{Element, Encoding, Form, Numbers, scattered, to_bytes};
+use crate::msh_file::{scattered, to_bytes};
 use oilwedge_tests::program::repository;
 
 /// Radius [m] of the ring.
@@ -18,13 +18,6 @@ const RADIUS: f64 = 0.0375;
 const LENGTH: f64 = 0.075;
 /// Radius of its feed hole [m], and the angle [deg] of that.
 const HOLE: (f64, f64) = (0.0085, 130.0);
-/// What gmsh writes for a large mesh (`-bin`).
-const LARGE: Form = Form {
-    encoding: Encoding::Binary,
-    element: Element::Linear,
-    numbers: Numbers::Consecutive,
-    entities: 1,
-};
 /// Most unknowns of the meshes from which the size of another one is found.
 const TRIAL: f64 = 40_000.0;
 
@@ -120,7 +113,7 @@ impl Films {
         if !mesh.exists() {
             let text = gmsh::to_text(&ring(unknowns));
             let file = scattered(&gmsh::parse(text.as_bytes()).expect("our own file"));
-            std::fs::write(&mesh, to_bytes(&file, LARGE)).expect("a mesh file is written");
+            std::fs::write(&mesh, to_bytes(&file)).expect("a mesh file is written");
         }
         let text = format!("{}[mesh]\nfile = \"{unknowns}.msh\"\n", kind.text());
         self.written(&format!("{kind:?}{unknowns}"), &text)

@@ -1,4 +1,4 @@
-//! The number of iterations does not grow with the mesh (`cavitation_iterations` has the table up to 1e6 unknowns).
+//! The number of iterations does not grow with the mesh.
 
 use oilwedge_full::cavitation_counts::{count, drawn, imported};
 use oilwedge_reynolds::Cavitation;
@@ -11,12 +11,6 @@ fn few(study: &Film, least_levels: usize) {
         (Cavitation::Jfo { pressure: 0.0 }, 18),
     ] {
         let row = count(study, cavitation).0;
-        println!(
-            "{} {} unknowns: {} iterations",
-            cavitation.name(),
-            row.unknowns,
-            row.iterations
-        );
         assert!(
             row.iterations <= most,
             "{} at {} unknowns",
