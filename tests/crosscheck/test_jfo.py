@@ -25,6 +25,8 @@ BEARING = jfo_structured.Bearing(
     speed=SETUP["rpm"] * np.pi / 30,
 )
 FLOW_UNIT = BEARING.speed * BEARING.radius**2 * BEARING.clearance / 12
+
+
 def structured(case, columns, rows):
     """The film of one supply on a grid; 240 x 32 and its multiples have lines on the edges of the grooves."""
     data, pressure = GROOVED[case], SETUP["p_groove"]

@@ -93,10 +93,7 @@ fn a_wrong_value_of_any_key_is_refused_by_name() {
             if text[place.clone()].starts_with('[') && text[..place.start].trim_end().ends_with(|c: char| c != '=') {
                 continue;
             }
-            for value in VALUES
-                .split(" |")
-                .map(|value| &value[usize::from(value.starts_with([' ', '\n']))..])
-            {
+            for value in VALUES.split('|').map(str::trim) {
                 let spoiled = [&text[..place.start], value, &text[place.end..]].concat();
                 match parse(&spoiled) {
                     Ok(scene) => {

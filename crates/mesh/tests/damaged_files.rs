@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use oilwedge_mesh::gmsh::{self, MshFile};
 use oilwedge_mesh::{Error, Liner, Mesh, developed};
 
+use crate::random::Random;
+
 fn data(name: &str) -> Vec<u8> {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
     std::fs::read(path).unwrap()
@@ -120,18 +122,6 @@ fn harmless_additions_are_accepted() {
         good.replace('\n', "\r\n"),
     ] {
         assert_eq!(gmsh::parse(changed.as_bytes()).unwrap(), plain);
-    }
-}
-
-/// Marsaglia's xorshift: the same mutations every time.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound as u64) as usize
     }
 }
 

@@ -8,22 +8,7 @@ use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 use oilwedge_mesh::quality::triangle_area;
 use oilwedge_mesh::{Mesh, RawMesh, refine};
 
-/// Splitmix64: the same meshes on every machine.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-}
+use crate::random::Random;
 
 /// A ring of `n` columns and `m` rows of jittered cells of height one and width `aspect`: a pocket that
 /// lies across the seam, and a film.

@@ -7,26 +7,7 @@ use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Sense, Sha
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
-/// Splitmix64: the same liners on every machine.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.unit() * n as f64) as usize
-    }
-}
+use crate::random::Random;
 
 fn feature(random: &mut Random, liner: &Liner, index: usize) -> Feature {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
@@ -214,7 +195,6 @@ fn random_liners_in_rows() {
             Err(faults) => are_named(&faults, &blueprint),
         }
     }
-    angles.sort_unstable_by(f64::total_cmp);
     across.sort_unstable_by(f64::total_cmp);
     assert!(across[50] < 0.05 && across[99] < 0.3, "{across:?}");
 }

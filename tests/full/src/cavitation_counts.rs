@@ -1,11 +1,10 @@
 //! Films of one bearing on meshes of many sizes: how many iterations find the cavity.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::supply::SupplyRegion;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem};
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
 
@@ -19,8 +18,6 @@ pub struct Count {
     pub levels: usize,
     /// Iterations on the finest mesh.
     pub iterations: usize,
-    /// Time of all solves [s].
-    pub seconds: f64,
     /// Ways out that had to be taken.
     pub fallbacks: usize,
 }
@@ -69,19 +66,16 @@ fn refined(study: &mut Film) {
 }
 
 /// The film of a bearing under a model of cavitation.
-pub fn count(study: &Film, cavitation: Cavitation) -> (Count, FilmSolution) {
+pub fn count(study: &Film, cavitation: Cavitation) -> Count {
     let problem = FilmProblem {
         cavitation,
         ..study.problem.clone()
     };
-    let clock = Instant::now();
     let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
-    let count = Count {
+    Count {
         unknowns: film.unknown.len(),
         levels: film.levels,
         iterations: film.history.len(),
-        seconds: clock.elapsed().as_secs_f64(),
         fallbacks: film.fallbacks.len(),
-    };
-    (count, film)
+    }
 }

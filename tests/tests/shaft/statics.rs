@@ -43,19 +43,10 @@ fn compare(case: &ThreeFilms) {
     );
 }
 
+/// On stiff supports, on a soft one, and under crossed loads that tilt the journals every way.
 #[test]
 fn three_films_share_the_loads_of_a_shaft() {
-    compare(&THREE_FILMS[0]);
-}
-
-#[test]
-fn a_soft_support_leaves_its_load_to_the_others() {
-    compare(&THREE_FILMS[1]);
-}
-
-#[test]
-fn crossed_loads_tilt_the_journals_every_way() {
-    compare(&THREE_FILMS[2]);
+    THREE_FILMS.iter().for_each(compare);
 }
 
 /// Place and least film are found with the shaft: none of them is exact.

@@ -10,7 +10,7 @@ fn few(study: &Film, least_levels: usize) {
         (Cavitation::Reynolds { pressure: 0.0 }, 12),
         (Cavitation::Jfo { pressure: 0.0 }, 18),
     ] {
-        let row = count(study, cavitation).0;
+        let row = count(study, cavitation);
         assert!(
             row.iterations <= most,
             "{} at {} unknowns",
