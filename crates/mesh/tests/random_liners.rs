@@ -1,6 +1,6 @@
 //! Random liners with holes, grooves and pockets are meshed well, or refused with a reason.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows};
