@@ -182,11 +182,6 @@ fn the_edge_of_a_cavity_is_refined_where_it_dominates() {
         set(scene, "journal", "eccentricity", 0.9);
     });
     let result = answer(&scene, &RunOptions::default());
-    let levels: Vec<_> = result
-        .levels
-        .iter()
-        .map(|level| (level.unknowns, level.refinement, &level.errors))
-        .collect();
     let local = result
         .levels
         .windows(2)
