@@ -9,11 +9,9 @@ from functools import cache
 
 import numpy as np
 import pytest
-import skfem
 
-from cubic import ascending, solve_cubic
+from cubic import solve_cubic
 from film import rule_of_degree, solve_film
-from liner_mesh import read_liner, refined
 from oilwedge_run import SCENES, quantity, solve
 from scene_file import read_scene, write_variant
 
@@ -137,29 +135,3 @@ def test_the_bar_holds_the_answer_of_a_finer_mesh(name, solved):
     print(f"load off by {off:+.2e} N, bar {bars[0]:.2e}; angle off by {turned:+.2e} deg, bar {bars[1]:.2e}")
     assert abs(off) < bars[0] < 5e-3 * load
     assert abs(turned) < bars[1]
-
-
-def test_what_another_rule_changes(solved):
-    """Nothing at these digits: a rule of degree 6 would cost 1e-13 here, on the coarsest mesh of the cases 3e-11."""
-    scene, _, _, cubic = solved("shell")
-    exact = solve_cubic(scene, rule_of_degree(12))
-    cost = np.hypot(*cubic.load) / np.hypot(*exact.load) - 1
-    print(f"quadrature: {cost:+.2e} of the load")
-    assert abs(cost) < 1e-12
-
-
-def test_a_refined_mesh_is_the_same_liner():
-    scene = read_scene(SCENES / "04_flexpde_ring.toml")
-    coarse = read_liner(scene.mesh, scene.radius, scene.holes())
-    fine = refined(coarse, scene.radius, scene.holes())
-    (hole,) = scene.feeds
-    assert len(fine.cells) == 4 * len(coarse.cells)
-    # Euler: a new unknown for each half of an edge and three inside each cell.
-    edges = coarse.unknown.max() + 1 - len(np.unique(coarse.unknown[coarse.cells[:, :3]]))
-    assert fine.unknown.max() + 1 == coarse.unknown.max() + 1 + 2 * edges + 3 * len(coarse.cells)
-    rim = fine.points[np.unique(fine.curves[hole.group])] - [hole.hole.x, hole.hole.z]
-    assert np.abs(np.hypot(*rim.T) / hole.hole.radius - 1).max() < 1e-12
-    area = 2 * np.pi * scene.radius * scene.length - np.pi * hole.hole.radius**2
-    grids = [skfem.MeshTri2(m.points.T, ascending(m.cells).T) for m in (coarse, fine)]
-    off = [skfem.Basis(grid, skfem.ElementTriP1()).dx.sum() / area - 1 for grid in grids]
-    assert abs(off[1]) < abs(off[0]) / 10 < 1e-6

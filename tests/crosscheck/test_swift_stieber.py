@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.sparse import diags_array
 
-from film import barus_pressure, reduced_pressure, rule_of_degree, solve_film
+from film import reduced_pressure, rule_of_degree, solve_film
 from obstacle import solve_bounded
 from oilwedge_run import REPOSITORY, SCENES, crosscheck_data, program, quantity, solve
 from scene_file import read_scene, write_variant
@@ -46,14 +46,6 @@ def test_a_string_lies_on_the_floor_where_it_should():
     inside = distance > place + 1e-9
     assert np.allclose(force[inside], gravity / (nodes - 1) ** 2, rtol=1e-4)
     assert np.abs(force[distance < place - 1e-9]).max() < 1e-6 * force.max()
-
-
-def test_a_string_that_does_not_reach_the_floor_is_free():
-    matrix, right, fixed = hanging_string(101, 1.0, 1.0)
-    u, force = solve_bounded(matrix, right, 0.0, np.arange(101), fixed)
-    x = np.linspace(0, 1, 101)
-    assert np.abs(u - (1 - x * (1 - x) / 2)).max() < 1e-11
-    assert force.max() < 1e-8
 
 
 def drawn_ring(folder, slenderness, eccentricity, film_start, barus=None):
@@ -115,19 +107,6 @@ def test_ring_with_barus_oil(number, tmp_path):
     barus = {"alpha": f"{row['G'] / 2e6} 1/Pa"}
     scene = read_scene(drawn_ring(tmp_path, row["B_over_D"], row["eps"], True, barus))
     check_ring(solve_film(scene, rule_of_degree(8)), row)
-
-
-def test_a_bound_out_of_reach_changes_nothing(tmp_path):
-    source = SCENES / "02_flexpde_shell.toml"
-    free, bounded = (
-        solve_film(read_scene(write_variant(source, tmp_path / "scene.toml", cavitation=model)), rule_of_degree(8))
-        for model in ({"model": "none"}, bound("-100 bar"))
-    )
-    assert bounded.load == pytest.approx(free.load, rel=1e-9)
-
-
-def test_reduced_pressure_of_the_bound():
-    assert barus_pressure(reduced_pressure(-3e5, 2.5e-8), 2.5e-8) == pytest.approx(-3e5, rel=1e-12)
 
 
 def test_squeeze_film_of_a_ring(tmp_path):

@@ -187,14 +187,6 @@ fn any_start_leads_to_the_same_position() {
     }
 }
 
-#[test]
-fn no_load_centres_a_plain_ring() {
-    let system = ring_system(48, 8, LENGTH, None);
-    let problem = plain_film(LENGTH, 0.5, 0.3, SPEED);
-    let found = find(&problem, &system, [0.0; 2], &SearchOptions::default()).expect("the middle");
-    assert!(found.problem.journal.eccentricity() < 1e-10 * CLEARANCE);
-}
-
 /// Half a bearing does not pull: a load away from it is not carried.
 #[test]
 fn loads_out_of_reach_are_told() {

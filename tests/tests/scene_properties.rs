@@ -14,37 +14,9 @@ use proptest::prelude::*;
 use toml::de::{DeTable, DeValue};
 
 /// What a value is replaced by.
-const VALUES: [&str; 29] = [
-    "nan",
-    "-nan",
-    "inf",
-    "-inf",
-    "1e999",
-    "-1e999",
-    "1e308",
-    "1e-320",
-    "-1",
-    "0",
-    "99999999999999999999",
-    "\"\"",
-    "\" \"",
-    "\"nan mm\"",
-    "\"inf mm\"",
-    "\"1e999 mm\"",
-    "\"1e308 mm\"",
-    "\"-1e308 deg\"",
-    "\"-5 mm\"",
-    "\"5 deg\"",
-    "\"1e300 bar\"",
-    "\"mm\"",
-    "true",
-    "1979-05-27",
-    "[]",
-    "[nan]",
-    "{}",
-    "{ from = nan }",
-    "\"\\u0000\"",
-];
+const VALUES: &str = r#"nan | -nan | inf | -inf | 1e999 | -1e999 | 1e308 | 1e-320 | -1 | 0 | 99999999999999999999 | "" | " " |
+"nan mm" | "inf mm" | "1e999 mm" | "1e308 mm" | "-1e308 deg" | "-5 mm" | "5 deg" | "1e300 bar" | "mm" |
+true | 1979-05-27 | [] | [nan] | {} | { from = nan } | "\u0000""#;
 
 fn scenes() -> Vec<(String, String)> {
     let files = std::fs::read_dir(repository().join("scenes")).expect("scenes");
@@ -121,7 +93,7 @@ fn a_wrong_value_of_any_key_is_refused_by_name() {
             if text[place.clone()].starts_with('[') && text[..place.start].trim_end().ends_with(|c: char| c != '=') {
                 continue;
             }
-            for value in VALUES {
+            for value in VALUES.split('|').map(str::trim) {
                 let spoiled = [&text[..place.start], value, &text[place.end..]].concat();
                 match parse(&spoiled) {
                     Ok(scene) => {
@@ -142,7 +114,6 @@ fn a_wrong_value_of_any_key_is_refused_by_name() {
             }
         }
     }
-    println!("{refused} refused, {accepted} accepted");
     assert!(refused > 3000 && accepted > 100);
 }
 

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
-use std::time::Instant;
 
 use oilwedge_mesh::coarsen::{Coarser, coarser, coarser_in_rows};
 use oilwedge_mesh::developed::{Liner, read};
@@ -76,21 +75,11 @@ fn ratios(mesh: &Mesh, coarse: &Coarser) -> Vec<f64> {
 
 /// Checks the coarser mesh of `mesh` and describes it.
 fn check(name: &str, mesh: &Mesh, liner: &Liner, line: Option<f64>) {
-    let started = Instant::now();
     let coarse = coarser(mesh, liner, line, 2.0).unwrap_or_else(|| panic!("{name}: no coarser mesh"));
-    let elapsed = started.elapsed();
     let fall = mesh.quadratic_nodes() as f64 / coarse.mesh.quadratic_nodes() as f64;
     let ratios = ratios(mesh, &coarse);
     let [low, median, high] = [0.05, 0.5, 0.95].map(|part| ratios[(part * (ratios.len() - 1) as f64) as usize]);
-    let (finer, quality) = (Quality::of(mesh), Quality::of(&coarse.mesh));
-    println!(
-        "{name:32} {:7} -> {:6} /{fall:.2}  sizes {low:.2} {median:.2} {high:.2}  of {:4.0} to 1, least angle {:.1}, {:.1} ms",
-        mesh.quadratic_nodes(),
-        coarse.mesh.quadratic_nodes(),
-        finer.longest_edge / finer.shortest_edge,
-        quality.least_angle,
-        elapsed.as_secs_f64() * 1e3,
-    );
+    let quality = Quality::of(&coarse.mesh);
     assert!((3.0..6.0).contains(&fall), "{name}: {fall}");
     assert!(quality.least_angle > 25.0, "{name}: {}", quality.least_angle);
     // The areas of single triangles scatter, in both meshes.
@@ -220,7 +209,6 @@ fn cut_outs_are_filled_with_few_triangles() {
     let filled = (0..coarse.triangles().len()).filter(|&t| in_hole(t)).count() as f64;
     // A disc of n edges h = 2 pi r/n around, filled with equilateral triangles of edge 2 h: pi r^2/(0.433 (2 h)^2).
     let even = rim * rim / (16.0 * PI * 0.433);
-    println!("{filled} triangles in a hole with {rim} edges, {even:.0} of even size");
     assert!(filled < 0.5 * even && filled > 0.5 * rim);
 }
 

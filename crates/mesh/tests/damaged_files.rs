@@ -1,10 +1,11 @@
 //! Damaged files give errors: never a panic, never a mesh with wrong nodes in it.
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use oilwedge_mesh::gmsh::{self, MshFile};
 use oilwedge_mesh::{Error, Liner, Mesh, developed};
+
+use crate::random::Random;
 
 fn data(name: &str) -> Vec<u8> {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
@@ -124,18 +125,6 @@ fn harmless_additions_are_accepted() {
     }
 }
 
-/// Marsaglia's xorshift: the same mutations every time.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound as u64) as usize
-    }
-}
-
 #[test]
 fn mutations_never_panic() {
     let seeds = [
@@ -146,7 +135,7 @@ fn mutations_never_panic() {
         "quads.msh",
     ];
     let seeds = seeds.map(data);
-    let words: [&[u8]; 10] = [
+    let words: [&[u8]; 13] = [
         b"-1",
         b"0",
         b"1000000000000000000",
@@ -156,6 +145,9 @@ fn mutations_never_panic() {
         b" ",
         b"\xff\xff\xff\xff\xff\xff\xff\x7f",
         b"1e999",
+        b"4294967296",
+        b"18446744073709551615",
+        b"-inf",
         b"9",
     ];
     let liner = Liner {
@@ -164,8 +156,7 @@ fn mutations_never_panic() {
         arc: None,
     };
     let mut random = Random(88_172_645_463_325_252);
-    let (mut accepted, mut built) = (0, 0);
-    let start = Instant::now();
+    let mut accepted = 0;
     for round in 0..10000 {
         let mut bytes = seeds[round % seeds.len()].clone();
         for _ in 0..1 + random.below(3) {
@@ -183,17 +174,15 @@ fn mutations_never_panic() {
             sound(&file);
             accepted += 1;
             match developed::unroll(&file, &liner, 1.0).and_then(|raw| Ok(Mesh::build(raw)?)) {
-                Ok(mesh) => {
-                    built += 1;
-                    let _ = gmsh::to_text(&mesh);
+                Ok(mesh) => drop(gmsh::to_text(&mesh)),
+                Err(error) => {
+                    assert!(
+                        !matches!(error, Error::Io { .. }) && error.to_string().len() < 3000,
+                        "{error}"
+                    );
                 }
-                Err(error) => assert!(!matches!(error, Error::Io { .. })),
             }
         }
     }
-    println!(
-        "{accepted} accepted, {built} built, {:.2} s",
-        start.elapsed().as_secs_f64()
-    );
     assert!(accepted > 100);
 }

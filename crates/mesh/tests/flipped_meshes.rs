@@ -1,7 +1,6 @@
 //! Meshes made Delaunay by edge flips: jittered, stretched, sheared, with holes and grooves.
 
 use std::f64::consts::{PI, TAU};
-use std::time::Instant;
 
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::flip::{Flipped, to_delaunay};
@@ -9,22 +8,7 @@ use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 use oilwedge_mesh::quality::triangle_area;
 use oilwedge_mesh::{Mesh, RawMesh, refine};
 
-/// Splitmix64: the same meshes on every machine.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-}
+use crate::random::Random;
 
 /// A ring of `n` columns and `m` rows of jittered cells of height one and width `aspect`: a pocket that
 /// lies across the seam, and a film.
@@ -150,6 +134,11 @@ fn check(mesh: &Mesh) -> (Flipped, usize) {
     let after = &flipped.mesh;
     let [straight, curved] = wrong_edges(after);
     assert_eq!(straight, 0, "of {before:?}");
+    assert!(
+        flipped.flips < 5 * mesh.topology().edges.len(),
+        "{} flips",
+        flipped.flips
+    );
     assert!(to_delaunay(after, &[]).is_none());
     // Nothing but inner edges has changed.
     assert_eq!(after.points(), mesh.points());
@@ -259,7 +248,6 @@ fn shaken_liners_with_curved_rims() {
         flips += flipped.flips;
         left += curved;
     }
-    println!("{flips} flips, {left} edges left at rims");
     assert!(left * 100 <= flips, "{left} of {flips}");
 }
 
@@ -281,8 +269,7 @@ fn a_delaunay_mesh_is_left_alone() {
     assert!(to_delaunay(&squares, &[]).is_none());
     // Nor do they flip for ever when rounding tells them apart.
     let there = check(&sheared(&squares, 1.7)).0;
-    let back = check(&sheared(&there.mesh, -1.7)).0;
-    assert!(there.flips.max(back.flips) < 5 * squares.topology().edges.len());
+    check(&sheared(&there.mesh, -1.7));
 }
 
 #[test]
@@ -342,22 +329,5 @@ fn kept_edges_stay() {
     for edge in kept {
         let [a, b] = mesh.topology().edges[edge as usize];
         assert!(flipped.topology().edge_between(a, b).is_some());
-    }
-}
-
-#[test]
-fn time_is_about_linear() {
-    let mut random = Random(6);
-    for (aspect, factor) in [(5.0, 1), (5.0, 2), (5.0, 4), (20.0, 4), (1.0 / 3.0, 4)] {
-        let mesh = jittered(60 * factor, 80 * factor, aspect, &mut random);
-        let started = Instant::now();
-        let flipped = to_delaunay(&mesh, &[]).unwrap();
-        println!(
-            "aspect {aspect:.1}: {} flips of {} edges, {:.1} ms",
-            flipped.flips,
-            mesh.topology().edges.len(),
-            started.elapsed().as_secs_f64() * 1e3
-        );
-        assert!(flipped.flips < 5 * mesh.topology().edges.len());
     }
 }

@@ -6,4 +6,5 @@ mod flipped_meshes;
 mod generated_liners;
 mod gmsh_files;
 mod hostile_files;
+mod random;
 mod written_meshes;

@@ -1,6 +1,6 @@
 //! Random liners with holes, grooves and pockets are meshed well, or refused with a reason.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{
@@ -9,26 +9,7 @@ use oilwedge_mesh::generate::{
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
-/// Splitmix64: the same liners on every machine.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.unit() * n as f64) as usize
-    }
-}
+use crate::random::Random;
 
 fn feature(random: &mut Random, liner: &Liner, index: usize) -> Feature {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
@@ -170,30 +151,27 @@ fn grading(number: usize) -> Grading {
     [Grading::RESOLVED, Grading::BY_SIZE][number / 2 % 2]
 }
 
+/// Whether a refusal says what is wrong with the drawing.
+fn are_named(faults: &[DrawingError], blueprint: &Blueprint) {
+    for fault in faults {
+        let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
+        assert!(!unnamed, "{fault}: {blueprint:?}");
+    }
+}
+
 #[test]
 fn random_liners_are_meshed_or_refused() {
     let mut random = Random(2024);
     let mut angles = Vec::new();
-    let mut refused = 0;
     while angles.len() < 300 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         match generate_graded(&blueprint, &|_| size, grading(angles.len())) {
             Ok(mesh) => angles.push(check(&blueprint, &mesh, 20.0)),
-            Err(faults) => {
-                refused += 1;
-                for fault in faults {
-                    let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
-                    assert!(!unnamed, "{fault}: {blueprint:?}");
-                }
-            }
+            Err(faults) => are_named(&faults, &blueprint),
         }
     }
     angles.sort_unstable_by(f64::total_cmp);
-    println!(
-        "least {:.2}, 1 % {:.2}, median {:.2} deg; {refused} refused",
-        angles[0], angles[3], angles[150]
-    );
     assert!(angles[150] >= 30.0, "median of the least angles {}", angles[150]);
 }
 
@@ -222,19 +200,9 @@ fn random_liners_in_rows() {
                 angles.push(check(&blueprint, &mesh, 0.5));
                 across.push(share_across_flow(&mesh));
             }
-            Err(faults) => {
-                for fault in faults {
-                    let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
-                    assert!(!unnamed, "{fault}: {blueprint:?}");
-                }
-            }
+            Err(faults) => are_named(&faults, &blueprint),
         }
     }
-    angles.sort_unstable_by(f64::total_cmp);
     across.sort_unstable_by(f64::total_cmp);
-    println!(
-        "least {:.2}, median {:.2} deg; across the flow median {:.3}, most {:.3}",
-        angles[0], angles[50], across[50], across[99]
-    );
     assert!(across[50] < 0.05 && across[99] < 0.3, "{across:?}");
 }

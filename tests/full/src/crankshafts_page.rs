@@ -6,7 +6,7 @@ use oilwedge_study::quantities::{
 };
 use oilwedge_study::shaft::{CounterweightReport, ShaftRun, best_counterweights};
 
-use crate::tables::{replace, row};
+use crate::tables::{head, replace, row};
 use oilwedge_tests::crankshafts::*;
 
 type Table = Vec<Vec<String>>;
@@ -43,19 +43,10 @@ fn percent(difference: f64, whole: f64) -> String {
 }
 
 fn three_films() -> Table {
-    let mut rows = vec![row([
-        "shaft",
-        "bearing",
-        "W_x, W_y [N], reference",
-        "found",
-        "off [% of W]",
-        "g_x, g_y [c/R], reference",
-        "found",
-        "off [% of the greatest]",
-        "least film [um], reference",
-        "found",
-        "off [%]",
-    ])];
+    let mut rows = vec![head(
+        "shaft | bearing | W_x, W_y [N], reference | found | off [% of W] | g_x, g_y [c/R], reference | \
+         found | off [% of the greatest] | least film [um], reference | found | off [%]",
+    )];
     for case in THREE_FILMS {
         let run = case.solved();
         let columns = [&LOAD_X, &LOAD_Y, &TILT_X, &TILT_Y, &FILM_THICKNESS_MIN].map(|row| numbers(run, row));
@@ -161,19 +152,10 @@ fn single(cut: &ShaftRun) -> Table {
 }
 
 fn beside(whole: &ShaftRun, cut: &ShaftRun) -> Table {
-    let mut rows = vec![row([
-        "bearing",
-        "greatest load [kN], whole",
-        "cut",
-        "change [%]",
-        "least film [um], whole",
-        "cut",
-        "change [%]",
-        "greatest pressure [bar], whole",
-        "cut",
-        "change [%]",
-        "greatest tilt [mrad], whole",
-    ])];
+    let mut rows = vec![head(
+        "bearing | greatest load [kN], whole | cut | change [%] | least film [um], whole | cut | \
+         change [%] | greatest pressure [bar], whole | cut | change [%] | greatest tilt [mrad], whole",
+    )];
     let columns = [
         (&CYCLE_LOAD_MAX, 1e-3, 3),
         (&CYCLE_FILM_THICKNESS_MIN, 1e6, 3),

@@ -3,7 +3,7 @@
 use oilwedge_tests::flexpde_study::{SUPPLY_PRESSURE, limits, rows};
 use oilwedge_tests::scenes::{Solved, solve, variant};
 
-use crate::tables::{replace, row};
+use crate::tables::{head, replace, row};
 
 /// The page `docs/validation/flexpde_study.md` with its tables computed anew.
 pub fn page(page: &str) -> String {
@@ -13,20 +13,10 @@ pub fn page(page: &str) -> String {
 }
 
 fn results_table() -> Vec<Vec<String>> {
-    let mut table = vec![row([
-        "film",
-        "viscosity",
-        "cavitation",
-        "C_w",
-        "reference",
-        "attitude",
-        "reference",
-        "p_max",
-        "p_min",
-        "mu_max/mu0",
-        "feed flow [ml/s]",
-        "in - out",
-    ])];
+    let mut table = vec![head(
+        "film | viscosity | cavitation | C_w | reference | attitude | reference | p_max | p_min | \
+         mu_max/mu0 | feed flow [ml/s] | in - out",
+    )];
     for case in rows().iter().filter(|case| case.reference("digits") == Some(8.0)) {
         let Ok(solved) = solve(&case.scene()) else { continue };
         let at_rest = if case.omega == 0.0 { " at rest" } else { "" };
@@ -63,14 +53,9 @@ fn imbalance(solved: &Solved) -> String {
 }
 
 fn limits_table() -> Vec<Vec<String>> {
-    let mut table = vec![row([
-        "film",
-        "eccentricity",
-        "greatest speed, conservative [rad/s]",
-        "reference",
-        "as printed",
-        "reference",
-    ])];
+    let mut table = vec![head(
+        "film | eccentricity | greatest speed, conservative [rad/s] | reference | as printed | reference",
+    )];
     for limit in limits() {
         let ([conservative, found], [as_printed, fold]) = (limit.conservative, limit.as_printed);
         table.push(vec![

@@ -21,42 +21,11 @@ use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::path;
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
-pub const SCENES: [(&str, &str); 34] = [
-    ("01_plain_ring", "pressure"),
-    ("02_flexpde_shell", "pressure"),
-    ("03_hydrostatic_shell", "pressure"),
-    ("04_flexpde_ring", "pressure"),
-    ("05_flexpde_ring_top", "pressure"),
-    ("06_flexpde_as_printed", "viscosity"),
-    ("07_grooved_liner", "pressure"),
-    ("08_flexpde_study_size", "mesh"),
-    ("09_drawn_ring", "mesh"),
-    ("10_drawn_liner", "mesh"),
-    ("11_swift_stieber_ring", "section"),
-    ("12_flexpde_shell_cavitated", "pressure"),
-    ("13_grooved_ring", "film_fraction"),
-    ("14_starved_pad", "film_fraction"),
-    ("15_squeezed_ring", "pressure"),
-    ("16_loaded_shell", "section"),
-    ("17_engine_main_bearing", "film_fraction"),
-    ("18_sweep_eccentricity", "load"),
-    ("19_connecting_rod_cap", "section"),
-    ("20_heat_balance", "heat"),
-    ("21_short_crankshaft_bearing", "load"),
-    ("22_squeezed_crankshaft_bearing", "load"),
-    ("23_tilted_ring", "pressure"),
-    ("24_load_off_the_middle", "pressure"),
-    ("25_whirl", "M_crit"),
-    ("26_tilting_crankshaft_journal", "pressure"),
-    ("27_big_end_orbit", "orbit"),
-    ("28_big_end_orbit_conserving", "orbit"),
-    ("29_mixed_lubrication", "friction_coefficient"),
-    ("31_worn_bore", "section"),
-    ("32_crowned_bore", "pressure"),
-    ("33_polymer_liner", "pressure"),
-    ("34_elastic_big_end_orbit", "orbit"),
-    ("35_squeeze_film_damper", "orbit"),
-];
+pub fn scenes() -> impl Iterator<Item = (&'static str, &'static str)> {
+    include_str!("gallery.txt")
+        .lines()
+        .map(|line| line.split_once(' ').expect("a scene and what is drawn"))
+}
 
 /// Width of the pictures [mm].
 const WIDTH: f64 = 120.0;

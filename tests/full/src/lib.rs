@@ -4,7 +4,6 @@
 //! measure, or write pages anew. Neither is built by the quick tier.
 
 pub mod book;
-pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;
 pub mod crankshafts_page;

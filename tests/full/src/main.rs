@@ -5,14 +5,11 @@ mod commands;
 use std::error::Error;
 use std::process::ExitCode;
 
-use commands::{
-    accuracy, cavitation_iterations, house, orbits, performance, prices, read_meshes, shafts, tilted, validation,
-};
+use commands::{accuracy, house, orbits, performance, prices, shafts, tilted, validation};
 
 /// What each command is for; the head of its file in `src/commands` tells its arguments.
-const COMMANDS: [(&str, &str); 10] = [
+const COMMANDS: [(&str, &str); 8] = [
     ("accuracy", "how often error bars hold: docs/validation/accuracy.md"),
-    ("cavitation_iterations", "iterations that find the cavity, by unknowns"),
     (
         "house",
         "files that know an effect, circles of imports, sizes of the crates",
@@ -23,7 +20,6 @@ const COMMANDS: [(&str, &str); 10] = [
         "times: docs/performance.md; `performance gate` counts instructions",
     ),
     ("prices", "what the next digit costs: docs/validation/prices.md"),
-    ("read_meshes", "the reader of gmsh files against mshio"),
     ("shafts", "random shafts over their cycles"),
     ("tilted", "random tilted and elastic bearings"),
     ("validation", "computed tables and figures of the other pages"),
@@ -36,12 +32,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     };
     match command.as_str() {
         "accuracy" => accuracy::run(arguments)?,
-        "cavitation_iterations" => cavitation_iterations::run(arguments),
         "house" => house::run(arguments),
         "orbits" => orbits::run(arguments),
         "performance" => return Ok(performance::run(arguments)?),
         "prices" => prices::run(arguments)?,
-        "read_meshes" => read_meshes::run(arguments),
         "shafts" => shafts::run(arguments),
         "tilted" => tilted::run(arguments)?,
         "validation" => validation::run(arguments)?,

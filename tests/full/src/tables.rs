@@ -30,3 +30,8 @@ pub fn written(rows: &[Vec<String>]) -> String {
 pub fn row<const N: usize>(cells: [&str; N]) -> Vec<String> {
     cells.map(str::to_owned).to_vec()
 }
+
+/// The first row of a table, its cells between `|`.
+pub fn head(cells: &str) -> Vec<String> {
+    cells.split(" | ").map(str::to_owned).collect()
+}

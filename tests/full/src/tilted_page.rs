@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::performance::clock::timed;
 use crate::random_tilted::{Fault, TiltedBearing, Tilting, left, solved};
-use crate::tables::{replace, row};
+use crate::tables::{head, replace, row};
 
 /// Longest time of a run on one thread, of the processor [s].
 pub const LONGEST: f64 = 10.0;
@@ -103,16 +103,10 @@ pub fn page(written: &str, outcomes: &[Outcome]) -> String {
 }
 
 fn ends(outcomes: &[Outcome]) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "tilt",
-        "bearings",
-        "converged",
-        "no solution, with the reason",
-        "not converged",
-        "greatest balance left",
-        "seconds, median",
-        "longest",
-    ])];
+    let mut rows = vec![head(
+        "tilt | bearings | converged | no solution, with the reason | not converged | \
+         greatest balance left | seconds, median | longest",
+    )];
     let kinds = [
         (Some(Tilting::Given), "position and tilt given"),
         (Some(Tilting::Held), "tilt given, position found"),

@@ -22,26 +22,9 @@ fn bars_hold_and_are_not_much_wider_than_errors() {
     let tally = counted();
     assert!(tally.solves >= 40, "{} solves: {:?}", tally.solves, tally.without);
     let mut complaints = Vec::new();
-    for quantity in [
-        "load",
-        "attitude_angle",
-        "pressure_max",
-        "eccentricity",
-        "side_flow",
-        "feed_flow",
-        "friction_power",
-        "friction_pressure_power",
-        "stiffness_xx",
-        "stiffness_xy",
-        "stiffness_yx",
-        "stiffness_yy",
-        "damping_xx",
-        "damping_xy",
-        "damping_yx",
-        "damping_yy",
-        "critical_mass",
-        "whirl_ratio",
-    ] {
+    let quantities = "load attitude_angle pressure_max eccentricity side_flow feed_flow friction_power friction_pressure_power \
+        stiffness_xx stiffness_xy stiffness_yx stiffness_yy damping_xx damping_xy damping_yx damping_yy critical_mass whirl_ratio";
+    for quantity in quantities.split_ascii_whitespace() {
         for of in [Of::Reported, Of::Quadratic] {
             let ratios = tally.ratios(|pair: &Pair| pair.quantity == quantity && pair.of == of);
             let failed = ratios.iter().filter(|ratio| **ratio < 1.0).count() as f64;

@@ -16,6 +16,5 @@ fn load_of_a_smooth_film_converges_at_order_four() {
         })
         .into();
     let changes: Vec<f64> = loads.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
-    println!("loads {loads:?}, order {}", order(&changes));
     assert!(order(&changes) > 3.5);
 }

@@ -134,7 +134,6 @@ fn lagrange_elements_converge_at_their_order() {
         let levels: Vec<[f64; 2]> = [8, 16, 32].map(|n| errors(degree, n)).into();
         let in_l2 = order(&levels.iter().map(|e| e[0]).collect::<Vec<_>>());
         let in_h1 = order(&levels.iter().map(|e| e[1]).collect::<Vec<_>>());
-        println!("P{degree}: L2 {in_l2:.3}, H1 {in_h1:.3}, errors {levels:?}");
         assert!((in_l2 - (degree + 1) as f64).abs() < 0.1, "P{degree} in L2: {in_l2}");
         assert!((in_h1 - degree as f64).abs() < 0.1, "P{degree} in H1: {in_h1}");
     }

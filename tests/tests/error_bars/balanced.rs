@@ -30,7 +30,6 @@ fn a_reported_load_gives_its_position_back() {
             let eccentricity = quantity(&found, "eccentricity");
             let off = (eccentricity.value - 0.6).abs();
             let turned = quantity(&found, "min_film_angle").value - 180.0;
-            println!("{model}: {off:e}, {turned:e} deg, bar {:?}", eccentricity.error());
             // A mass-conserving film keeps a trace of the way on which its forms were chosen: a fifth of its bar (4.9e-4) at most.
             let (apart, angle) = if model == "jfo" { (1e-4, 0.03) } else { (1e-8, 1e-6) };
             assert!(off < apart && turned.abs() < angle, "{model}: {off:e}, {turned:e}");
@@ -60,7 +59,6 @@ fn the_bar_of_the_position_is_that_of_the_load() {
     let wanted = quantity(&there, "load").error().expect("a bar") / by_eccentricity;
     let parts = quantity(&found, "eccentricity").bar.expect("a bar");
     // The bar across the load counts too.
-    println!("{:e} {wanted:e}", parts.position);
     assert!(parts.position > 0.9 * wanted && parts.position < 4.0 * wanted);
     assert_eq!(parts.position, parts.total());
 }

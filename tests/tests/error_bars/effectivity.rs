@@ -41,7 +41,6 @@ fn the_estimate_is_the_error_of_the_quadratic_load() {
             let judged = Judged::of_scene(&scene(size));
             let eta = judged.cubic_load().magnitude() - judged.quadratic_load().magnitude();
             let effectivity = eta / (exact - judged.quadratic_load().magnitude());
-            println!("{name}: {} unknowns, eta {eta:e}, {effectivity}", judged.unknowns());
             assert!(judged.unknowns() > 500);
             assert!((0.8..1.2).contains(&effectivity), "{name}: {effectivity}");
             // The sum of the shares is that difference but for the rules of quadrature.
@@ -58,7 +57,6 @@ fn the_reported_load_of_a_smooth_film_converges_at_order_five_at_least() {
     let load = |rows| Judged::of(problem.clone(), ring_system(3 * rows, rows, 0.1, None)).cubic_load();
     let exact = load(48).magnitude();
     let errors: Vec<f64> = [4, 8, 16].map(|rows| (load(rows).magnitude() - exact).abs()).into();
-    println!("{errors:?}, order {}", order(&errors));
     assert!(order(&errors) > 5.0, "{errors:?}");
 }
 
@@ -69,7 +67,6 @@ fn a_hole_fed_ring_is_known_to_a_millionth_on_less_than_3000_unknowns() {
     let judged = Judged::of_scene(&scene(6.5));
     assert!(judged.unknowns() < 3000, "{}", judged.unknowns());
     let error = judged.cubic_load().magnitude() / exact - 1.0;
-    println!("{} unknowns: {error:e}", judged.unknowns());
     assert!(error.abs() < 1e-6, "{error:e}");
 }
 
@@ -89,10 +86,6 @@ fn the_bars_of_a_report_hold() {
             let exact = quantity(&fine, &found.name);
             let own = exact.error().unwrap_or_else(|| panic!("{} has no bar", found.name));
             let off = (value - exact.value).abs();
-            println!(
-                "{}: {} {value:e} ± {error:e}, off {off:e} ± {own:e}",
-                coarse.title, found.name
-            );
             // Rounding of numbers that are given.
             let rounding = 1e-9 * value.abs();
             assert!(off <= error + own + rounding, "{}: {off:e}, bar {error:e}", found.name);

@@ -63,7 +63,6 @@ fn hold(coarse: &RunResult, fine: &RunResult) {
         let [coarse, fine] = [coarse, fine].map(|result| quantity(result, name));
         let [bar, of_fine] = [coarse, fine].map(|quantity| quantity.error().expect("a bar"));
         let off = (coarse.value - fine.value).abs();
-        println!("{name}: {off:e}, bars {bar:e}, {of_fine:e}");
         assert!(off <= bar + of_fine, "{name}: {off:e} is more than {bar:e}");
     }
 }

@@ -4,7 +4,6 @@ mod balanced;
 mod effectivity;
 mod films;
 mod heat;
-mod mass_conserving;
 mod nothing;
 mod rims;
 mod shares;

@@ -64,10 +64,6 @@ fn a_film_of_nothing_is_certain() {
             let undetermined = ["cavity_share", "film_fraction_min", "friction_cavity_power"];
             let asked = result.quantities.iter();
             for quantity in asked.filter(|quantity| !undetermined.contains(&&*quantity.name)) {
-                println!(
-                    "{scene} {model:?} {}: {:e} {:?}",
-                    quantity.name, quantity.value, quantity.bar
-                );
                 let error = quantity
                     .error()
                     .unwrap_or_else(|| panic!("{scene} {model:?}: {}", quantity.name));
@@ -100,7 +96,6 @@ fn a_load_that_cancels_is_no_reason_to_refine_for_ever() {
         &RunOptions::default(),
     );
     let (load, error) = bar(&result, "load");
-    println!("{load:e} ± {error:e}, {:?}", result.levels);
     assert!(load <= error && error < 0.01, "{load:e} ± {error:e}");
     assert!(result.levels.len() <= 3, "{:?}", result.levels);
     let (_, error) = bar(&result, "pressure_max");

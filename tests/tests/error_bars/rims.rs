@@ -52,7 +52,6 @@ fn a_straight_rim_raises_the_geometry_part() {
     ];
     let size = wanted[0].hypot(wanted[1]);
     for (goal, wanted) in straight.error.goals[..2].iter().zip(wanted) {
-        println!("{:e} {wanted:e}", goal.geometry);
         assert!(
             (goal.geometry - wanted).abs() < 0.1 * size,
             "{:e} {wanted:e}",
@@ -65,7 +64,6 @@ fn a_straight_rim_raises_the_geometry_part() {
         constant(scene);
     }));
     let [chords, round] = [&straight, &round].map(|judged| judged.error.load(Value::Cubic).geometry);
-    println!("{chords:e} {round:e}");
     assert!(round < 1e-3 * chords, "{round:e} {chords:e}");
     let bar = straight.error.load(Value::Cubic).total();
     assert!(bar >= chords && chords > 1e-5 * straight.cubic_load().magnitude());

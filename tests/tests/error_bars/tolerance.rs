@@ -42,11 +42,6 @@ fn a_tolerance_is_met_by_the_bars() {
             } else {
                 value.abs()
             };
-            println!(
-                "{}: {} levels, {name} {value:e} ± {error:e}",
-                result.title,
-                result.levels.len()
-            );
             assert!(error <= 0.01 * relative * size, "{name}: {error:e}");
             let told = last.errors.iter().find(|(told, _)| told == name).expect("its bar");
             assert_eq!(told.1, error);
@@ -140,7 +135,6 @@ fn a_bar_that_local_division_does_not_serve_is_narrowed_by_uniform_division() {
         }),
         &RunOptions::default(),
     );
-    println!("{:?}", result.levels);
     assert!(result.levels.len() < 8, "{:?}", result.levels);
     let (flow, error) = bar(&result, "side_flow");
     assert!(error < 0.002 * flow);
@@ -188,12 +182,6 @@ fn the_edge_of_a_cavity_is_refined_where_it_dominates() {
         set(scene, "journal", "eccentricity", 0.9);
     });
     let result = answer(&scene, &RunOptions::default());
-    let levels: Vec<_> = result
-        .levels
-        .iter()
-        .map(|level| (level.unknowns, level.refinement, &level.errors))
-        .collect();
-    println!("{levels:?}");
     let local = result
         .levels
         .windows(2)

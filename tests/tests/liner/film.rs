@@ -193,25 +193,6 @@ fn soft_walls_close_with_every_model() {
     }
 }
 
-/// The load of a film at a given place leads back to it.
-#[test]
-fn a_load_leads_back_to_its_place() {
-    for model in [SWIFT_STIEBER, Cavitation::Jfo { pressure: 0.0 }] {
-        let system = ring_system(96, 8, RADIUS, Some(std::f64::consts::PI)).for_many_solves();
-        let problem = walled(RADIUS, 0.8, model, |_| layer(0.02));
-        let (bent, film) = closed(problem.clone(), &system);
-        let force = carried(&bent, &system, &film).force;
-        let mut start = problem;
-        start.journal.offset = [0.5 * CLEARANCE, 0.2 * CLEARANCE];
-        let found = find(&start, &system, force, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
-        let [x, y] = found.problem.journal.offset.map(|offset| offset / CLEARANCE);
-        // A mass-conserving film chooses its advection schemes on the way.
-        let to = if model.conserves_oil() { 1e-4 } else { 1e-7 };
-        assert!((x - 0.8).hypot(y) < to, "{}: {x} {y}", model.name());
-        assert!(found.residual < 1e-10, "{:e}", found.residual);
-    }
-}
-
 /// Journal and wall are found together: the film that closes the wall at the place found by itself carries the load, and from a place nearby both take some films, not some at each place.
 #[test]
 fn place_and_wall_are_those_of_one_another() {

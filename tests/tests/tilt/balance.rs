@@ -2,13 +2,10 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::coordinates::{moved, unit};
-use oilwedge_bearing::{Coordinates, Load, NoEquilibrium, SearchOptions, Stiffness, Tilting, find};
+use oilwedge_bearing::{Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
 use oilwedge_reynolds::levels::Layout;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
-use oilwedge_reynolds::quantities::load::{load, load_change};
-use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::wall::Wall;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, Gap, terms};
 use oilwedge_study::result::Status;
@@ -89,62 +86,6 @@ fn balanced_by(problem: &FilmProblem, system: &FilmSystem) -> Load {
             stiffness: 0.0,
             support: [0.0; 2],
         }),
-    }
-}
-
-/// `d(W, m)/d(e, g)` against central differences of the same discrete film, its set and its advection schemes unchanged.
-#[test]
-fn the_tangent_of_force_and_moment_matches_differences() {
-    let models = [
-        Cavitation::None,
-        Cavitation::Guembel { pressure: 0.0 },
-        Cavitation::Reynolds { pressure: 0.0 },
-        Cavitation::Jfo { pressure: 0.0 },
-    ];
-    for model in models {
-        let (problem, system) = moving(model);
-        let asked = balanced_by(&problem, &system);
-        let found =
-            find(&problem, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
-        let coordinates = Coordinates::of(&asked, &problem.bearing);
-        let here = coordinates.at(&found.problem.journal);
-        let tangent = Stiffness::by_columns(4, |k| {
-            let change = coordinates.change(&found.problem.journal, &CentreVelocity::default(), unit(k));
-            let unknown = found.problem.unknown_change(&system, &found.film, &change)?;
-            Ok::<_, oilwedge_fem::Error>(coordinates.forces(&load_change(
-                &found.problem,
-                &system,
-                &found.film,
-                &[(&change).into()],
-                &unknown,
-            )))
-        })
-        .expect("a tangent");
-        let at = |place| {
-            let problem = FilmProblem {
-                journal: coordinates.placed(&found.problem.journal, place),
-                ..found.problem.clone()
-            };
-            let film = problem
-                .solve_from(&system, Neighbour::Kept(&found.film))
-                .expect("a film");
-            assert_eq!(film.cavity, found.film.cavity, "the set has changed");
-            coordinates.forces(&load(&problem, &system, &film).total.resultant())
-        };
-        for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
-            // Points of integration of the longer step cross the kink of Guembel's pressure: that set is not the same any more.
-            let crosses = matches!(model, Cavitation::Guembel { .. }) && step > 5e-7 * CLEARANCE;
-            let to = if crosses { 1e-5 } else { 1e-6 };
-            for k in 0..4 {
-                let (ahead, behind) = (at(moved(here, step, unit(k))), at(moved(here, -step, unit(k))));
-                for d in 0..4 {
-                    let difference = (ahead[d] - behind[d]) / (2.0 * step);
-                    let size = (tangent[d][d] * tangent[k][k]).abs().sqrt();
-                    let error = (difference - tangent[d][k]).abs() / size;
-                    assert!(error < to, "{model:?} {d} {k} step {step:e}: {error:e}");
-                }
-            }
-        }
     }
 }
 

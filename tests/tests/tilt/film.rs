@@ -93,30 +93,3 @@ fn five_motions_are_four() {
     };
     assert_close(turning, values(carried(&moving, &system)), 1e-5, "motions");
 }
-
-/// Without cavitation force and moment are D times the velocities, D symmetric and positive definite.
-#[test]
-fn drag_of_a_full_film_is_symmetric() {
-    let mut problem = tilted(plain_film(LENGTH, 0.7, 0.4, 0.0), slope([0.3, -0.2]));
-    problem.terms.push(Arc::new(terms::squeeze::Squeeze));
-    let system = ring_system(48, 8, LENGTH, None);
-    let half = 0.5 * LENGTH;
-    let columns: Vec<[f64; 4]> = (0..4)
-        .map(|k| {
-            let unit = |d: usize| if k % 2 == d { 1e-3 } else { 0.0 };
-            let mut problem = problem.clone();
-            match k / 2 {
-                0 => problem.journal.velocity = [unit(0), unit(1)],
-                _ => problem.journal.tilt_rate = [unit(0) / half, unit(1) / half],
-            }
-            values(carried(&problem, &system))
-        })
-        .collect();
-    for i in 0..4 {
-        for j in 0..i {
-            let size = (columns[i][i] * columns[j][j]).sqrt();
-            assert!((columns[i][j] - columns[j][i]).abs() < 1e-7 * size, "{columns:?}");
-            assert!(columns[i][j].abs() < size, "{columns:?}");
-        }
-    }
-}

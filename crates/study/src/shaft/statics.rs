@@ -155,7 +155,11 @@ fn reported(
     let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
     let (bearing, gap) = films.thinnest(&at);
     let residual = left / size;
-    Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled, options.cause()))
+    Err(without(
+        &NoBalance::Stuck { residual, bearing, gap },
+        compiled,
+        options.cause(),
+    ))
 }
 
 /// What the film of a bearing carries whose numbers are reported.

@@ -52,7 +52,7 @@ pub(crate) fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>
 fn write_gallery() -> std::io::Result<()> {
     std::fs::create_dir_all(repository().join("docs").join(gallery::PICTURES))?;
     let mut parts = Vec::new();
-    for (name, picture) in gallery::SCENES {
+    for (name, picture) in gallery::scenes() {
         eprintln!("{name}");
         let exhibit = gallery::exhibit(name, picture);
         std::fs::write(gallery::picture_file(name), exhibit.svg)?;

@@ -1,7 +1,7 @@
 //! The gallery shows all scenes, as they are.
 
 use oilwedge_full::book::Page;
-use oilwedge_full::gallery::{PICTURES, SCENES, exhibit, picture_file};
+use oilwedge_full::gallery::{PICTURES, exhibit, picture_file, scenes as all};
 use oilwedge_tests::program::repository;
 
 #[test]
@@ -13,12 +13,7 @@ fn the_gallery_has_every_scene_in_order() {
         .filter_map(|name| name.strip_suffix(".toml").map(str::to_owned))
         .collect();
     scenes.sort();
-    assert!(
-        SCENES
-            .iter()
-            .map(|(name, _)| *name)
-            .eq(scenes.iter().map(String::as_str))
-    );
+    assert!(all().map(|(name, _)| name).eq(scenes.iter().map(String::as_str)));
     let shown: Vec<&str> = page.text.lines().filter(|line| line.starts_with("![")).collect();
     let wanted = scenes.iter().map(|name| format!("]({PICTURES}/{name}.svg)"));
     assert_eq!(shown.len(), scenes.len());
@@ -38,7 +33,7 @@ fn the_gallery_is_up_to_date() {
         "16_loaded_shell",
         "18_sweep_eccentricity",
     ] {
-        let (name, picture) = SCENES.iter().find(|(name, _)| *name == chosen).expect("a scene");
+        let (name, picture) = all().find(|(name, _)| *name == chosen).expect("a scene");
         let exhibit = exhibit(name, picture);
         let svg = std::fs::read_to_string(picture_file(name)).expect("a picture");
         assert!(

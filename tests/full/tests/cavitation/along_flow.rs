@@ -118,21 +118,6 @@ fn drowned_rings_lie_inside_their_bars() {
     });
 }
 
-/// Of some 1e5 unknowns.
-#[test]
-fn drowned_rings_converge() {
-    let rows = rings();
-    each(&[(&rows[1], 0.9), (&rows[4], 1.4)], |(row, size)| {
-        let scene = drowned(row, &format!("mesh.size = \"{size} mm\""));
-        let result = answered(&scene)?;
-        let nodes = result.mesh.nodes;
-        if !(6e4..2e5).contains(&(nodes as f64)) {
-            return Err(format!("{nodes} nodes"));
-        }
-        is_right(row, &result, 5e-4 + 5e-4)
-    });
-}
-
 /// A drowned ring on meshes of files: those that do not follow the flow are laid anew, and all agree.
 #[test]
 fn meshes_of_any_kind_agree() {

@@ -73,6 +73,5 @@ fn shaken_meshes_have_a_film_or_a_place_where_it_is_wrong() {
             }
         }
     }
-    println!("{films} films, {refused} refused");
     assert!(films >= 5 && refused >= 5, "{films} films, {refused} refused");
 }

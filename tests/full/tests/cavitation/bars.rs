@@ -123,7 +123,6 @@ fn bars_shrink_with_the_mesh() {
         ratios.push(before.load.total() / after.load.total());
     }
     ratios.sort_by(f64::total_cmp);
-    println!("{ratios:.2?}");
     assert!((2.5..6.0).contains(&ratios[ratios.len() / 2]), "{ratios:.2?}");
 }
 
@@ -158,7 +157,6 @@ fn a_film_thin_at_one_end_errs_in_one_direction() {
     for direction in &bars.directions {
         let error: f64 = (0..4).map(|k| direction.direction[k] * (there[k] - here[k])).sum();
         let bar = direction.bar.total();
-        println!("{:?}: {error:.3e} of {bar:.3e} N", direction.direction);
         assert!(error.abs() < bar, "{error} {bar}");
         totals.push(bar);
     }
@@ -179,6 +177,5 @@ fn coarser_meshes_of_a_starved_film_carry_nearly_what_it_carries() {
     let there = forces(&measure(&problem, &coarser.system, &coarse_film));
     let size = here.iter().map(|x| x * x).sum::<f64>().sqrt();
     let off = (0..4).map(|k| (there[k] - here[k]).powi(2)).sum::<f64>().sqrt() / size;
-    println!("{off:.3e}");
     assert!(off < 0.05, "{off}");
 }

@@ -32,7 +32,6 @@ fn excess(eccentricity: f64, around: u32) -> f64 {
 #[test]
 fn the_guide_is_nowhere_under_less_pressure() {
     let left = [48, 96, 192].map(|around| excess(0.9, around));
-    println!("{left:?}");
     assert!(left.windows(2).all(|pair| pair[1] < 0.62 * pair[0]), "{left:?}");
 }
 

@@ -117,7 +117,6 @@ fn the_start_hardly_matters() {
         })
         .collect();
     apart.sort_unstable_by(f64::total_cmp);
-    println!("{apart:?}");
     assert!(apart[apart.len() / 2] < 1e-4, "{apart:?}");
     assert!(apart[apart.len() - 1] < 1e-2, "{apart:?}");
 }

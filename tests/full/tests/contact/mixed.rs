@@ -26,12 +26,6 @@ fn positions_of_a_second_code() {
             (quantity.value, quantity.error().unwrap_or(f64::NAN))
         };
         let ((film, _), (share, bar)) = (of("film_thickness_min"), of("contact_share"));
-        println!(
-            "{row}\n  h {:.3e} share {:.3e} +- {bar:.1e} attitude {:.2e}",
-            1e6 * film / number("h_min_um") - 1.0,
-            share - number("contact_share"),
-            of("attitude_angle").0 - number("attitude_deg"),
-        );
         assert!((1e6 * film / number("h_min_um") - 1.0).abs() < 5e-3, "{row}: {film}");
         assert!((share - number("contact_share")).abs() < 5e-3, "{row}: {share}");
         assert!(bar.is_finite(), "{row}: no bar of the share");

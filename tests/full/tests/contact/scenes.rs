@@ -74,15 +74,3 @@ fn a_given_position_carries_what_was_balanced() {
     assert!(quantity(&thicker, "load")[0] > load[0]);
     assert!(quantity(&thicker, "contact_share")[0] < share);
 }
-
-/// The share of contact is a criterion: passed, failed, or undecided where the limit lies inside its bar.
-#[test]
-fn the_share_of_contact_is_judged() {
-    for (limit, passes) in [("0.2", true), ("0.05", false)] {
-        let text = scene(300.0, ASPERITIES, &format!("[criteria]\ncontact_share_max = {limit}\n"));
-        let result = run(&text);
-        let criterion = result.criteria.first().expect("a criterion");
-        assert_eq!((criterion.is_met, result.criteria.len()), (passes, 1), "{criterion:?}");
-        assert!((criterion.value - quantity(&result, "contact_share")[0]).abs() < 1e-12);
-    }
-}

@@ -66,7 +66,6 @@ fn tangents_of_film_wall_and_contact_are_differences() {
         let (problem, film) = closed(problem, &system);
         let closing = problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-10, "{what}: {closing:?}");
-        println!("{what}: {closing:?}");
         let changes: [JournalChange; 4] = std::array::from_fn(|k| unit_change(k, 1.0));
         let changed = carried_changes(&problem, &system, &film, &changes, EXACT).expect("a tangent");
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| forces(&changed[k].by_film));
@@ -123,39 +122,6 @@ fn the_gap_tangent_answers_to_the_journal() {
     }
 }
 
-/// A wall that is all but rigid leaves film and contact as they are, and contact that touches nothing leaves film and wall so.
-#[test]
-fn stiff_walls_and_distant_asperities_change_nothing() {
-    let near = |what: &str, a: [f64; 4], b: [f64; 4]| {
-        let size = a[0].hypot(a[1]);
-        for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() < 1e-12 * size, "{what}: {a} {b}");
-        }
-    };
-    for (what, problem, system) in films() {
-        let mut stiff = problem.clone();
-        let wall = walled(LENGTH, 0.87, REYNOLDS, |_| 1e-30);
-        stiff = stiff.deflected(wall.deflection());
-        let mut rigid = problem.clone();
-        rigid
-            .film_thickness
-            .retain(|contribution| contribution.as_deflection().is_none());
-        let of = |problem: FilmProblem| {
-            let (problem, film) = closed(problem, &system);
-            forces(&carried(&problem, &system, &film))
-        };
-        near(&what, of(stiff), of(rigid));
-
-        let mut distant = problem.clone();
-        distant.journal.offset = distant.journal.offset.map(|offset| 0.3 * offset);
-        let alone = FilmProblem {
-            contact: None,
-            ..distant.clone()
-        };
-        near(&what, of(distant), of(alone));
-    }
-}
-
 /// A journal that does not turn is carried by contact alone: the layer gives way at each place by itself, `d = k p_a(h_0 + d)`, a root of one equation.
 #[test]
 fn a_layer_under_contact_alone_gives_way_place_by_place() {
@@ -172,10 +138,6 @@ fn a_layer_under_contact_alone_gives_way_place_by_place() {
             contact_force(&contact, eps, 0.0),
         );
         let off = carried[0].hypot(carried[1]) / force - 1.0;
-        println!(
-            "{}: {force} N, {rigid} N of a rigid wall, off {off:e}",
-            contact.law.name()
-        );
         assert!(off.abs() < 2e-4, "{off:e}");
         assert!(force < 0.97 * rigid, "{force} {rigid}");
     }
@@ -195,7 +157,6 @@ fn contact_presses_on_the_splines_whatever_the_triangles() {
         let greatest = fine.iter().copied().fold(0.0, f64::max);
         let apart = coarse.iter().zip(&fine).map(|(coarse, fine)| (coarse - fine).abs());
         let off = apart.fold(0.0, f64::max) / greatest;
-        println!("{}: {off:e}", contact.law.name());
         assert!(off < 2e-3, "{}: {off:e}", contact.law.name());
     }
 }
@@ -248,7 +209,6 @@ fn contact_alone_is_solved_in_closed_form() {
         problem.contact = Some(contact);
         let (problem, _) = closed(problem, &system);
         let closing = problem.deflection().expect("a wall").closing;
-        println!("{}: {closing:?}", contact.law.name());
         assert!(closing.residual < 1e-10, "{closing:?}");
         // Each step solves a film; the first one is that of the unbent wall.
         assert!(closing.outer > 2 && closing.inner < closing.outer, "{closing:?}");
@@ -290,10 +250,6 @@ fn loads_are_balanced_in_mixed_films_on_soft_walls() {
             assert!(result.balances.deflection.is_none_or(|left| left < 1e-10));
             let (share, bar) = of("contact_share");
             assert!(bar.is_finite(), "no bar of the share");
-            println!(
-                "{keys}: share {share} +- {bar:.1e}, film {:e}",
-                of("film_thickness_min").0
-            );
             share
         };
         let (rigid, soft) = (share(""), share("[liner]\nwinkler = \"0.005 um/MPa\"\n"));
@@ -325,7 +281,6 @@ fn points_of_contact_follow_the_wall() {
             .zip(points.forces())
             .map(|(found, before)| (found - before).abs());
         let moved = moved.fold(0.0, f64::max) / greatest;
-        println!("{what}: {off:e} of {moved:e}");
         assert!(off < 1e-5 * moved, "{what}: {off:e} {moved:e}");
     }
 }

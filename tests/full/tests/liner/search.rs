@@ -36,12 +36,6 @@ fn a_search_takes_the_wall_along() {
             ..SearchOptions::default()
         };
         let finer = find(&begun, &fine, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
-        println!(
-            "{}: eps {eccentricity}, {} positions, then {}",
-            contact.law.name(),
-            found.steps,
-            finer.steps
-        );
         assert!(found.residual < 1e-10 && finer.residual < 1e-10);
         assert!(eccentricity > 1.0, "{eccentricity}");
         // Each position near the balance is one film.
@@ -84,7 +78,6 @@ fn loads_that_press_soft_walls_far_out_are_balanced() {
 fn far_out(number: u64, least_eccentricity: f64, most_films: usize) -> FilmProblem {
     let (found, films) = balance(number, Carrier::Quadratic);
     let eccentricity = found.journal.eccentricity() / CLEARANCE;
-    println!("{number}: eps {eccentricity}, {films} films");
     assert!(eccentricity > least_eccentricity, "{number}: {eccentricity}");
     assert!(films < most_films, "{number}: {films}");
     found
@@ -111,7 +104,6 @@ fn balance(number: u64, carrier: Carrier) -> (FilmProblem, usize) {
 fn few_films_lead_to_the_cubic_balance(number: u64, quadratic: &FilmProblem) {
     let (cubic, _) = balance(number, Carrier::Cubic);
     let [quadratic, cubic] = [quadratic, &cubic].map(|problem| problem.deflection().expect("a wall").closing);
-    println!("{number}: {quadratic:?}, then {cubic:?}");
     assert!(cubic.residual < 1e-10, "{number}: {cubic:?}");
     // The balance of the quadratic film is a start, and found less exactly.
     let films = cubic.outer - quadratic.outer;

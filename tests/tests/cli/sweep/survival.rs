@@ -89,3 +89,33 @@ fn another_sweep_in_the_folder_is_left_alone() {
         &["without the record of what it was computed from"],
     );
 }
+
+#[test]
+fn a_sweep_that_is_killed_goes_on_where_it_was() {
+    let bench = Bench::new();
+    loaded(&bench, 60);
+    let arguments = ["sweep", "scene.toml", "--json", "--bars", "none", "--threads", "2"];
+    let rows = |folder: &str| {
+        let text = std::fs::read_to_string(bench.path().join(folder).join("sweep.csv"));
+        text.map_or(0, |text| text.lines().count().saturating_sub(1))
+    };
+    let mut killed = oilwedge_command()
+        .args(arguments)
+        .current_dir(bench.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    let deadline = Instant::now() + Duration::from_secs(120);
+    while rows("out/scene") < 30 && Instant::now() < deadline {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    killed.kill().expect("it can be killed");
+    killed.wait().expect("it ends");
+    let left = rows("out/scene");
+    assert!((30..120).contains(&left), "{left} rows when it was killed");
+    done(&bench.run(&arguments));
+    let resumed = timeless(&table(&bench, "out/scene"));
+    done(&bench.run(&[&arguments[..], &["--out", "whole"]].concat()));
+    assert_eq!(resumed, timeless(&table(&bench, "whole")));
+}
