@@ -1,6 +1,10 @@
 //! A table survives its writer, and threads change no row.
 
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
 use oilwedge_tests::bench::Bench;
+use oilwedge_tests::program::oilwedge_command;
 use oilwedge_tests::sweeps::*;
 
 #[test]
