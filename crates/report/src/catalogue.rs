@@ -5,8 +5,12 @@ use oilwedge_scene::keys::Key;
 use oilwedge_scene::spelling::nearest;
 use oilwedge_study::effects::{EFFECTS, Effect};
 use oilwedge_study::fields::{FILE_FIELDS, FieldRow};
-use oilwedge_study::quantities::{CATALOGUE, Row};
-use oilwedge_study::warning::{KINDS, Kind};
+use oilwedge_study::quantities::{
+    BOLT_PRELOAD, CATALOGUE, CONTACT_SHARE, CRITICAL_MASS, CYCLE_POWER_LOSS, CYCLE_SIDE_FLOW, FEED_FLOW,
+    FRICTION_COEFFICIENT, FRICTION_POWER, INLET_FLOW, LOGARITHMIC_DECREMENT, Row, SIDE_FLOW, SIDE_FLOW_HIGH,
+    SIDE_FLOW_LOW, SOMMERFELD_NUMBER, WHIRL_RATIO,
+};
+use oilwedge_study::warning::{HALF_SPEED, KINDS, Kind};
 use serde::{Serialize, Serializer};
 
 /// Stands for the name of a region in that of a family.
@@ -18,29 +22,34 @@ const SYMBOL: &str = "symbol";
 const PART: usize = 3;
 
 /// Words that others use, and the names of what they mean here.
-const WORDS: [(&str, &[&str]); 8] = [
+static WORDS: [(&str, &[&str]); 8] = [
     ("lemon", &["bore.oval"]),
     ("elliptical", &["bore.oval"]),
-    ("preload", &["bore.oval", "bolt_preload"]),
+    ("preload", &["bore.oval", BOLT_PRELOAD.name]),
     (
         "oil flow",
-        &["side_flow", "inlet_flow", "feed_flow.GROUP", "cycle_side_flow"],
+        &[SIDE_FLOW.name, INLET_FLOW.name, FEED_FLOW.name, CYCLE_SIDE_FLOW.name],
     ),
-    ("power loss", &["friction_power", "cycle_power_loss"]),
-    ("leakage", &["side_flow", "side_flow_low", "side_flow_high"]),
+    ("power loss", &[FRICTION_POWER.name, CYCLE_POWER_LOSS.name]),
+    ("leakage", &[SIDE_FLOW.name, SIDE_FLOW_LOW.name, SIDE_FLOW_HIGH.name]),
     (
         "whirl",
         &[
             "dynamics.whirl",
-            "whirl_ratio",
-            "critical_mass",
-            "logarithmic_decrement",
-            "half_speed",
+            WHIRL_RATIO.name,
+            CRITICAL_MASS.name,
+            LOGARITHMIC_DECREMENT.name,
+            HALF_SPEED.code,
         ],
     ),
     (
         "stribeck",
-        &["friction_coefficient", "sommerfeld_number", "contact_share", "contact"],
+        &[
+            FRICTION_COEFFICIENT.name,
+            SOMMERFELD_NUMBER.name,
+            CONTACT_SHARE.name,
+            "contact",
+        ],
     ),
 ];
 
@@ -109,6 +118,11 @@ impl Entry {
             || is_of_family
             || self.short_name() == name
             || self.columns.contains(&(SYMBOL, name.to_owned()))
+    }
+
+    /// Its name, that of a family without the region.
+    fn family(&self) -> &str {
+        self.name.strip_suffix(REGION).unwrap_or(&self.name)
     }
 
     fn short_name(&self) -> &str {
@@ -185,7 +199,7 @@ pub fn explain(name: &str) -> Result<Vec<Entry>, Option<String>> {
     let plain = |text: &str| text.to_lowercase().replace(['_', '.'], " ");
     let asked = plain(name);
     let called = WORDS.iter().find(|(word, _)| *word == asked);
-    let is_called = |entry: &Entry| called.is_some_and(|(_, names)| names.contains(&entry.name.as_str()));
+    let is_called = |entry: &Entry| called.is_some_and(|(_, names)| names.contains(&entry.family()));
     let joined = name.replace(' ', "_");
     let is_meant = |entry: &Entry| entry.is_meant_by(name) || entry.is_meant_by(&joined) || is_called(entry);
     let has_all = |entry: &Entry| {
@@ -221,11 +235,11 @@ mod tests {
     #[test]
     fn words_of_others_mean_names_of_the_catalogue() {
         let all = entries();
-        for (word, names) in WORDS {
+        for (word, names) in &WORDS {
             let found = explain(&word.to_uppercase()).unwrap_or_else(|near| panic!("{word}: {near:?}"));
-            for name in names {
-                assert!(all.iter().any(|entry| entry.name == *name), "{name}");
-                assert!(found.iter().any(|entry| entry.name == *name), "{word}: {name}");
+            for name in *names {
+                assert!(all.iter().any(|entry| entry.family() == name), "{name}");
+                assert!(found.iter().any(|entry| entry.family() == name), "{word}: {name}");
             }
         }
     }

@@ -32,10 +32,10 @@ keys! {
 /// Deviation that halves the equivalent film [m] where none is given.
 const USUAL_SCALE: f64 = 10e-6;
 
-/// Tables in which a limit may stand; all but the first are older names of it.
-const TABLES: [&str; 3] = ["criteria", "limits", "heat"];
-/// Limits that may stand in several of these tables.
-const SHARED: [&str; 4] = ["film_min", "temperature_max", "outlet_max", "pressure_max"];
+/// Tables in which a limit may stand; the second has older names of it.
+pub(crate) const TABLES: [&str; 2] = ["criteria", "limits"];
+/// Limits that may stand in several tables.
+pub(crate) const SHARED: [&str; 4] = ["film_min", "temperature_max", "outlet_max", "pressure_max"];
 
 /// Limits of the numbers that a bearing is judged by; `None`: a number is not judged.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -158,16 +158,23 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
     criteria
 }
 
+/// Refuses a limit in a table that stands in one of `others` too.
+pub(crate) fn refuse_beside(complaints: &mut Complaints, table: &str, others: &[&str], key: &str) {
+    let own = format!("{table}.{key}");
+    let other = others.iter().map(|other| format!("{other}.{key}"));
+    let given: Vec<String> = other
+        .filter(|other| complaints.has(&own) && complaints.has(other))
+        .collect();
+    if let Some(other) = given.first() {
+        let help = "keep one of them; [criteria] works with [heat] and without";
+        complaints.add(&own, format!("stands beside {other}"), help);
+    }
+}
+
 /// A limit stands in one table, and has something to be compared with.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     for key in SHARED {
-        let mut given = TABLES.map(|table| format!("{table}.{key}")).to_vec();
-        given.retain(|key| complaints.has(key));
-        for second in given.iter().skip(1) {
-            let first = &given[0];
-            let help = format!("keep one of them; [criteria] {key} works with [heat] and without");
-            complaints.add(second, format!("stands beside {first}"), help);
-        }
+        refuse_beside(complaints, "limits", &["criteria"], key);
     }
     for table in TABLES {
         complaints.refuse_if(

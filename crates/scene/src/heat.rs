@@ -1,6 +1,6 @@
 //! `[heat]`: the balance that finds the temperature of the film, and what carries the heat off.
 
-use crate::criteria::{Criteria, read_shared};
+use crate::criteria::{Criteria, SHARED, TABLES, read_shared, refuse_beside};
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Scene, Theory, Viscosity};
@@ -226,6 +226,9 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
 /// A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
+    for key in SHARED {
+        refuse_beside(complaints, "heat", &TABLES, key);
+    }
     match scene.oil.viscosity {
         Viscosity::Constant(viscosity) => complaints.refuse_if(
             !viscosity.is_nan(),

@@ -127,13 +127,13 @@ pub(super) fn in_words(name: &str) -> String {
 }
 
 /// What an engineer asks first, over a cycle or of a film, and how cards call it.
-const ASKED_FIRST: [(&str, [&Row; 2]); 6] = [
+static ASKED_FIRST: [(&str, [&Row; 2]); 6] = [
     ("least film", [&CYCLE_FILM_THICKNESS_MIN, &FILM_THICKNESS_MIN]),
     ("greatest pressure", [&CYCLE_PRESSURE_MAX, &PRESSURE_MAX]),
     ("power loss", [&CYCLE_POWER_LOSS, &FRICTION_POWER]),
     ("oil flow", [&CYCLE_SIDE_FLOW, &SIDE_FLOW]),
     ("temperature of the film", [&CYCLE_TEMPERATURE, &TEMPERATURE_EFFECTIVE]),
-    ("eccentricity", [&ECCENTRICITY, &ECCENTRICITY]),
+    (ECCENTRICITY.name, [&ECCENTRICITY, &ECCENTRICITY]),
 ];
 
 /// The quantities at the head of the page: what is asked first, then further headlines.
@@ -142,9 +142,9 @@ pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
         simulated: simulated(result).collect(),
         not_simulated: Vec::new(),
     };
-    let first = ASKED_FIRST.into_iter().filter_map(|(name, rows)| {
+    let first = ASKED_FIRST.iter().filter_map(|(name, rows)| {
         let found = rows.iter().find_map(|row| all.iter().find(|it| it.row == *row))?;
-        let name = name.to_owned();
+        let name = (*name).to_owned();
         Some(Shown { name, ..found.clone() })
     });
     let mut cards: Vec<Shown> = first.collect();
