@@ -136,9 +136,13 @@ fn bars_hold_where_the_film_ends() {
             "[[feed]]\ngroup = \"at_{from}\"\npressure = \"0 bar\"\ngroove = {{ from = \"{from} deg\", to = \"{to} deg\", width = \"{width}\" }}\n"
         )
     };
-    let light = scene(1.0, "\"0.5 %\"", "eccentricity = 0.03\nmin_film_angle = \"0 deg\"\n[dynamics]")
-        .replacen("50 um", "100 um", 1)
-        .replacen("300 rad/s", "3000 rpm", 1);
+    let light = scene(
+        1.0,
+        "\"0.5 %\"",
+        "eccentricity = 0.03\nmin_film_angle = \"0 deg\"\n[dynamics]",
+    )
+    .replacen("50 um", "100 um", 1)
+    .replacen("300 rad/s", "3000 rpm", 1);
     let inch = format!(
         "bearing = {{ diameter = \"1 in\", length = \"1 in\", clearance = \"1.8 mil\" }}\noil.viscosity = \"7.60e-6 reyn\"\ncavitation.model = \"reynolds\"\n\
          journal.speed = \"8000 rpm\"\nload = {{ force = \"66.278 N\", angle = \"270 deg\" }}\ndynamics.mass = \"6.75848 kg\"\n{}{}",
@@ -174,7 +178,10 @@ fn bars_hold_where_the_film_ends() {
         for &(name, wanted, unsure, widest) in rows {
             let [found, bar] = quantity(&result, name);
             println!("{name} {found} +- {bar}, not {wanted}");
-            assert!((found - wanted).abs() < bar + unsure, "{name}: {found} +- {bar}, not {wanted}");
+            assert!(
+                (found - wanted).abs() < bar + unsure,
+                "{name}: {found} +- {bar}, not {wanted}"
+            );
             assert!(bar < widest * wanted, "{name}: {found} +- {bar}");
         }
     }

@@ -80,8 +80,17 @@ fn films_with_bars_balance_the_loads() {
         for (row, wanted, unsure) in rows {
             let quantity = bearing.quantity(row).expect(row.name);
             let bar = quantity.error().unwrap_or_else(|| panic!("no bar of {}", row.name));
-            println!("{} {} {} +- {bar}, not {wanted}", bearing.name, row.name, quantity.value);
-            assert!(bar > 0.0 && (quantity.value - wanted).abs() < bar + unsure, "{} {}: {} +- {bar}, not {wanted}", bearing.name, row.name, quantity.value);
+            println!(
+                "{} {} {} +- {bar}, not {wanted}",
+                bearing.name, row.name, quantity.value
+            );
+            assert!(
+                bar > 0.0 && (quantity.value - wanted).abs() < bar + unsure,
+                "{} {}: {} +- {bar}, not {wanted}",
+                bearing.name,
+                row.name,
+                quantity.value
+            );
         }
     }
     let [(_, by_hand), _] = BY_STATICS;

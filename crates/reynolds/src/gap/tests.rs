@@ -145,7 +145,10 @@ fn a_pit_with_edges_has_its_least_film_there() {
             gap.thinnest_at(&journal, 0.011),
         ];
         for found in places {
-            assert!((found.thickness / edge - 1.0).abs() < 1e-9, "{first}: {found:?} {edge:e}");
+            assert!(
+                (found.thickness / edge - 1.0).abs() < 1e-9,
+                "{first}: {found:?} {edge:e}"
+            );
             assert!(
                 ((found.angle.rem_euclid(TAU) - 1.0).abs() - 0.4).abs() < 1e-9,
                 "{first}: {found:?}"

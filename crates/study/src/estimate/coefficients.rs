@@ -17,11 +17,8 @@ pub struct CoefficientErrors {
 impl CoefficientErrors {
     /// What a `film` and another one differ by, each entry by itself: what `part` makes of the greatest difference over the sizes of entries [1].
     pub(super) fn entry_by_entry(film: &Coefficients, other: &Coefficients, part: impl Fn(f64) -> f64) -> Self {
-        let differences = [
-            (&film.stiffness, &other.stiffness),
-            (&film.damping, &other.damping),
-        ]
-        .map(|(of, other)| bars(of, part(greatest_difference(of, other))));
+        let differences = [(&film.stiffness, &other.stiffness), (&film.damping, &other.damping)]
+            .map(|(of, other)| bars(of, part(greatest_difference(of, other))));
         Self {
             parts: single(differences, film.order),
         }
@@ -55,7 +52,10 @@ impl CoefficientErrors {
 fn single([stiffness, damping]: [Square; 2], order: usize) -> Vec<Coefficients> {
     let places = (0..order).flat_map(|row| (0..order).map(move |column| (row, column)));
     let part = |(row, column): (usize, usize)| {
-        let mut parts = [Coefficients { order, ..Coefficients::default() }; 2];
+        let mut parts = [Coefficients {
+            order,
+            ..Coefficients::default()
+        }; 2];
         parts[0].stiffness[row][column] = stiffness[row][column];
         parts[1].damping[row][column] = damping[row][column];
         parts

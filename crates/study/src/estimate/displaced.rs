@@ -35,7 +35,10 @@ impl Estimated {
                 Some(changes) => quantity.bar.map(|bar| {
                     let position = changes[number];
                     match rule.is_of_load() {
-                        true => Bar { position, ..Bar::default() },
+                        true => Bar {
+                            position,
+                            ..Bar::default()
+                        },
                         false => Bar { position, ..bar },
                     }
                 }),

@@ -113,7 +113,9 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     let load = bars_of_balance(film, &reported, [along, error.across(Value::Cubic)], pair.moment());
     Estimated {
         of_hill: Vec::new(),
-        carried: error.is_resolved().then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
+        carried: error
+            .is_resolved()
+            .then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
         narrowed: 1.0,
         quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,

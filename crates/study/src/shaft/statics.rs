@@ -186,7 +186,10 @@ fn report(
         let shell = [0, 1, 2, 3].map(|k| of_film.compliance[k] * forces[k]);
         let [tilt_x, tilt_y] = solved.film.problem.journal.tilt;
         let report = BearingReport {
-            shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / of_film.coordinates.arm],
+            shell: [
+                shell[0].hypot(shell[1]),
+                shell[2].hypot(shell[3]) / of_film.coordinates.arm,
+            ],
             tilt_max: tilt_x.hypot(tilt_y),
             ..BearingReport::of(bearing, estimated.quantities)
         };
