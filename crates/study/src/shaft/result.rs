@@ -178,7 +178,7 @@ impl BearingReport {
 }
 
 /// The numbers of a film whose place and load are found with the shaft. A bar of zero is that of a number that the scene of a single bearing gives, as its position or its
-/// load; here both have errors, which are not estimated.
+/// load; over a cycle of a shaft both have errors, which are not estimated.
 pub(super) fn found_with_shaft(quantities: Vec<Quantity>) -> Vec<Quantity> {
     let bar = |quantity: &Quantity| quantity.bar.filter(|_| quantity.error() != Some(0.0));
     quantities
