@@ -99,11 +99,7 @@ impl Bench {
         assert_eq!(told.status, 2, "{arguments:?}: {}{}", told.stdout, told.stderr);
         assert_eq!(told.stdout, "", "{arguments:?}");
         for word in words {
-            assert!(
-                told.stderr.contains(word),
-                "{arguments:?}: no {word:?} in\n{}",
-                told.stderr
-            );
+            assert!(told.stderr.contains(word), "{arguments:?}: no {word:?} in\n{}", told.stderr);
         }
         for panicked in ["panicked", "RUST_BACKTRACE", "fault of the program"] {
             assert!(!told.stderr.contains(panicked), "{arguments:?}: {}", told.stderr);

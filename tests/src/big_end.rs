@@ -14,13 +14,7 @@ pub type Known = (&'static Row, f64, &'static str, usize, f64);
 /// Swift and Stieber: finite volumes on 240 x 12 and 480 x 24 cells a land, extrapolated.
 pub const FINITE: [Known; 6] = [
     (&CYCLE_FILM_THICKNESS_MIN, 1e6, "least film [um]", 4, 5.7389),
-    (
-        &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
-        1.0,
-        "its crank angle [deg]",
-        2,
-        256.86,
-    ),
+    (&CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, 1.0, "its crank angle [deg]", 2, 256.86),
     (&CYCLE_PRESSURE_MAX, 1e-6, "greatest pressure [MPa]", 3, 43.739),
     (&CYCLE_PRESSURE_MAX_CRANK_ANGLE, 1.0, "its crank angle [deg]", 2, 17.27),
     (&CYCLE_FRICTION_SHEAR_POWER, 2.0, "shear [W]", 2, 1140.17),
@@ -29,13 +23,7 @@ pub const FINITE: [Known; 6] = [
 /// The short half film by quadrature, integrated to 1e-10.
 pub const SHORT: [Known; 6] = [
     (&CYCLE_FILM_THICKNESS_MIN, 1e6, "least film [um]", 4, 7.194337),
-    (
-        &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
-        1.0,
-        "its crank angle [deg]",
-        2,
-        257.31,
-    ),
+    (&CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, 1.0, "its crank angle [deg]", 2, 257.31),
     (&CYCLE_PRESSURE_MAX, 1e-6, "greatest pressure [MPa]", 3, 48.2473),
     (&CYCLE_PRESSURE_MAX_CRANK_ANGLE, 1.0, "its crank angle [deg]", 2, 18.211),
     (&CYCLE_FRICTION_SHEAR_POWER, 2.0, "shear [W]", 2, 1058.34),
@@ -43,10 +31,7 @@ pub const SHORT: [Known; 6] = [
 ];
 /// What makes the shipped scene a short one that is sharp enough for its reference.
 pub const MAKE_SHORT: [(&str, &str); 4] = [
-    (
-        "clearance = \"82.55 um\"",
-        "clearance = \"82.55 um\"\ntheory = \"short\"",
-    ),
+    ("clearance = \"82.55 um\"", "clearance = \"82.55 um\"\ntheory = \"short\""),
     ("\"reynolds\"", "\"guembel\""),
     ("tolerance = 1e-3", "tolerance = 1e-4"),
     ("[orbit]", "[mesh]\nsize = \"12 mm\"\n\n[orbit]"),

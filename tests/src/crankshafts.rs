@@ -56,11 +56,7 @@ pub fn with_bearing(folder: &Path, name: &str, (from, to): (&str, &str), scene: 
 /// # Panics
 /// The scene is refused.
 pub fn run(text: &str) -> ShaftRun {
-    let options = RunOptions {
-        bars: false,
-        max_seconds: f64::INFINITY,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars: false, max_seconds: f64::INFINITY, ..RunOptions::default() };
     run_with(text, &options)
 }
 
@@ -80,9 +76,7 @@ pub fn run_with(text: &str, options: &RunOptions) -> ShaftRun {
 pub fn numbers(run: &ShaftRun, row: &Row) -> Vec<f64> {
     let number = |bearing: &BearingReport| {
         let quantity = bearing.quantity(row);
-        quantity
-            .unwrap_or_else(|| panic!("no {} of {}", row.name, bearing.name))
-            .value
+        quantity.unwrap_or_else(|| panic!("no {} of {}", row.name, bearing.name)).value
     };
     run.result.bearings.iter().map(number).collect()
 }
@@ -114,10 +108,7 @@ pub const THREE_FILMS: [ThreeFilms; 3] = [
     },
     ThreeFilms {
         name: "middle support 200 MN/m",
-        change: [
-            "at    = \"200 mm\"",
-            "at    = \"200 mm\"\nsupport = { stiffness = \"200 MN/m\" }",
-        ],
+        change: ["at    = \"200 mm\"", "at    = \"200 mm\"\nsupport = { stiffness = \"200 MN/m\" }"],
         // The film at an end is a fiftieth of the clearance: the mesh of the scene would leave it off by 2 %.
         mesh: "[mesh]\nsize = \"2 mm\"\n\n",
         bearings: [
@@ -177,11 +168,7 @@ pub fn on_thin_films() -> &'static ShaftRun {
     RUN.get_or_init(|| {
         let folder = tempfile::tempdir().expect("a folder");
         let modulus = "youngs_modulus = \"206 GPa\"";
-        let scene = changed(
-            &text("three_films.toml"),
-            modulus,
-            &format!("{modulus}\ntilt = \"none\""),
-        );
+        let scene = changed(&text("three_films.toml"), modulus, &format!("{modulus}\ntilt = \"none\""));
         let thin = ("\"30 um\"", "\"0.3 um\"");
         run(&with_bearing(folder.path(), "small_ring", thin, &scene))
     })
@@ -196,11 +183,7 @@ pub fn two_films() -> String {
     let middle =
         "[[crankshaft.bearing]]\nname  = \"middle\"\nscene = \"bearings/small_ring.toml\"\nat    = \"200 mm\"\n";
     let scene = changed(&scene, middle, "");
-    changed(
-        &scene,
-        "at    = \"300 mm\"\nforce = \"12 kN\"",
-        "at    = \"220 mm\"\nforce = \"1 kN\"",
-    )
+    changed(&scene, "at    = \"300 mm\"\nforce = \"12 kN\"", "at    = \"220 mm\"\nforce = \"1 kN\"")
 }
 
 /// [`two_films`] with another modulus of elasticity or further keys in its place.
@@ -243,10 +226,7 @@ pub fn single_main(engine: &str, throws: &str, bearing: &str) -> f64 {
         "{bearing}\n[load]\nbearing = \"main\"\nperiod = \"720 deg\"\n[crank]{crank}throws = {throws}\n[orbit]{orbit}"
     );
     let scene = parse(&scene, &engines("bearings/alone.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { bars: false, ..RunOptions::of(&scene) };
     let found = oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}"));
     found.result.quantity(&CYCLE_FILM_THICKNESS_MIN).expect("a film").value
 }
@@ -263,11 +243,7 @@ pub struct ClosedThrow {
 }
 
 /// The throw of the tests.
-pub const CLOSED_THROW: ClosedThrow = ClosedThrow {
-    masses: [2.0, 3.0],
-    radius: 0.06,
-    speed: 200.0,
-};
+pub const CLOSED_THROW: ClosedThrow = ClosedThrow { masses: [2.0, 3.0], radius: 0.06, speed: 200.0 };
 
 impl ClosedThrow {
     /// The best counterweight [kg m], opposite to the crank: all that turns, and half of what goes to and fro.
@@ -284,25 +260,13 @@ impl ClosedThrow {
     /// The counterweight that the search finds, and minus the greatest load with it.
     pub fn found(&self) -> Best {
         let crank = Crank {
-            linkage: Linkage {
-                radius: self.radius,
-                rod_length: 1e12,
-            },
+            linkage: Linkage { radius: self.radius, rod_length: 1e12 },
             reciprocating_mass: self.masses[1],
             rotating_mass: self.masses[0],
             bore: 0.1,
-            gas: GasPressure::Curve(PressureCurve {
-                peak: 0.0,
-                angle: 0.0,
-                sharpness: 1.0,
-                period: TAU,
-            }),
+            gas: GasPressure::Curve(PressureCurve { peak: 0.0, angle: 0.0, sharpness: 1.0, period: TAU }),
         };
-        let throw = Throw {
-            angle: 0.0,
-            share: 1.0,
-            web_mass: 0.0,
-        };
+        let throw = Throw { angle: 0.0, share: 1.0, web_mass: 0.0 };
         let peak = |unbalance: &[f64]| {
             let cycle = DutyCycle::of_main(crank.clone(), vec![throw], self.speed);
             let cycle = cycle.with_unbalance([unbalance[0], unbalance[1]]);

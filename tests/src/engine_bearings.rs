@@ -28,15 +28,9 @@ pub fn car(turns: f64, force: f64) -> (RunResult, Vec<Quantity>) {
         table(scene, "journal").insert("speed".into(), format!("{turns} rpm").into());
         table(scene, "load").insert("force".into(), format!("{force} N").into());
     });
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars: false, ..RunOptions::default() };
     let result = run(&scene, &options).expect("a film").result;
-    let (_, heat) = standard(&scene, &result)
-        .lists
-        .pop()
-        .expect("a balance of the standard");
+    let (_, heat) = standard(&scene, &result).lists.pop().expect("a balance of the standard");
     (result, heat)
 }
 
@@ -103,19 +97,9 @@ pub struct Link {
 
 /// The chain: mixing of hot oil, flow that the pump adds, and bolts, each from the printed numbers before it.
 pub fn tractor() -> Vec<Link> {
-    let link = |what, formula, printed, digit, value| Link {
-        what,
-        formula,
-        printed,
-        digit,
-        value,
-    };
+    let link = |what, formula, printed, digit, value| Link { what, formula, printed, digit, value };
     let (q_1, q_0, rise, fresh) = (0.16, 0.01, 54.0, 20.0);
-    let balance = ThermalBalance {
-        inlet: fresh,
-        heat_capacity: 1.8e6,
-        housing: None,
-    };
+    let balance = ThermalBalance { inlet: fresh, heat_capacity: 1.8e6, housing: None };
     let [inlet, _] = balance.ends(fresh + rise * (q_0 / q_1 + 0.5), q_0 / q_1);
     let joint = tractor_joint();
     let pull = joint.inertia_force(260.0);
@@ -131,37 +115,13 @@ pub fn tractor() -> Vec<Link> {
             0.6 * 76.3 * (0.065f64 / 0.032).powi(2) * (0.2 / 27.56),
         ),
         link("lambda", "r/l", 0.272, 1e-3, joint.crank_radius / 0.230),
-        link(
-            "inertia of the cap [N]",
-            "omega^2 r [m_j (1 + lambda) + (m_r - m_c)]",
-            25278.01,
-            0.01,
-            pull,
-        ),
+        link("inertia of the cap [N]", "omega^2 r [m_j (1 + lambda) + (m_r - m_c)]", 25278.01, 0.01, pull),
         link("on each bolt [N]", "P/2", 12639.0, 1.0, joint.forces(pull).bolt_force),
-        link(
-            "clamping [N]",
-            "nu (1 - chi) P",
-            31091.94,
-            0.01,
-            forces.preload - forces.shell_force,
-        ),
-        link(
-            "crush of the shell [N]",
-            "Delta E F/(pi rho)",
-            5960.6,
-            0.1,
-            forces.shell_force,
-        ),
+        link("clamping [N]", "nu (1 - chi) P", 31091.94, 0.01, forces.preload - forces.shell_force),
+        link("crush of the shell [N]", "Delta E F/(pi rho)", 5960.6, 0.1, forces.shell_force),
         link("preload [N]", "sum", 37053.0, 1.0, forces.preload),
         link("torque [N m]", "k Q d, k = 0.15", 56.0, 1.0, forces.torque),
-        link(
-            "share of the working load [N]",
-            "chi P",
-            2275.0,
-            1.0,
-            forces.greatest - forces.preload,
-        ),
+        link("share of the working load [N]", "chi P", 2275.0, 1.0, forces.greatest - forces.preload),
         link("greatest force [N]", "sum", 39328.0, 1.0, forces.greatest),
     ]
 }

@@ -80,10 +80,7 @@ pub fn limits() -> &'static [Limit] {
             let eccentricity = number(row, "eccentricity");
             let [conservative, as_printed] = ["conservative", "as_printed"].map(|form| number(row, form));
             Limit {
-                conservative: [
-                    conservative,
-                    limit_of_existence(&liner, eccentricity, 2.0 * conservative),
-                ],
+                conservative: [conservative, limit_of_existence(&liner, eccentricity, 2.0 * conservative)],
                 as_printed: [as_printed, fold(&liner, eccentricity, conservative)],
                 liner,
                 eccentricity,
@@ -96,11 +93,7 @@ pub fn limits() -> &'static [Limit] {
 impl Row {
     /// The row as a scene: scene 02 or 04 with its keys changed.
     pub fn scene(&self) -> Scene {
-        let name = if self.liner == "ring" {
-            "04_flexpde_ring"
-        } else {
-            "02_flexpde_shell"
-        };
+        let name = if self.liner == "ring" { "04_flexpde_ring" } else { "02_flexpde_shell" };
         variant(name, |scene| {
             let journal = table(scene, "journal");
             journal.insert("eccentricity".into(), self.eccentricity.into());
@@ -155,11 +148,7 @@ pub fn poiseuille_feed_flux(solved: &Solved, hole_radius: f64, hole_angle: f64) 
 
 /// Scene 02 or 04 with another eccentricity, form and speed [rad/s].
 pub fn barus_scene(liner: &str, eccentricity: f64, form: &str, speed: f64) -> Scene {
-    let name = if liner == "ring" {
-        "04_flexpde_ring"
-    } else {
-        "02_flexpde_shell"
-    };
+    let name = if liner == "ring" { "04_flexpde_ring" } else { "02_flexpde_shell" };
     variant(name, |scene| {
         let journal = table(scene, "journal");
         journal.insert("eccentricity".into(), eccentricity.into());
@@ -171,10 +160,7 @@ pub fn barus_scene(liner: &str, eccentricity: f64, form: &str, speed: f64) -> Sc
 /// The greatest speed [rad/s] with a conservative film, as a run at the too high speed `above` tells.
 fn limit_of_existence(liner: &str, eccentricity: f64, above: f64) -> f64 {
     match solve(&barus_scene(liner, eccentricity, "conservative", above)) {
-        Err(NoFilm::AboveLimit {
-            greatest_speed: Some(speed),
-            ..
-        }) => speed,
+        Err(NoFilm::AboveLimit { greatest_speed: Some(speed), .. }) => speed,
         Err(reason) => panic!("{liner} {eccentricity}: {reason}"),
         Ok(_) => panic!("{liner} {eccentricity}: a film at {above} rad/s"),
     }

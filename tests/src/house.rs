@@ -42,19 +42,13 @@ pub fn sources() -> Vec<Source> {
     }
     files.sort();
     let all = files.iter().map(|file| source(&root, file));
-    all.filter(|source| source.path.contains("/src/") && !source.path.ends_with("tests.rs"))
-        .collect()
+    all.filter(|source| source.path.contains("/src/") && !source.path.ends_with("tests.rs")).collect()
 }
 
 fn source(root: &Path, file: &Path) -> Source {
     let path = file.strip_prefix(root).unwrap_or(file).to_string_lossy().into_owned();
     let text = std::fs::read_to_string(file).expect("a source file");
-    Source {
-        package: path.split('/').nth(1).unwrap_or_default().to_owned(),
-        code: code(&text),
-        path,
-        text,
-    }
+    Source { package: path.split('/').nth(1).unwrap_or_default().to_owned(), code: code(&text), path, text }
 }
 
 /// The lines of a text without comments and without what follows the first test module.
@@ -79,19 +73,14 @@ impl Source {
 
     /// Whether its code names the effect: an identifier or a key that holds the word. Lines that only list a module or a row do not count.
     pub fn knows(&self, word: &str) -> bool {
-        (self.code.iter())
-            .filter(|line| !is_listing(line))
-            .any(|line| holds(&without_messages(line), word))
+        (self.code.iter()).filter(|line| !is_listing(line)).any(|line| holds(&without_messages(line), word))
     }
 }
 
 /// `mod barus;`, `&barus::BARUS,`, `("barus", include_str!("barus.toml")),`: a line of a list, that goes with the file it names.
 fn is_listing(line: &str) -> bool {
     let line = line.trim().trim_start_matches("pub ").trim_start_matches("pub(crate) ");
-    let is_entry = |line: &str| {
-        line.chars()
-            .all(|letter| letter.is_alphanumeric() || "_:&,".contains(letter))
-    };
+    let is_entry = |line: &str| line.chars().all(|letter| letter.is_alphanumeric() || "_:&,".contains(letter));
     line.starts_with("mod ") && line.ends_with(';')
         || line.starts_with("use ") && line.ends_with("::*;")
         || line.ends_with(',')
@@ -109,9 +98,7 @@ fn without_messages(line: &str) -> String {
     let parts = line.split('"').enumerate();
     let kept = parts.filter(|(index, part)| index % 2 == 0 || !part.contains(' '));
     let kept: String = kept.map(|(_, part)| format!("{part} ")).collect();
-    PROPERTIES
-        .iter()
-        .fold(kept, |line, property| line.replace(property, ""))
+    PROPERTIES.iter().fold(kept, |line, property| line.replace(property, ""))
 }
 
 /// Whether a line holds the word as a part of an identifier (`heat_balance`, `HeatBalance`, but neither `sheath` nor `squeezed`).
@@ -135,17 +122,13 @@ pub fn knowing<'a>(sources: &'a [Source], word: &str) -> Vec<&'a str> {
 /// Groups of files of one crate that import each other in a circle.
 pub fn circles(sources: &[Source], package: &str) -> Vec<BTreeSet<String>> {
     let own: Vec<&Source> = sources.iter().filter(|source| source.package == package).collect();
-    let modules: BTreeMap<String, usize> = (own.iter().enumerate())
-        .map(|(index, source)| (module(&source.path), index))
-        .collect();
+    let modules: BTreeMap<String, usize> =
+        (own.iter().enumerate()).map(|(index, source)| (module(&source.path), index)).collect();
     let uses: Vec<BTreeSet<usize>> = own
         .iter()
         .map(|source| {
             let here = module(&source.path);
-            imports(source, &here)
-                .iter()
-                .filter_map(|path| found(&modules, path))
-                .collect()
+            imports(source, &here).iter().filter_map(|path| found(&modules, path)).collect()
         })
         .collect();
     let reach: Vec<BTreeSet<usize>> = (0..own.len()).map(|start| reached(&uses, start)).collect();
@@ -215,9 +198,7 @@ fn imports(source: &Source, here: &str) -> Vec<String> {
 }
 
 fn parent(module: &str) -> String {
-    module
-        .rsplit_once("::")
-        .map_or(String::new(), |(parent, _)| parent.to_owned())
+    module.rsplit_once("::").map_or(String::new(), |(parent, _)| parent.to_owned())
 }
 
 fn take_apart(base: &str, rest: &str, paths: &mut Vec<String>) {
@@ -225,18 +206,15 @@ fn take_apart(base: &str, rest: &str, paths: &mut Vec<String>) {
         "" => tail.to_owned(),
         base => format!("{base}::{tail}"),
     };
-    let end = rest
-        .find(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == ':'))
-        .unwrap_or(rest.len());
+    let end =
+        rest.find(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == ':')).unwrap_or(rest.len());
     let head = rest[..end].trim_end_matches(':');
     if !rest[end..].starts_with('{') {
         paths.push(join(head));
         return;
     }
     let Some(close) = rest[end..].find('}') else { return };
-    let items = rest[end + 1..end + close]
-        .split(',')
-        .map(|item| item.trim().split(' ').next().unwrap_or_default());
+    let items = rest[end + 1..end + close].split(',').map(|item| item.trim().split(' ').next().unwrap_or_default());
     paths.extend(items.map(|item| match head {
         "" => join(item),
         head => join(&format!("{head}::{item}")),

@@ -57,18 +57,10 @@ pub fn each<T: Sync>(rows: &[T], check: impl Fn(&T) -> Result<(), String> + Sync
     let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
     let complaints: Vec<String> = std::thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        let told = workers
-            .into_iter()
-            .map(|worker| worker.join().expect("a check panicked"));
+        let told = workers.into_iter().map(|worker| worker.join().expect("a check panicked"));
         told.flatten().collect()
     });
-    assert!(
-        complaints.is_empty(),
-        "{} of {}:\n{}",
-        complaints.len(),
-        rows.len(),
-        complaints.join("\n")
-    );
+    assert!(complaints.is_empty(), "{} of {}:\n{}", complaints.len(), rows.len(), complaints.join("\n"));
 }
 
 /// A plain ring that cavitates at the pressure of its ends; the widest film is at 0 degrees.
@@ -194,12 +186,7 @@ impl SolvedRing {
     /// What is off.
     pub fn compare(&self, row: &Value, of_so: f64, of_attitude: f64, of_p_max: f64) -> Result<(), String> {
         let [q, expected_q] = self.reduced_pressures(number(row, "P_max"));
-        self.off(
-            "So",
-            self.sommerfeld_number(),
-            number(row, "So"),
-            of_so * number(row, "So"),
-        )?;
+        self.off("So", self.sommerfeld_number(), number(row, "So"), of_so * number(row, "So"))?;
         self.off("attitude", self.attitude(), number(row, "attitude_deg"), of_attitude)?;
         self.off("greatest pressure", q, expected_q, of_p_max * expected_q)
     }
@@ -209,17 +196,11 @@ impl SolvedRing {
     /// # Errors
     /// They differ by more than `tolerance`.
     pub fn off(&self, what: &str, value: f64, expected: f64, tolerance: f64) -> Result<(), String> {
-        let Ring {
-            slenderness,
-            eccentricity,
-            ..
-        } = self.ring;
+        let Ring { slenderness, eccentricity, .. } = self.ring;
         if (value - expected).abs() < tolerance {
             return Ok(());
         }
         let error = 100.0 * (value / expected - 1.0);
-        Err(format!(
-            "B/D {slenderness} eps {eccentricity}: {what} {value:.5} is {error:.2} % off {expected}"
-        ))
+        Err(format!("B/D {slenderness} eps {eccentricity}: {what} {value:.5} is {error:.2} % off {expected}"))
     }
 }

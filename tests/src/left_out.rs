@@ -28,10 +28,7 @@ pub struct Missing {
 impl Missing {
     /// `what` from the Debian package `package`, or by that command.
     pub fn new(what: &str, package: &str) -> Self {
-        Self {
-            what: what.to_owned(),
-            package: package.to_owned(),
-        }
+        Self { what: what.to_owned(), package: package.to_owned() }
     }
 }
 
@@ -84,11 +81,7 @@ fn folder() -> PathBuf {
 /// If something is missing under `CI=true`, or the note cannot be written.
 pub fn is_left_out(part: &str, missing: &[Missing]) -> bool {
     let is_ci = std::env::var("CI").as_deref() == Ok("true");
-    assert!(
-        missing.is_empty() || !is_ci,
-        "CI=true leaves nothing out. {}",
-        note(part, missing)
-    );
+    assert!(missing.is_empty() || !is_ci, "CI=true leaves nothing out. {}", note(part, missing));
     is_skipped(part, missing)
 }
 
@@ -111,10 +104,8 @@ pub fn is_skipped(part: &str, missing: &[Missing]) -> bool {
 /// What is missing for a part, and the lines that install it.
 fn note(part: &str, missing: &[Missing]) -> String {
     let what: Vec<&str> = missing.iter().map(|missing| missing.what.as_str()).collect();
-    let (commands, packages): (Vec<_>, Vec<_>) = missing
-        .iter()
-        .map(|missing| missing.package.as_str())
-        .partition(|it| it.contains(' '));
+    let (commands, packages): (Vec<_>, Vec<_>) =
+        missing.iter().map(|missing| missing.package.as_str()).partition(|it| it.contains(' '));
     let packages = match packages.is_empty() {
         true => String::new(),
         false => format!("    apt-get install {}\n", packages.join(" ")),
@@ -126,9 +117,7 @@ fn note(part: &str, missing: &[Missing]) -> String {
 /// The notes of all parts that were left out.
 pub fn notes() -> Vec<String> {
     let entries = fs::read_dir(folder()).into_iter().flatten().flatten();
-    let mut notes: Vec<String> = entries
-        .filter_map(|entry| fs::read_to_string(entry.path()).ok())
-        .collect();
+    let mut notes: Vec<String> = entries.filter_map(|entry| fs::read_to_string(entry.path()).ok()).collect();
     notes.sort();
     notes
 }

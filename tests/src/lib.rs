@@ -138,13 +138,7 @@ pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegi
         film_fraction: None,
     };
     let mut regions: Vec<_> = ["end_low", "end_high"]
-        .map(|name| {
-            region(
-                name,
-                BoundaryKind::End,
-                mesh.region(name).expect("group of the ring").edges.clone(),
-            )
-        })
+        .map(|name| region(name, BoundaryKind::End, mesh.region(name).expect("group of the ring").edges.clone()))
         .into();
     if let Some(angle) = film_start {
         let line = line_at_angle(mesh, RADIUS, length, angle).expect("line of element edges");
@@ -165,21 +159,10 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
     let journal = JournalState::at_eccentricity(eccentricity, min_film_angle, CLEARANCE, speed);
     FilmProblem {
         theory: Theory::Full,
-        bearing: Bearing {
-            radius: RADIUS,
-            length,
-            clearance: CLEARANCE,
-            end_pressure: 0.0,
-        },
+        bearing: Bearing { radius: RADIUS, length, clearance: CLEARANCE, end_pressure: 0.0 },
         journal,
-        film_thickness: vec![Arc::new(Eccentricity {
-            radius: RADIUS,
-            clearance: CLEARANCE,
-        })],
-        lubricant: Lubricant {
-            viscosity: VISCOSITY,
-            pressure_law: PressureLaw::Constant,
-        },
+        film_thickness: vec![Arc::new(Eccentricity { radius: RADIUS, clearance: CLEARANCE })],
+        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law: PressureLaw::Constant },
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,
@@ -203,8 +186,6 @@ pub fn order(errors: &[f64]) -> f64 {
 /// The dof at the vertex nearest to `(x, z)` [m].
 pub fn vertex_dof_at(space: &Space, target: [f64; 2]) -> usize {
     let distance = |point: &[f64; 2]| (point[0] - target[0]).hypot(point[1] - target[1]);
-    let nearest = (0u32..)
-        .zip(space.mesh().points())
-        .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
+    let nearest = (0u32..).zip(space.mesh().points()).min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
     space.vertex_dof(nearest.map_or(0, |(vertex, _)| vertex))
 }

@@ -16,13 +16,9 @@ pub fn rows(path: &str) -> Vec<Row> {
     let path = repository().join("tests/data").join(path);
     let mut reader = csv::Reader::from_path(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let headings: Vec<String> = reader.headers().expect("headings").iter().map(str::to_owned).collect();
-    let records = reader
-        .records()
-        .map(|record| record.expect("as many cells as headings"));
+    let records = reader.records().map(|record| record.expect("as many cells as headings"));
     records
-        .map(|record| Row {
-            cells: headings.iter().cloned().zip(record.iter().map(str::to_owned)).collect(),
-        })
+        .map(|record| Row { cells: headings.iter().cloned().zip(record.iter().map(str::to_owned)).collect() })
         .collect()
 }
 
@@ -30,9 +26,7 @@ impl Row {
     /// From headings and what is printed under them.
     pub fn new(cells: &[(&str, &str)]) -> Self {
         let owned = |&(heading, text): &(&str, &str)| (heading.to_owned(), text.to_owned());
-        Self {
-            cells: cells.iter().map(owned).collect(),
-        }
+        Self { cells: cells.iter().map(owned).collect() }
     }
 
     /// The headings.

@@ -6,10 +6,7 @@ use std::sync::OnceLock;
 
 /// The root of the repository.
 pub fn repository() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .map(Path::to_path_buf)
-        .unwrap_or_default()
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
 /// Cargo, as the user calls it: without the variable by which CI lets test programs print times, for it would compile everything again.
@@ -33,10 +30,7 @@ pub fn build(name: &str) -> PathBuf {
     assert!(status.success(), "{name} does not build");
     // This test is target/PROFILE/deps/NAME: the programs are two levels up.
     let own = std::env::current_exe().expect("path of this test");
-    own.ancestors()
-        .nth(2)
-        .expect("target/PROFILE/deps")
-        .join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    own.ancestors().nth(2).expect("target/PROFILE/deps").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
 /// The command `oilwedge`, built once a test program.
@@ -47,9 +41,5 @@ pub fn oilwedge_command() -> Command {
 
 /// Runs `oilwedge` with `arguments` in `folder`.
 pub fn oilwedge(folder: &Path, arguments: &[&str]) -> Output {
-    oilwedge_command()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("oilwedge starts")
+    oilwedge_command().args(arguments).current_dir(folder).output().expect("oilwedge starts")
 }

@@ -21,15 +21,7 @@ fn environment(folder: &Path, requirements: &Path) -> PathBuf {
     }
     run(Command::new("python3").args(["-m", "venv", "--clear"]).arg(folder));
     run(Command::new(&python)
-        .args([
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--disable-pip-version-check",
-            "--no-compile",
-            "-r",
-        ])
+        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "-r"])
         .arg(requirements));
     std::fs::write(&stamp, wanted).expect("stamp of the environment");
     python
@@ -86,16 +78,7 @@ pub fn crosscheck(tier: Tier) {
         Tier::Full => "full",
     };
     run(Command::new(python())
-        .args([
-            "-m",
-            "pytest",
-            "-q",
-            "-p",
-            "no:cacheprovider",
-            "--durations=8",
-            "-m",
-            tests,
-        ])
+        .args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--durations=8", "-m", tests])
         .current_dir(repository().join("tests/crosscheck"))
         .env("OILWEDGE_BIN", build("oilwedge"))
         .env("OILWEDGE_CROSSCHECK_DATA", build("crosscheck_data"))

@@ -32,9 +32,7 @@ impl Dice {
 
     fn next(&mut self) -> u32 {
         let old = self.0;
-        self.0 = old
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = old.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let shifted = (((old >> 18) ^ old) >> 27) as u32;
         shifted.rotate_right((old >> 59) as u32)
     }
@@ -101,29 +99,17 @@ impl RandomBearing {
         });
         let openings = openings(&mut dice, length, arc);
         let cavity = if dice.chance(0.5) { 0.0 } else { -0.7e5 };
-        let ends = cavity
-            + if dice.chance(0.5) {
-                0.0
-            } else {
-                PRESSURE_UNIT * dice.decades(-3.0, -0.5)
-            };
+        let ends = cavity + if dice.chance(0.5) { 0.0 } else { PRESSURE_UNIT * dice.decades(-3.0, -0.5) };
         let area = length * RADIUS * arc.map_or(TAU, |[from, to]| to - from);
         // Two nodes a triangle of area 0.433 size^2.
         let nodes = dice.decades(60f64.log10(), 800f64.log10());
         let size = (2.0 * area / (0.433 * nodes)).sqrt();
-        let start = if arc.is_none() && dice.chance(0.25) {
-            free_angle(&mut dice, &openings)
-        } else {
-            None
-        };
+        let start = if arc.is_none() && dice.chance(0.25) { free_angle(&mut dice, &openings) } else { None };
         let speed = if dice.chance(0.5) { SPEED } else { -SPEED };
         let minimum = dice.between(-PI, PI);
         let mut text = format!("title = \"Bearing {number}\"\n[bearing]\n");
-        let _ = writeln!(
-            text,
-            "diameter = \"{} m\"\nlength = \"{length} m\"\nclearance = \"{CLEARANCE} m\"",
-            2.0 * RADIUS
-        );
+        let _ =
+            writeln!(text, "diameter = \"{} m\"\nlength = \"{length} m\"\nclearance = \"{CLEARANCE} m\"", 2.0 * RADIUS);
         if let Some([from, to]) = arc {
             let _ = writeln!(text, "arc = {{ from = \"{from} rad\", to = \"{to} rad\" }}");
         }
@@ -142,11 +128,7 @@ impl RandomBearing {
         if dice.chance(0.2) {
             // The reduced pressure stays below the limit 1/alpha.
             let greatest = PRESSURE_UNIT * (4.0 + 8.0 * (1.0 - eccentricity).powi(-2));
-            let _ = writeln!(
-                text,
-                "barus = {{ alpha = \"{} 1/Pa\" }}",
-                dice.between(0.05, 0.5) / greatest
-            );
+            let _ = writeln!(text, "barus = {{ alpha = \"{} 1/Pa\" }}", dice.between(0.05, 0.5) / greatest);
         }
         for (index, opening) in openings.iter().enumerate() {
             opening.write(&mut text, index, cavity.max(ends));
@@ -190,11 +172,7 @@ fn opening(dice: &mut Dice, length: f64, arc: Option<[f64; 2]>, pocket: bool) ->
         half_width = dice.between(0.05, 0.4) * half_length;
     }
     let play = half_length - half_width - LAND;
-    let z = if dice.chance(0.5) {
-        0.0
-    } else {
-        dice.between(-play, play)
-    };
+    let z = if dice.chance(0.5) { 0.0 } else { dice.between(-play, play) };
     let margin = half_angle + LAND / RADIUS;
     let angle = match arc {
         Some([from, to]) => dice.between(from + margin, to - margin),
@@ -204,14 +182,7 @@ fn opening(dice: &mut Dice, length: f64, arc: Option<[f64; 2]>, pocket: bool) ->
         true => Given::Depth(CLEARANCE * dice.decades(-1.0, 1.0)),
         false => Given::Pressure(PRESSURE_UNIT * dice.decades(-3.0, 0.5)),
     };
-    Opening {
-        angle,
-        z,
-        half_angle,
-        half_width,
-        round,
-        given,
-    }
+    Opening { angle, z, half_angle, half_width, round, given }
 }
 
 /// An angle [rad] where no opening is near.
@@ -238,13 +209,7 @@ impl Opening {
     }
 
     fn write(&self, text: &mut String, index: usize, ambient: f64) {
-        let Self {
-            angle,
-            z,
-            half_angle,
-            half_width,
-            ..
-        } = self;
+        let Self { angle, z, half_angle, half_width, .. } = self;
         let _ = writeln!(text, "[[feed]]\ngroup = \"opening_{index}\"");
         let _ = match (self.round, half_angle.is_finite()) {
             (true, _) => writeln!(

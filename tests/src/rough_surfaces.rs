@@ -9,16 +9,9 @@ use crate::program::repository;
 pub fn contacts() -> [Contact; 2] {
     let laws = [
         ContactLaw::GreenwoodTripp(GreenwoodTripp::new(2e-6, 0.05, 0.01, 115e9, 2e9)),
-        ContactLaw::BearingCurve(BearingCurve {
-            depth: 4e-6,
-            hardness: 1e8,
-        }),
+        ContactLaw::BearingCurve(BearingCurve { depth: 4e-6, hardness: 1e8 }),
     ];
-    laws.map(|law| Contact {
-        law,
-        friction: 0.1,
-        fineness: Fineness::Reported,
-    })
+    laws.map(|law| Contact { law, friction: 0.1, fineness: Fineness::Reported })
 }
 
 /// A block of `tests/data/contact.json`.

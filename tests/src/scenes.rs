@@ -53,11 +53,7 @@ pub fn written(text: &str) -> Scene {
 
 /// A table of the scene, made if absent.
 pub fn table<'a>(scene: &'a mut toml::Table, name: &str) -> &'a mut toml::Table {
-    scene
-        .entry(name)
-        .or_insert_with(|| toml::Table::new().into())
-        .as_table_mut()
-        .expect("a table")
+    scene.entry(name).or_insert_with(|| toml::Table::new().into()).as_table_mut().expect("a table")
 }
 
 /// A solved scene.

@@ -36,16 +36,13 @@ pub fn bore(profile: &str) -> (&'static str, Depth) {
     match profile {
         "crown 0.2" => ("crown = \"10 um\"", |_, part| 0.2 * part * part),
         "crown 0.1" => ("crown = \"5 um\"", |_, part| 0.1 * part * part),
-        "oval 0.2 at 0" => ("oval = { depth = \"10 um\", angle = \"0 deg\" }", |phi, _| {
-            0.2 * (2.0 * phi).cos()
-        }),
+        "oval 0.2 at 0" => ("oval = { depth = \"10 um\", angle = \"0 deg\" }", |phi, _| 0.2 * (2.0 * phi).cos()),
         "oval 0.3 at 60 deg" => ("oval = { depth = \"15 um\", angle = \"60 deg\" }", |phi, _| {
             0.3 * (2.0 * (phi - 60f64.to_radians())).cos()
         }),
-        "worn 0.15 at 0, half width 40 deg" => (
-            "worn = { depth = \"7.5 um\", angle = \"0 deg\", half_width = \"40 deg\" }",
-            worn,
-        ),
+        "worn 0.15 at 0, half width 40 deg" => {
+            ("worn = { depth = \"7.5 um\", angle = \"0 deg\", half_width = \"40 deg\" }", worn)
+        }
         other => panic!("no profile {other}"),
     }
 }
@@ -69,10 +66,7 @@ pub fn measured(path: &Path, length: f64, [columns, rows]: [u32; 2], depth: impl
     let mut text = "angle [deg], z [mm], depth [um]\n".to_owned();
     for i in 0..columns {
         for j in 0..rows {
-            let (phi, part) = (
-                TAU * f64::from(i) / f64::from(columns),
-                2.0 * f64::from(j) / f64::from(rows - 1) - 1.0,
-            );
+            let (phi, part) = (TAU * f64::from(i) / f64::from(columns), 2.0 * f64::from(j) / f64::from(rows - 1) - 1.0);
             let (angle, z) = (phi.to_degrees(), 500.0 * length * part);
             let _ = writeln!(text, "{angle}, {z}, {}", 50.0 * depth(phi, part));
         }

@@ -16,13 +16,8 @@ pub fn drawn(mesh: &str) -> String {
 }
 
 /// Scene 08 under a load, with a film that breaks.
-pub const LOADED: [(&str, &str); 2] = [
-    (
-        "min_film_angle = \"180 deg\"",
-        "[load]\nforce = \"20 kN\"\nangle = \"130 deg\"",
-    ),
-    ("eccentricity   = 0.6", ""),
-];
+pub const LOADED: [(&str, &str); 2] =
+    [("min_film_angle = \"180 deg\"", "[load]\nforce = \"20 kN\"\nangle = \"130 deg\""), ("eccentricity   = 0.6", "")];
 
 /// A film that breaks.
 pub const BREAKS: &str = "[cavitation]\nmodel = \"reynolds\"\n";
@@ -58,13 +53,7 @@ pub fn timeless(table: &str) -> Vec<String> {
 /// If it failed, or complained.
 pub fn done(told: &Told) -> Value {
     let others: Vec<&str> = told.stderr.lines().filter(|line| !line.contains(", about ")).collect();
-    assert!(
-        told.status == 0 && others.is_empty(),
-        "{}: {}\n{}",
-        told.status,
-        told.stderr,
-        told.stdout
-    );
+    assert!(told.status == 0 && others.is_empty(), "{}: {}\n{}", told.status, told.stderr, told.stdout);
     object(&told.stdout)
 }
 

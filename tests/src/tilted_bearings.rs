@@ -58,9 +58,7 @@ pub fn scene(ratio: f64, tolerance: &str, keys: &str) -> String {
 /// If the text is no scene, or has no film.
 pub fn run(text: &str) -> RunResult {
     let scene = oilwedge_study::parse(text, Path::new("tilted.toml")).unwrap_or_else(|error| panic!("{error}"));
-    oilwedge_study::run(&scene, &RunOptions::of(&scene))
-        .unwrap_or_else(|error| panic!("{error}"))
-        .result
+    oilwedge_study::run(&scene, &RunOptions::of(&scene)).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 /// The value of a quantity of a run and its bar.
@@ -68,13 +66,8 @@ pub fn run(text: &str) -> RunResult {
 /// # Panics
 /// If it has none of that name, or no bar.
 pub fn quantity(result: &RunResult, name: &str) -> [f64; 2] {
-    let quantity = result
-        .by_name(name)
-        .unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
-    [
-        quantity.value,
-        quantity.error().unwrap_or_else(|| panic!("no bar of {name}")),
-    ]
+    let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+    [quantity.value, quantity.error().unwrap_or_else(|| panic!("no bar of {name}"))]
 }
 
 /// The film with this slope of the journal's axis [rad], be it zero.

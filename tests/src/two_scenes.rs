@@ -22,10 +22,7 @@ pub fn two_scenes(bench: &Bench) {
 pub fn sweep(bench: &Bench, count: usize) {
     let axes =
         format!("speed = [\"8 rad/s\", \"10 rad/s\"]\neccentricity = {{ from = 0.1, to = 0.8, steps = {count} }}");
-    bench.write(
-        "scene.toml",
-        edited("08_flexpde_study_size", &[]) + "\n[sweep]\n" + &axes + "\n",
-    );
+    bench.write("scene.toml", edited("08_flexpde_study_size", &[]) + "\n[sweep]\n" + &axes + "\n");
 }
 
 /// Starts the program; it tells nothing.
@@ -64,9 +61,8 @@ pub fn whole_pairs(bench: &Bench) -> BTreeMap<String, Vec<u8>> {
 /// Names of what stands in a folder, sorted; nothing where it is none.
 pub fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).into_iter().flatten();
-    let mut names: Vec<String> = entries
-        .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-        .collect();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
 }

@@ -80,9 +80,7 @@ fn crates_use_only_crates_below_them() {
         assert!(used.iter().all(|used| below.contains(used)), "{name} uses {used:?}");
     }
     let drawing = packages.iter().find(|package| package["name"] == "oilwedge-drawing");
-    let drawing = drawing
-        .and_then(|package| package["dependencies"].as_array())
-        .expect("its dependencies");
+    let drawing = drawing.and_then(|package| package["dependencies"].as_array()).expect("its dependencies");
     let of_house = |used: &&Value| used["name"].as_str().is_some_and(|name| name.starts_with("oilwedge"));
     assert_eq!(drawing.iter().find(of_house), None, "drawing knows no oil");
     let others = packages.iter().filter_map(|package| package["name"].as_str());
@@ -104,11 +102,7 @@ fn public_traits_are_those_of_the_sockets() {
                 continue;
             };
             let name: String = rest.chars().take_while(|letter| letter.is_alphanumeric()).collect();
-            assert!(
-                PUBLIC_TRAITS.contains(&name.as_str()),
-                "{}: pub trait {name}",
-                path.display()
-            );
+            assert!(PUBLIC_TRAITS.contains(&name.as_str()), "{}: pub trait {name}", path.display());
             found.push(name);
         }
     }
@@ -123,11 +117,7 @@ fn public_traits_are_those_of_the_sockets() {
 fn paths_in_comments_exist() {
     for path in sources() {
         let text = text(&path);
-        for word in text
-            .lines()
-            .filter(|line| line.trim_start().starts_with("//"))
-            .flat_map(|line| line.split('`'))
-        {
+        for word in text.lines().filter(|line| line.trim_start().starts_with("//")).flat_map(|line| line.split('`')) {
             let top = word.split_once('/').map_or("", |(top, _)| top);
             if ["crates", "docs", "tests", "scenes", "meshes"].contains(&top) && !word.contains([' ', '*']) {
                 let named = repository().join(word.trim_end_matches(".rs"));
@@ -157,11 +147,7 @@ fn physics_files_open_with_their_headings() {
             let place = opening.find(heading);
             place.unwrap_or_else(|| panic!("{} does not say {heading}", path.display()))
         });
-        assert!(
-            places.is_sorted(),
-            "{}: the headings have another order",
-            path.display()
-        );
+        assert!(places.is_sorted(), "{}: the headings have another order", path.display());
     }
     assert!(seen >= 16, "only {seen} physics files were found");
 }
@@ -174,10 +160,7 @@ fn effects_are_known_to_few_files() {
     let sources = sources_of_house();
     for (effect, most) in EFFECTS {
         let files = knowing(&sources, effect);
-        assert!(
-            files.len() <= most,
-            "{effect} is known to {files:#?}, at most {most} may"
-        );
+        assert!(files.len() <= most, "{effect} is known to {files:#?}, at most {most} may");
     }
 }
 
@@ -204,10 +187,7 @@ fn imports_make_no_circles_above_the_mesh() {
     let sources = sources_of_house();
     let packages: std::collections::BTreeSet<&str> = sources.iter().map(|source| source.package.as_str()).collect();
     for package in packages {
-        let most = LARGEST_CIRCLE
-            .iter()
-            .find(|(name, _)| *name == package)
-            .map_or(1, |(_, most)| *most);
+        let most = LARGEST_CIRCLE.iter().find(|(name, _)| *name == package).map_or(1, |(_, most)| *most);
         for circle in circles(&sources, package) {
             assert!(circle.len() <= most, "{package}: {circle:#?}");
         }
@@ -218,11 +198,7 @@ fn imports_make_no_circles_above_the_mesh() {
 fn no_source_file_is_long() {
     for path in sources() {
         let lines = text(&path).lines().count();
-        assert!(
-            lines <= LONGEST,
-            "{} has {lines} lines: one file, one idea",
-            path.display()
-        );
+        assert!(lines <= LONGEST, "{} has {lines} lines: one file, one idea", path.display());
     }
 }
 
@@ -233,9 +209,7 @@ fn text(path: &Path) -> String {
 /// All `.rs` files of `crates/*/src`.
 fn sources() -> Vec<PathBuf> {
     let crates = std::fs::read_dir(repository().join("crates")).expect("crates");
-    let mut folders: Vec<PathBuf> = crates
-        .map(|entry| entry.expect("an entry").path().join("src"))
-        .collect();
+    let mut folders: Vec<PathBuf> = crates.map(|entry| entry.expect("an entry").path().join("src")).collect();
     let mut files = Vec::new();
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(&folder).expect("a folder of sources") {

@@ -26,10 +26,7 @@ fn every_row_has_all_columns() {
     for entry in entries() {
         assert!(!entry.what.is_empty(), "{} has no sentence", entry.name);
         for column in columns(&entry) {
-            let is_there = entry
-                .columns
-                .iter()
-                .any(|(name, text)| name == column && !text.is_empty());
+            let is_there = entry.columns.iter().any(|(name, text)| name == column && !text.is_empty());
             assert!(is_there, "{} {} has no {column}", entry.kind, entry.name);
         }
     }
@@ -39,9 +36,7 @@ fn every_row_has_all_columns() {
 fn its_words_have_no_second_copy_in_the_code() {
     let sources = sources();
     let entries = entries();
-    let long = entries
-        .iter()
-        .filter(|entry| entry.what.split(' ').count() >= FEWEST_WORDS);
+    let long = entries.iter().filter(|entry| entry.what.split(' ').count() >= FEWEST_WORDS);
     let (mut seen, mut copies) = (0, Vec::new());
     for entry in long {
         let quoted = format!("{:?}", entry.what).replace("\\'", "'");

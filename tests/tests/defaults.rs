@@ -43,12 +43,7 @@ fn what_an_engineer_reads_is_known_to_two_percent() {
     for row in [&PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW, &FRICTION_TORQUE] {
         let quantity = film.quantity(row).expect("a number");
         let bar = quantity.error().expect("a bar");
-        assert!(
-            bar <= 0.02 * quantity.value.abs(),
-            "{}: {} +- {bar}",
-            row.name,
-            quantity.value
-        );
+        assert!(bar <= 0.02 * quantity.value.abs(), "{}: {} +- {bar}", row.name, quantity.value);
     }
     assert!(film.warnings.iter().all(|warning| *warning.kind != warning::WIDE_BAR));
     // T - T_b = W e sin beta: the load is downwards.
@@ -63,19 +58,12 @@ fn what_an_engineer_reads_is_known_to_two_percent() {
 fn a_bar_that_stays_wide_has_a_warning() {
     let oil = "oil = { grade = \"SAE 5W-30\", temperature = \"100 C\" }";
     let scene = parse(&main_bearing("3000 rpm", oil), Path::new("scene.toml")).expect("a scene");
-    let options = RunOptions {
-        max_unknowns: 7000,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { max_unknowns: 7000, ..RunOptions::default() };
     let film = run(&scene, &options).expect("a film").result;
     let quantity = film.quantity(&PRESSURE_MAX).expect("a number");
     assert!(quantity.error().expect("a bar") > 0.02 * quantity.value);
     let told = film.warnings.iter().find(|warning| *warning.kind == warning::WIDE_BAR);
-    assert!(
-        told.is_some_and(|told| told.text.contains("pressure_max")),
-        "{:?}",
-        film.warnings
-    );
+    assert!(told.is_some_and(|told| told.text.contains("pressure_max")), "{:?}", film.warnings);
     assert_eq!(film.status, Status::Converged, "what is required is met");
 }
 
@@ -94,12 +82,7 @@ cavitation = { model = "reynolds" }
     let quantity = film.quantity(&SIDE_FLOW).expect("a side flow");
     let is_wide = quantity.error().expect("a bar") > 0.02 * quantity.value.abs();
     let told = (film.warnings.iter()).any(|told| *told.kind == warning::WIDE_BAR && told.text.contains("side_flow"));
-    assert_eq!(
-        (film.status, is_wide, told),
-        (Status::Converged, true, true),
-        "{:?}",
-        film.warnings
-    );
+    assert_eq!((film.status, is_wide, told), (Status::Converged, true, true), "{:?}", film.warnings);
 }
 
 #[test]
@@ -121,13 +104,6 @@ fn a_heat_balance_takes_few_positions() {
     let warm = result(&main_bearing("5000 rpm", heat));
     assert_eq!(warm.status, Status::Converged, "{:?}", warm.reason);
     let counts = warm.counts;
-    assert!(
-        counts.position_steps <= 40 && counts.temperature_steps <= 14,
-        "{counts:?}"
-    );
-    assert!(
-        warm.balances.thermal < 1e-7 && warm.balances.force < 1e-8,
-        "{:?}",
-        warm.balances
-    );
+    assert!(counts.position_steps <= 40 && counts.temperature_steps <= 14, "{counts:?}");
+    assert!(warm.balances.thermal < 1e-7 && warm.balances.force < 1e-8, "{:?}", warm.balances);
 }

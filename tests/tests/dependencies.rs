@@ -18,18 +18,14 @@ fn toml_file(name: &str) -> toml::Table {
 /// The texts of a list.
 fn texts(list: &toml::Value) -> BTreeSet<String> {
     let list = list.as_array().expect("a list");
-    list.iter()
-        .map(|text| text.as_str().expect("a text").to_owned())
-        .collect()
+    list.iter().map(|text| text.as_str().expect("a text").to_owned()).collect()
 }
 
 /// The packages of `Cargo.lock`, for all platforms.
 fn locked() -> Vec<toml::Table> {
     let lock = toml_file("Cargo.lock");
     let packages = lock["package"].as_array().expect("packages").iter();
-    packages
-        .map(|package| package.as_table().expect("a table").clone())
-        .collect()
+    packages.map(|package| package.as_table().expect("a table").clone()).collect()
 }
 
 /// What cargo prints.
@@ -43,25 +39,13 @@ fn told_by_cargo(arguments: &[&str]) -> String {
 /// Name and licence of the packages that are built on this platform, those of the workspace left out.
 fn licences() -> Vec<(String, Option<String>)> {
     let version = told_by_cargo(&["--version", "--verbose"]);
-    let host = version
-        .lines()
-        .find_map(|line| line.strip_prefix("host: "))
-        .expect("a host");
-    let metadata = [
-        "metadata",
-        "--offline",
-        "--format-version",
-        "1",
-        "--filter-platform",
-        host,
-    ];
+    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).expect("a host");
+    let metadata = ["metadata", "--offline", "--format-version", "1", "--filter-platform", host];
     let metadata: Value = serde_json::from_str(&told_by_cargo(&metadata)).expect("JSON");
     let packages = metadata["packages"].as_array().expect("packages").iter();
     let foreign = packages.filter(|package| !package["source"].is_null());
     let text = |value: &Value| value.as_str().map(str::to_owned);
-    foreign
-        .map(|package| (text(&package["name"]).expect("a name"), text(&package["license"])))
-        .collect()
+    foreign.map(|package| (text(&package["name"]).expect("a name"), text(&package["license"]))).collect()
 }
 
 #[test]
@@ -81,10 +65,7 @@ fn licences_are_allowed() {
             needed.extend(is_known.then_some(licence));
             is_known
         });
-        assert!(
-            is_allowed,
-            "{name} has the licence {licence}, which deny.toml does not allow"
-        );
+        assert!(is_allowed, "{name} has the licence {licence}, which deny.toml does not allow");
     }
     let idle: Vec<_> = allowed.iter().filter(|licence| !needed.contains(*licence)).collect();
     assert!(idle.is_empty(), "no package has {idle:?}: take it out of deny.toml");
@@ -97,19 +78,13 @@ fn program_and_python_package_have_the_features_of_the_workspace() {
     let packages = |of: &[&str]| {
         let tree = "tree --offline --edges normal,build --prefix none --no-dedupe --format {p}#{f}";
         let arguments: Vec<&str> = tree.split(' ').chain(of.iter().copied()).collect();
-        told_by_cargo(&arguments)
-            .lines()
-            .map(str::to_owned)
-            .collect::<BTreeSet<String>>()
+        told_by_cargo(&arguments).lines().map(str::to_owned).collect::<BTreeSet<String>>()
     };
     let all = packages(&["--workspace"]);
     for package in ["oilwedge", "oilwedge-python"] {
         let own = packages(&["--package", package]);
         let other: Vec<_> = own.difference(&all).collect();
-        assert!(
-            other.is_empty() && own.len() > 100,
-            "name these features in the manifest of {package}: {other:?}"
-        );
+        assert!(other.is_empty() && own.len() > 100, "name these features in the manifest of {package}: {other:?}");
     }
 }
 
@@ -121,10 +96,7 @@ fn duplicates_are_those_named() {
         .expect("a list")
         .iter()
         .map(|skip| {
-            assert!(
-                skip["reason"].as_str().is_some_and(|reason| !reason.is_empty()),
-                "{skip} has no reason"
-            );
+            assert!(skip["reason"].as_str().is_some_and(|reason| !reason.is_empty()), "{skip} has no reason");
             skip["crate"].as_str().expect("a crate").to_owned()
         })
         .collect();
@@ -137,11 +109,7 @@ fn duplicates_are_those_named() {
     for (name, versions) in versions.iter().filter(|(_, versions)| versions.len() > 1) {
         let marked: Vec<_> = versions.iter().map(|version| format!("{name}@{version}")).collect();
         let (known, other): (Vec<_>, Vec<_>) = marked.into_iter().partition(|version| named.contains(version));
-        assert_eq!(
-            other.len(),
-            1,
-            "{name} is there in several versions: {other:?} beside those named in deny.toml"
-        );
+        assert_eq!(other.len(), 1, "{name} is there in several versions: {other:?} beside those named in deny.toml");
         found.extend(known);
     }
     assert_eq!(found, named, "deny.toml names duplicates that are none");
@@ -158,9 +126,7 @@ fn sources_are_those_allowed() {
             continue;
         };
         let source = source.as_str().expect("a text");
-        let registry = source
-            .strip_prefix("registry+")
-            .unwrap_or_else(|| panic!("{name} comes from {source}"));
+        let registry = source.strip_prefix("registry+").unwrap_or_else(|| panic!("{name} comes from {source}"));
         assert!(allowed.contains(registry), "{name} comes from {registry}");
         assert!(package.contains_key("checksum"), "{name} has no checksum");
     }
@@ -170,12 +136,7 @@ fn sources_are_those_allowed() {
 /// What can be checked without the network, by the tool itself.
 #[test]
 fn cargo_deny_agrees_where_it_is_installed() {
-    let deny = |arguments: &[&str]| {
-        Command::new("cargo-deny")
-            .args(arguments)
-            .current_dir(repository())
-            .output()
-    };
+    let deny = |arguments: &[&str]| Command::new("cargo-deny").args(arguments).current_dir(repository()).output();
     if deny(&["--version"]).is_err() {
         println!("cargo-deny is not installed");
         return;

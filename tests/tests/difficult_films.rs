@@ -17,11 +17,7 @@ fn result(text: &str, folder: &Path, options: &RunOptions) -> RunResult {
 fn an_as_printed_film_has_bars_up_to_its_fold() {
     let folder = repository().join("scenes");
     let text = std::fs::read_to_string(folder.join("06_flexpde_as_printed.toml")).expect("scene 06");
-    let speed = text
-        .lines()
-        .find(|line| line.starts_with("speed"))
-        .expect("a speed")
-        .to_owned();
+    let speed = text.lines().find(|line| line.starts_with("speed")).expect("a speed").to_owned();
     let at = |speed_of: &str| text.replace(&speed, &format!("speed = \"{speed_of}\""));
     for (speed, known) in [("36 rad/s", Some(144.42)), ("36.6 rad/s", None)] {
         let film = result(&at(speed), &folder, &RunOptions::default());
@@ -30,11 +26,7 @@ fn an_as_printed_film_has_bars_up_to_its_fold() {
         let bar = quantity.error().expect("a bar");
         assert!(bar < 1e-3 * quantity.value, "{speed}: {} +- {bar}", quantity.value);
         // The quadratic film of the same mesh, by itself.
-        assert!(
-            known.is_none_or(|known| (quantity.value - known).abs() < 0.01),
-            "{}",
-            quantity.value
-        );
+        assert!(known.is_none_or(|known| (quantity.value - known).abs() < 0.01), "{}", quantity.value);
     }
     let beyond = result(&at("37 rad/s"), &folder, &RunOptions::default());
     assert!(beyond.status != Status::Converged);
@@ -57,27 +49,15 @@ cavitation = {{ model = "reynolds" }}
 fn a_load_towards_the_edge_of_an_arc_is_carried() {
     let arc = "{ from = \"200 deg\", to = \"340 deg\" }";
     let load = "load = { force = \"1990 N\", angle = \"205.9 deg\" }";
-    let found = result(
-        &pad(arc, "speed = \"3000 rpm\"", load),
-        Path::new("."),
-        &RunOptions::default(),
-    );
+    let found = result(&pad(arc, "speed = \"3000 rpm\"", load), Path::new("."), &RunOptions::default());
     assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
     let eps = found.quantity(&ECCENTRICITY).expect("eps").value;
     assert!((eps - 0.884).abs() < 0.01, "{eps}");
     let fine = format!("{load}\nmesh = {{ size = \"2 mm\" }}");
-    let fine = result(
-        &pad(arc, "speed = \"3000 rpm\"", &fine),
-        Path::new("."),
-        &RunOptions::default(),
-    );
+    let fine = result(&pad(arc, "speed = \"3000 rpm\"", &fine), Path::new("."), &RunOptions::default());
     let finer = fine.quantity(&ECCENTRICITY).expect("eps");
     let bar = found.quantity(&ECCENTRICITY).and_then(|it| it.error()).expect("a bar");
-    assert!(
-        (finer.value - eps).abs() < bar + finer.error().expect("a bar"),
-        "{eps} +- {bar}, {}",
-        finer.value
-    );
+    assert!((finer.value - eps).abs() < bar + finer.error().expect("a bar"), "{eps} +- {bar}, {}", finer.value);
 }
 
 /// A pad opposite to the thinnest film has pressure in a sliver at its edge only.

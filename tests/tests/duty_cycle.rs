@@ -54,16 +54,9 @@ fn the_load_of_a_crank_is_that_of_the_closed_form() {
         for (found, wanted) in [(-x, f_x), (-y, f_y), (-duty.force[0], along), (-duty.force[1], across)] {
             assert!((found - wanted).abs() < 1e-6 * peak, "{theta}: {found} {wanted}");
         }
-        assert!(
-            (duty.speed / omega - 1.0).abs() < 1e-6,
-            "{theta}: {} {omega}",
-            duty.speed
-        );
+        assert!((duty.speed / omega - 1.0).abs() < 1e-6, "{theta}: {} {omega}", duty.speed);
         let found = crank.linkage.piston_acceleration(theta, speed);
-        assert!(
-            (found / acceleration - 1.0).abs() < 1e-6,
-            "{theta}: {found} {acceleration}"
-        );
+        assert!((found / acceleration - 1.0).abs() < 1e-6, "{theta}: {found} {acceleration}");
     }
     let (at, force) = cycle.summary().peak;
     assert!((force[0].hypot(force[1]) / peak - 1.0).abs() < 1e-6, "{force:?}");
@@ -87,10 +80,7 @@ fn power_of_the_crank_balances_at_every_angle() {
     let speed = cycle.angular_speed();
     let terms: Vec<_> = angles().map(|angle| power_balance(crank, angle, speed)).collect();
     let greatest = terms.iter().map(|[pin, _]| pin.abs()).fold(0.0, f64::max);
-    let off = terms
-        .iter()
-        .map(|[pin, piston]| (pin + piston).abs())
-        .fold(0.0, f64::max);
+    let off = terms.iter().map(|[pin, piston]| (pin + piston).abs()).fold(0.0, f64::max);
     assert!(off < 1e-12 * greatest, "{off} of {greatest}");
 }
 
@@ -134,10 +124,7 @@ fn the_spline_of_the_table_is_the_formula() {
     let off = distance(&cycle);
     assert!(off < 3e-7, "{off}");
     let (at, force) = cycle.summary().peak;
-    assert!(
-        (force[0].hypot(force[1]) / 207_294.633_674_890_68 - 1.0).abs() < 2e-6,
-        "{force:?}"
-    );
+    assert!((force[0].hypot(force[1]) / 207_294.633_674_890_68 - 1.0).abs() < 2e-6, "{force:?}");
     assert!((at.to_degrees() - 11.2).abs() < 0.05, "{at}");
     let rows = cycle.rows_summary().expect("a table");
     assert_eq!((rows.count, rows.peak.0.to_degrees().round()), (360, 12.0));
@@ -197,16 +184,10 @@ fn harmonics_are_a_load_too() {
         cycle(&oilwedge_study::parse(&text, std::path::Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}")))
     };
     let pin = scene("pin", "{ order = 0, cos = { x = \"5 kN\" } }");
-    let cylinder = scene(
-        "cylinder",
-        "{ order = 1, cos = { x = \"5 kN\" }, sin = { y = \"5 kN\" } }",
-    );
+    let cylinder = scene("cylinder", "{ order = 1, cos = { x = \"5 kN\" }, sin = { y = \"5 kN\" } }");
     for angle in angles() {
         let (a, b) = (pin.at(angle), cylinder.at(angle));
-        assert!(
-            (a.force[0] - b.force[0]).hypot(a.force[1] - b.force[1]) < 1e-12 * 5e3,
-            "{angle}"
-        );
+        assert!((a.force[0] - b.force[0]).hypot(a.force[1] - b.force[1]) < 1e-12 * 5e3, "{angle}");
         assert!((a.moment[0] - 5e-3 * a.force[0]).abs() < 1e-12 && (a.moment[1] - 5e-3 * a.force[1]).abs() < 1e-12);
     }
     let half = scene("shell", "{ order = 0.5, sin = { x = \"1 kN\" } }");

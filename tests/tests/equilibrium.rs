@@ -36,11 +36,7 @@ fn bearing(cavitation: Cavitation, eps: f64, angle: f64, speed: f64) -> (FilmPro
 fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProblem, FilmSystem) {
     let mesh = oilwedge_mesh::generate::generate(
         &oilwedge_mesh::generate::Blueprint {
-            liner: oilwedge_mesh::developed::Liner {
-                radius: RADIUS,
-                length: LENGTH,
-                arc: Some((-1.5, 1.5)),
-            },
+            liner: oilwedge_mesh::developed::Liner { radius: RADIUS, length: LENGTH, arc: Some((-1.5, 1.5)) },
             features: Vec::new(),
             line: None,
         },
@@ -74,23 +70,14 @@ fn force(problem: &FilmProblem, system: &FilmSystem) -> [f64; 2] {
 
 fn started_at(problem: &FilmProblem, eps: f64, angle: f64) -> FilmProblem {
     let start = JournalState::at_eccentricity(eps, angle, CLEARANCE, problem.journal.speed);
-    FilmProblem {
-        journal: JournalState {
-            velocity: problem.journal.velocity,
-            ..start
-        },
-        ..problem.clone()
-    }
+    FilmProblem { journal: JournalState { velocity: problem.journal.velocity, ..start }, ..problem.clone() }
 }
 
 /// `dW/de` against central differences. The cavity moves without changing the load to first order; a mass-conserving
 /// film is differenced with its forms kept.
 #[test]
 fn tangent_matches_differences() {
-    let squeeze = CentreVelocity {
-        radial: 4e-4,
-        tangential: -2e-4,
-    };
+    let squeeze = CentreVelocity { radial: 4e-4, tangential: -2e-4 };
     let mut bearings: Vec<_> = MODELS.map(|model| bearing(model, 0.6, 0.3, SPEED)).into();
     // A starved inlet in the cavity, and one where pressure builds up.
     bearings.extend([0.7, 1.0].map(|fraction| half_shell(Cavitation::Jfo { pressure: 0.0 }, Some(fraction))));
@@ -99,28 +86,17 @@ fn tangent_matches_differences() {
         problem.terms.push(Arc::new(terms::squeeze::Squeeze));
         problem.journal = problem.journal.with_centre_velocity(squeeze, 0.3);
         let asked = force(&problem, &system);
-        let moving = SearchOptions {
-            centre_velocity: squeeze,
-            ..SearchOptions::default()
-        };
+        let moving = SearchOptions { centre_velocity: squeeze, ..SearchOptions::default() };
         let found = find(&problem, &system, asked, &moving).unwrap_or_else(|reason| panic!("{reason}"));
         let step = 1e-4 * CLEARANCE;
         for k in 0..2 {
             let at = |sign: f64| {
                 let mut offset = found.problem.journal.offset;
                 offset[k] += sign * step;
-                let moved = JournalState {
-                    offset,
-                    ..found.problem.journal
-                };
+                let moved = JournalState { offset, ..found.problem.journal };
                 let moved = moved.with_centre_velocity(squeeze, offset[1].atan2(offset[0]));
-                let problem = FilmProblem {
-                    journal: moved,
-                    ..found.problem.clone()
-                };
-                let film = problem
-                    .solve_from(&system, Neighbour::Kept(&found.film))
-                    .expect("a film");
+                let problem = FilmProblem { journal: moved, ..found.problem.clone() };
+                let film = problem.solve_from(&system, Neighbour::Kept(&found.film)).expect("a film");
                 load(&problem, &system, &film).total.force
             };
             let (ahead, behind) = (at(1.0), at(-1.0));
@@ -143,20 +119,12 @@ fn tangent_matches_differences() {
 #[test]
 fn positions_come_back_from_their_loads() {
     for cavitation in MODELS {
-        for (eps, angle, speed) in [
-            (0.03, 2.0, SPEED),
-            (0.5, 0.2, SPEED),
-            (0.8, -1.0, -SPEED),
-            (0.95, 3.0, SPEED),
-        ] {
+        for (eps, angle, speed) in [(0.03, 2.0, SPEED), (0.5, 0.2, SPEED), (0.8, -1.0, -SPEED), (0.95, 3.0, SPEED)] {
             let (problem, system) = bearing(cavitation, eps, angle, speed);
             let asked = force(&problem, &system);
             let start = started_at(&problem, 0.4, angle + 0.7);
-            let Equilibrium {
-                problem: found,
-                residual,
-                ..
-            } = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+            let Equilibrium { problem: found, residual, .. } =
+                find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
             assert!(residual < 1e-10, "{residual:e}");
             let back = found.journal.eccentricity() / CLEARANCE;
             assert!((back / eps - 1.0).abs() < 1e-8, "{cavitation:?} {eps}: {back}");
@@ -197,10 +165,7 @@ fn loads_out_of_reach_are_told() {
     match find(&problem, &system, [-500.0, 0.0], &SearchOptions::default()) {
         Err(reason @ NoEquilibrium::Unreachable { asked, towards, .. }) => {
             assert_eq!((asked, towards), (500.0, 180.0));
-            assert!(
-                !reason.is_unreached() && reason.to_string().contains("out of the shell"),
-                "{reason}"
-            );
+            assert!(!reason.is_unreached() && reason.to_string().contains("out of the shell"), "{reason}");
         }
         other => panic!("{:?}", other.map(|found| found.problem.journal)),
     }

@@ -42,17 +42,13 @@ fn torques_are_integrals_of_the_stresses() {
     for (model, share) in [("none", 1e-4), ("guembel", 5e-3), ("reynolds", 2e-3), ("jfo", 5e-3)] {
         let film = ring(model, "3 mm");
         let drawn = picture(&film.study, &film.film, None, Surface::Developed);
-        for (name, sign, quantity) in [
-            (ON_JOURNAL, -1.0, "friction_torque"),
-            (ON_BEARING, 1.0, "friction_torque_bearing"),
-        ] {
+        for (name, sign, quantity) in
+            [(ON_JOURNAL, -1.0, "friction_torque"), (ON_BEARING, 1.0, "friction_torque_bearing")]
+        {
             let stress = vectors(&drawn, name);
             let torque = sign * RADIUS * integral(&drawn, |node| stress[node][0]);
             let expected = film.quantity(quantity);
-            assert!(
-                (torque / expected - 1.0).abs() < share,
-                "{model} {name}: {torque} {expected}"
-            );
+            assert!((torque / expected - 1.0).abs() < share, "{model} {name}: {torque} {expected}");
         }
     }
 }
@@ -138,9 +134,7 @@ fn arrays_of_the_file_have_units() {
         (ON_BEARING, "Pa"),
         ("error_indicator", "N"),
     ] {
-        let begin = text
-            .find(&format!("Name=\"{name}\""))
-            .unwrap_or_else(|| panic!("no {name}"));
+        let begin = text.find(&format!("Name=\"{name}\"")).unwrap_or_else(|| panic!("no {name}"));
         let array = text[begin..].split("</DataArray>").next().expect("an array");
         let key = format!("<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey>");
         assert!(array.ends_with(&key), "{name}: {}", &array[array.len().min(200)..]);

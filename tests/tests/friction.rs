@@ -24,10 +24,7 @@ fn system(film_start: bool) -> FilmSystem {
 
 /// Widest at 0 degrees.
 fn film(eccentricity: f64, cavitation: Cavitation) -> FilmProblem {
-    FilmProblem {
-        cavitation,
-        ..plain_film(LENGTH, eccentricity, PI, SPEED)
-    }
+    FilmProblem { cavitation, ..plain_film(LENGTH, eccentricity, PI, SPEED) }
 }
 
 struct Measured {
@@ -39,11 +36,7 @@ struct Measured {
 fn measured(problem: &FilmProblem, system: &FilmSystem) -> Measured {
     let film = problem.solve(system).expect("a film");
     let power = power(problem, system, &film);
-    Measured {
-        power,
-        friction: friction(&problem.journal, &power).expect("a turning journal"),
-        film,
-    }
+    Measured { power, friction: friction(&problem.journal, &power).expect("a turning journal"), film }
 }
 
 /// Petroff (1883) for a centred journal, and the drag through a gap of varying width: `2 pi mu omega R^3 B/(c sqrt(1 - eps^2))`.
@@ -125,9 +118,7 @@ pressure = "0 bar"
 
 /// Feeds of ten times the pressure, against which oil is pressed in.
 fn pressed(feeds: &str) -> String {
-    feeds
-        .replace("\"0.7 bar\"", "\"7 bar\"")
-        .replace("\"0.3 bar\"", "\"3 bar\"")
+    feeds.replace("\"0.7 bar\"", "\"7 bar\"").replace("\"0.3 bar\"", "\"3 bar\"")
 }
 
 fn solved(scene: &Scene) -> Solved {
@@ -142,18 +133,10 @@ squeeze = { radial = "4 mm/s", tangential = "-3 mm/s" }"#;
 #[test]
 fn power_put_in_becomes_heat() {
     let arc = r#"arc = { from = "-60 deg", to = "200 deg" }"#;
-    let oils = [
-        "",
-        r#"barus = { alpha = "200 1/GPa" }"#,
-        r#"roelands = { alpha = "200 1/GPa" }"#,
-    ];
+    let oils = ["", r#"barus = { alpha = "200 1/GPa" }"#, r#"roelands = { alpha = "200 1/GPa" }"#];
     let feeds = pressed(&[GROOVE, HOLE, POCKET].concat());
     for model in ["none", "guembel", "reynolds", "jfo"] {
-        for (bearing, journal, feeds) in [
-            ("", TURNS, &feeds),
-            (arc, SQUEEZES, &feeds),
-            (arc, TURNS, &String::new()),
-        ] {
+        for (bearing, journal, feeds) in [("", TURNS, &feeds), (arc, SQUEEZES, &feeds), (arc, TURNS, &String::new())] {
             for oil in oils {
                 let film = solved(&scene(model, bearing, journal, oil, feeds));
                 let power = &film.measured.power;
@@ -171,10 +154,7 @@ fn a_sinking_journal_heats_the_oil() {
     let at_rest = "speed = \"0 rpm\"\nsqueeze = { radial = \"4 mm/s\" }";
     let film = solved(&scene("reynolds", "", at_rest, "", ""));
     let power = &film.measured.power;
-    assert!(
-        power.imbalance < 1e-9 && power.shear == 0.0 && power.pressure == 0.0,
-        "{power:?}"
-    );
+    assert!(power.imbalance < 1e-9 && power.shear == 0.0 && power.pressure == 0.0, "{power:?}");
     assert!((power.motion + power.cavity - power.driven).abs() < 1e-9 * power.driven);
     assert!((film.quantity("squeeze_power") / power.motion - 1.0).abs() < 1e-9);
 }
@@ -208,12 +188,7 @@ fn a_spoiled_film_does_not_balance() {
         assert!(spoiled > 1e-6, "{cavitation:?}, the speed: {spoiled:e}");
     }
     let mut film = solved(&scene("none", "", TURNS, "", &pressed(GROOVE)));
-    let flow = film
-        .film
-        .inflow
-        .iter_mut()
-        .zip(0..)
-        .filter(|(_, dof)| film.study.system.supply.owner(*dof).is_some());
+    let flow = film.film.inflow.iter_mut().zip(0..).filter(|(_, dof)| film.study.system.supply.owner(*dof).is_some());
     flow.for_each(|(inflow, _)| *inflow *= 1.001);
     let spoiled = power(&film.study.problem, &film.study.system, &film.film).imbalance;
     assert!(spoiled > 1e-6, "flows: {spoiled:e}");
@@ -279,10 +254,8 @@ pressure = "0 bar"
 /// A feed has no film, whether it is cut out of the mesh or meshed.
 #[test]
 fn feeds_shear_nothing() {
-    let (with, without) = (
-        solved(&scene("none", "", TURNS, "", &pressed(HOLE))),
-        solved(&scene("none", "", TURNS, "", "")),
-    );
+    let (with, without) =
+        (solved(&scene("none", "", TURNS, "", &pressed(HOLE))), solved(&scene("none", "", TURNS, "", "")));
     let problem = &with.study.problem;
     let thickness = problem.thickness_at(0, &[[-40f64.to_radians() * 0.05, 0.012]])[0];
     let [velocity, _] = problem.surface_velocity();

@@ -15,10 +15,7 @@ fn solved(bearing: &str, journal: &str, pressure: &str, size: &str) -> RunResult
 fn flow(result: &RunResult, name: &str) -> [f64; 2] {
     let quantity = result.quantities.iter().find(|quantity| quantity.name == name);
     let quantity = quantity.unwrap_or_else(|| panic!("no {name}"));
-    [
-        quantity.value,
-        quantity.error().unwrap_or_else(|| panic!("{name} has no bar")),
-    ]
+    [quantity.value, quantity.error().unwrap_or_else(|| panic!("{name} has no bar"))]
 }
 
 /// Bars hold on each mesh, against one four to ten times finer, and are at most the part `most` of the flow.
@@ -52,12 +49,7 @@ fn through_the_edge_of_an_arc() {
 /// Short bearing at a great eccentricity.
 #[test]
 fn out_of_a_short_bearing() {
-    bars_hold(
-        "length = '18.75 mm'\ntheory = 'short'",
-        "eccentricity = 0.95\nmin_film_angle = '180 deg'",
-        "0 bar",
-        0.1,
-    );
+    bars_hold("length = '18.75 mm'\ntheory = 'short'", "eccentricity = 0.95\nmin_film_angle = '180 deg'", "0 bar", 0.1);
 }
 
 /// Ends above the pressure of the cavity: how much of the thin film between them is dropped depends on the mesh, and the bars include it.

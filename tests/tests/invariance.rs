@@ -16,11 +16,7 @@ fn solve(system: &FilmSystem, min_film_angle: f64, speed: f64) -> [f64; 3] {
     let solution = film.solve(system).unwrap();
     let load = load(&film, system, &solution);
     assert!(flows(&film, system, &solution).imbalance < 1e-10);
-    [
-        load.magnitude(),
-        load.angle(),
-        attitude_angle(&film.journal, load.angle()),
-    ]
+    [load.magnitude(), load.angle(), attitude_angle(&film.journal, load.angle())]
 }
 
 fn close(a: f64, b: f64) {

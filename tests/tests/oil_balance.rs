@@ -109,10 +109,7 @@ fn flows_of_a_mass_conserving_film_balance() {
             // Region by region, as they are reported; the edges of an arc and the film start have no quantity.
             let lines = ["arc_from", "arc_to", "film_start"];
             let on_lines = flows.regions.iter().filter(|it| lines.contains(&it.name.as_str()));
-            let fed = flows
-                .regions
-                .iter()
-                .filter(|it| ["groove", "hole", "middle"].contains(&it.name.as_str()));
+            let fed = flows.regions.iter().filter(|it| ["groove", "hole", "middle"].contains(&it.name.as_str()));
             let fed: f64 = fed.map(|it| film.quantity(&format!("feed_flow.{}", it.name))).sum();
             let left = on_lines.map(|it| it.net).sum::<f64>() + fed - film.quantity("side_flow");
             assert!(left.abs() < 1e-10 * flows.throughput, "{index} {speed}: {left:e}");
@@ -190,11 +187,7 @@ fn share_of_the_cavity() {
     let short = Ring::new(0.05, 0.3).solve().solved.quantity("cavity_share");
     assert!((short - 0.5).abs() < 0.02, "{short}");
     let flooded = |model| {
-        let ring = Ring {
-            film_start: true,
-            model,
-            ..Ring::new(1.0, 0.6)
-        };
+        let ring = Ring { film_start: true, model, ..Ring::new(1.0, 0.6) };
         ring.solve().solved.quantity("cavity_share")
     };
     let (swift, jfo) = (flooded("reynolds"), flooded("jfo"));
@@ -217,15 +210,8 @@ fn what_the_plain_models_get_wrong_is_told() {
     assert!((measured.flows.made() - 1.0).abs() < 1e-3, "{}", measured.flows.made());
     assert!(told.contains("some 100 % of the oil that passes is created"), "{told}");
     let (told, measured) = with("none");
-    assert!(
-        (measured.under_tension - 0.5).abs() < 1e-2,
-        "{}",
-        measured.under_tension
-    );
-    assert!(
-        told.contains("lies below the 0.00 bar of the ends on 50 % of the film"),
-        "{told}"
-    );
+    assert!((measured.under_tension - 0.5).abs() < 1e-2, "{}", measured.under_tension);
+    assert!(told.contains("lies below the 0.00 bar of the ends on 50 % of the film"), "{told}");
 }
 
 /// Ways out of the solver are no secret.
@@ -275,10 +261,7 @@ fn stretched_meshes_are_flipped() {
         assert!(least.is_some_and(|least| 0.0 < least && least < 1.0), "{least:?}");
         balanced(&measured.flows);
         let told = warnings(&study, &measured);
-        assert!(
-            told.iter().any(|it| it.starts_with("the mesh was made Delaunay by")),
-            "{told:?}"
-        );
+        assert!(told.iter().any(|it| it.starts_with("the mesh was made Delaunay by")), "{told:?}");
     }
     let mut regions = ends(&mesh, LENGTH_OF_STRETCHED, None);
     regions.iter_mut().for_each(|region| region.pressure = 1e5);

@@ -21,10 +21,7 @@ fn paged(name: &str) -> (Value, String) {
 
 /// What stands between two marks, each time.
 fn between<'a>(text: &'a str, from: &str, to: &str) -> Vec<&'a str> {
-    text.split(from)
-        .skip(1)
-        .filter_map(|rest| rest.split(to).next())
-        .collect()
+    text.split(from).skip(1).filter_map(|rest| rest.split(to).next()).collect()
 }
 
 /// The page without the wall times, the one part that differs from run to run.
@@ -38,9 +35,7 @@ fn timeless(page: &str) -> String {
 fn the_page_of_the_engine_bearing_is_whole_small_and_alone() {
     let (result, page) = paged("17_engine_main_bearing");
     assert!(page.len() < 1_000_000, "{} bytes", page.len());
-    for other in [
-        "url(http", "<link", "<img", "<iframe", "@import", "fetch(", "eval(", " src=",
-    ] {
+    for other in ["url(http", "<link", "<img", "<iframe", "@import", "fetch(", "eval(", " src="] {
         assert!(!page.contains(other), "{other}");
     }
     let addresses: Vec<&str> = page.split("://").skip(1).map(|rest| &rest[..10]).collect();
@@ -58,10 +53,7 @@ fn the_page_of_the_engine_bearing_is_whole_small_and_alone() {
     for (name, quantity) in result["quantities"].as_object().expect("quantities") {
         for key in ["value", "error"] {
             let Some(number) = quantity[key].as_f64() else { continue };
-            assert!(
-                page.contains(&format!("<data value=\"{number}\">")),
-                "no {key} of {name}, {number}"
-            );
+            assert!(page.contains(&format!("<data value=\"{number}\">")), "no {key} of {name}, {number}");
         }
         for (part, number) in quantity["error_parts"].as_object().into_iter().flatten() {
             let number = number.as_f64().expect("a number");
@@ -80,11 +72,7 @@ fn the_page_of_the_engine_bearing_is_whole_small_and_alone() {
         }
     }
     let scene = result["scene"].as_str().expect("its text");
-    assert!(
-        scene
-            .lines()
-            .all(|line| line.contains(['"', '<', '&', '>', '\'']) || page.contains(line))
-    );
+    assert!(scene.lines().all(|line| line.contains(['"', '<', '&', '>', '\'']) || page.contains(line)));
 }
 
 /// The first line says whether the bearing is fit, and the criteria stand below the cards.
@@ -101,67 +89,33 @@ fn the_header_is_the_verdict() {
     };
     let limited = page("[criteria]\nfilm_min = '11 um'\npressure_max = '1 bar'\n");
     let header = between(&limited, "<header>", "</header>")[0];
-    assert!(
-        header.contains("<p class=\"verdict bad\"><strong>NOT fit</strong>"),
-        "{header}"
-    );
-    assert!(
-        header.contains("greatest pressure above 1 bar") && !header.contains("least film"),
-        "{header}"
-    );
+    assert!(header.contains("<p class=\"verdict bad\"><strong>NOT fit</strong>"), "{header}");
+    assert!(header.contains("greatest pressure above 1 bar") && !header.contains("least film"), "{header}");
     let places = ["class=\"cards\"", "Design criteria", "The bearing"].map(|part| limited.find(part).expect(part));
     assert!(places.is_sorted());
     let first: Vec<&str> = between(&limited, "class=\"card\"><dt title=\"", "</dt>");
-    let names = [
-        "least film",
-        "greatest pressure",
-        "power loss",
-        "oil flow",
-        "temperature of the film",
-        "eccentricity",
-    ];
-    assert!(
-        first
-            .iter()
-            .zip(names)
-            .all(|(card, name)| card.contains(&format!(">{name} "))),
-        "{first:?}"
-    );
+    let names =
+        ["least film", "greatest pressure", "power loss", "oil flow", "temperature of the film", "eccentricity"];
+    assert!(first.iter().zip(names).all(|(card, name)| card.contains(&format!(">{name} "))), "{first:?}");
     let free = page("");
-    assert!(
-        !free.contains("class=\"verdict") && free.contains("usual value below 115"),
-        "{free}"
-    );
+    assert!(!free.contains("class=\"verdict") && free.contains("usual value below 115"), "{free}");
 }
 
 #[test]
 fn the_policy_names_the_hashes_of_script_and_style() {
     let (_, page) = paged("01_plain_ring");
-    let policy = between(&page, "Content-Security-Policy\" content=\"", "\"")[0]
-        .replace("&#x27;", "'")
-        .replace("&#x2f;", "/");
+    let policy =
+        between(&page, "Content-Security-Policy\" content=\"", "\"")[0].replace("&#x27;", "'").replace("&#x2f;", "/");
     assert!(policy.starts_with("default-src 'none'; "), "{policy}");
     assert!(!policy.contains("unsafe"), "{policy}");
     let script = *between(&page, "<script>", "</script>").last().expect("a script");
     let style = between(&page, "<style>", "</style>")[0];
     for (directive, text) in [("script-src", script), ("style-src", style)] {
         let hash = STANDARD.encode(Sha256::digest(text));
-        assert!(
-            policy.contains(&format!("{directive} 'sha256-{hash}'")),
-            "{directive}: {policy}"
-        );
+        assert!(policy.contains(&format!("{directive} 'sha256-{hash}'")), "{directive}: {policy}");
     }
-    let body = page
-        .split("<body>")
-        .nth(1)
-        .expect("a body")
-        .split("<script")
-        .next()
-        .expect("its elements");
-    assert!(
-        !body.contains(" style=") && !body.contains(" onclick"),
-        "the policy forbids it"
-    );
+    let body = page.split("<body>").nth(1).expect("a body").split("<script").next().expect("its elements");
+    assert!(!body.contains(" style=") && !body.contains(" onclick"), "the policy forbids it");
 }
 
 #[test]
@@ -233,11 +187,7 @@ fn a_folder_without_results_is_refused() {
     let bench = Bench::new();
     let told = bench.run(&["report", "."]);
     assert_eq!(told.status, 2);
-    assert!(
-        told.stderr.contains("result.json") && told.stderr.contains("oilwedge solve"),
-        "{}",
-        told.stderr
-    );
+    assert!(told.stderr.contains("result.json") && told.stderr.contains("oilwedge solve"), "{}", told.stderr);
 }
 
 #[cfg(target_os = "linux")]

@@ -14,43 +14,23 @@ use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::variant;
 
 fn solved(name: &str, unrolled: bool) -> (serde_json::Value, FilmPicture) {
-    let options = RunOptions {
-        bars: false,
-        unrolled,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars: false, unrolled, ..RunOptions::default() };
     let run = run(&variant(name, |_| {}), &options).expect("a film");
-    (
-        serde_json::to_value(&run.result).expect("JSON"),
-        run.picture.expect("a picture"),
-    )
+    (serde_json::to_value(&run.result).expect("JSON"), run.picture.expect("a picture"))
 }
 
 fn svgs(result: serde_json::Value, picture: &FilmPicture, width: f64) -> Vec<(String, String)> {
     let film = DrawnFilm::new(result, picture).expect("a film to draw");
-    let options = PlotOptions {
-        selected: Vec::new(),
-        width,
-    };
+    let options = PlotOptions { selected: Vec::new(), width };
     let figures = film_figures(&film, &options).expect("pictures");
-    figures
-        .into_iter()
-        .map(|(name, figure)| (name, figure.to_svg()))
-        .collect()
+    figures.into_iter().map(|(name, figure)| (name, figure.to_svg())).collect()
 }
 
 /// Sizes of letters [points] in an SVG whose unit is a millimetre.
 fn letters(svg: &str) -> Vec<f64> {
     let sizes = svg.split("font-size=\"").skip(1);
     sizes
-        .map(|rest| {
-            rest.split('"')
-                .next()
-                .and_then(|size| size.parse::<f64>().ok())
-                .expect("a size")
-                * 72.0
-                / 25.4
-        })
+        .map(|rest| rest.split('"').next().and_then(|size| size.parse::<f64>().ok()).expect("a size") * 72.0 / 25.4)
         .collect()
 }
 
@@ -60,26 +40,14 @@ fn pictures_of_the_engine_bearing_are_small_and_readable() {
     for width in [85.0, 170.0] {
         let svgs = svgs(result.clone(), &picture, width);
         let names: BTreeSet<&str> = svgs.iter().map(|(name, _)| name.as_str()).collect();
-        for name in [
-            "pressure",
-            "film_thickness",
-            "film_fraction",
-            "viscosity",
-            "mesh",
-            "section",
-            "profiles",
-        ] {
+        for name in ["pressure", "film_thickness", "film_fraction", "viscosity", "mesh", "section", "profiles"] {
             assert!(names.contains(name), "no {name} in {names:?}");
         }
         for (name, svg) in &svgs {
             assert!(svg.len() < 250_000, "{name}: {} bytes", svg.len());
             assert!(svg.contains("<title") && svg.contains("<desc"), "{name}");
             // To the third decimal of a millimetre.
-            assert!(
-                letters(svg).iter().all(|size| *size > 6.99),
-                "{name}: {:?}",
-                letters(svg)
-            );
+            assert!(letters(svg).iter().all(|size| *size > 6.99), "{name}: {:?}", letters(svg));
         }
     }
 }
@@ -106,10 +74,7 @@ fn tension_is_drawn_in_the_diverging_map_and_a_film_of_one_sign_is_not() {
     let white_in_the_middle = |name: &str| {
         let (result, picture) = solved(name, true);
         let svgs = svgs(result, &picture, 170.0);
-        let (_, svg) = svgs
-            .into_iter()
-            .find(|(name, _)| name == "pressure")
-            .expect("a pressure");
+        let (_, svg) = svgs.into_iter().find(|(name, _)| name == "pressure").expect("a pressure");
         // The darkest brown of vik is no colour of batlowW.
         svg.contains("#5") && svg.contains("\u{2212}")
     };
@@ -125,16 +90,8 @@ fn tension_is_drawn_in_the_diverging_map_and_a_film_of_one_sign_is_not() {
 fn the_film_breaks_behind_its_thinnest_place() {
     let (result, picture) = solved("11_swift_stieber_ring", true);
     let radius = result["geometry"]["radius"].as_f64().expect("a radius");
-    let thinnest = result["quantities"]["min_film_angle"]["value"]
-        .as_f64()
-        .expect("an angle");
-    let line = |name: &str| {
-        picture
-            .lines
-            .iter()
-            .find(|(other, _)| other == name)
-            .map(|(_, pieces)| pieces.clone())
-    };
+    let thinnest = result["quantities"]["min_film_angle"]["value"].as_f64().expect("an angle");
+    let line = |name: &str| picture.lines.iter().find(|(other, _)| other == name).map(|(_, pieces)| pieces.clone());
     let rupture = line(RUPTURE).expect("a rupture");
     for piece in rupture.iter().flatten() {
         let behind = ((piece[0] / radius).to_degrees() - thinnest + 180.0).rem_euclid(360.0) - 180.0;
@@ -156,44 +113,21 @@ fn the_film_breaks_behind_its_thinnest_place() {
 fn the_program_draws_scenes_and_folders() {
     let bench = Bench::new();
     bench.scene("02_flexpde_shell", &[]);
-    let told = bench.run(&[
-        "plot",
-        "scene.toml",
-        "--out",
-        "run",
-        "--field",
-        "pressure,section",
-        "--width",
-        "85 mm",
-    ]);
+    let told = bench.run(&["plot", "scene.toml", "--out", "run", "--field", "pressure,section", "--width", "85 mm"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     assert!(told.stdout.contains("pressure, section"), "{}", told.stdout);
     let files = |folder: &str| -> BTreeSet<String> {
         let entries = fs::read_dir(bench.path().join(folder)).expect("a folder");
-        entries
-            .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-            .collect()
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect()
     };
     let four = ["pressure.png", "pressure.svg", "section.png", "section.svg"].map(str::to_owned);
     assert_eq!(files("run/plot"), BTreeSet::from(four));
     let first = fs::read(bench.path().join("run/plot/pressure.svg")).expect("a picture");
     assert!(String::from_utf8_lossy(&first).contains("width=\"85mm\""));
     // From the folder, in other threads: the same bytes; the others of before are removed.
-    let told = bench.run(&[
-        "plot",
-        "run",
-        "--field",
-        "pressure",
-        "--width",
-        "8.5 cm",
-        "--threads",
-        "1",
-    ]);
+    let told = bench.run(&["plot", "run", "--field", "pressure", "--width", "8.5 cm", "--threads", "1"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
-    assert_eq!(
-        fs::read(bench.path().join("run/plot/pressure.svg")).expect("a picture"),
-        first
-    );
+    assert_eq!(fs::read(bench.path().join("run/plot/pressure.svg")).expect("a picture"), first);
     assert_eq!(files("run/plot").len(), 2);
     let told = bench.run(&["solve", "scene.toml", "--out", "solved", "--plot"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
@@ -205,10 +139,7 @@ fn the_program_draws_scenes_and_folders() {
 fn what_cannot_be_drawn_is_named() {
     let bench = Bench::new();
     bench.scene("02_flexpde_shell", &[]);
-    bench.refuses(
-        &["plot", "scene.toml", "--field", "temperature"],
-        &["no \"temperature\"", "film_thickness"],
-    );
+    bench.refuses(&["plot", "scene.toml", "--field", "temperature"], &["no \"temperature\"", "film_thickness"]);
     bench.refuses(&["plot", "scene.toml", "--width", "2 m"], &["from 60 mm to 400 mm"]);
     bench.refuses(&["plot", "scene.toml", "--width", "85"], &["no unit", "85 mm"]);
     fs::create_dir(bench.path().join("empty")).expect("a folder");

@@ -24,10 +24,7 @@ fn read(name: &str) -> Mesh {
 
 /// A hole of the liners in meshes/, from its angle [deg], `z` and diameter [mm].
 fn hole(degrees: f64, z: f64, diameter: f64) -> Circle {
-    Circle {
-        centre: [BORE * degrees.to_radians(), 1e-3 * z],
-        radius: 0.5e-3 * diameter,
-    }
+    Circle { centre: [BORE * degrees.to_radians(), 1e-3 * z], radius: 0.5e-3 * diameter }
 }
 
 /// A mesh, its name, the exact area [m2] of its film, and its holes.
@@ -55,12 +52,7 @@ fn cases() -> Vec<Case> {
         case("ring from 100 degrees", ring(13, 3, 0.1, 1.745), plain, vec![]),
         case("flexpde_shell.msh", read("flexpde_shell.msh"), 0.5 * full, vec![feed]),
         case("flexpde_ring.msh", read("flexpde_ring.msh"), full, vec![feed]),
-        case(
-            "grooved_liner.msh",
-            read("grooved_liner.msh"),
-            full - groove,
-            holes_of_groove,
-        ),
+        case("grooved_liner.msh", read("grooved_liner.msh"), full - groove, holes_of_groove),
     ]
 }
 
@@ -77,9 +69,7 @@ fn off_circles(mesh: &Mesh) -> f64 {
         |circle: &Circle, node: [f64; 2]| (distance(node, circle.centre, mesh.period()) / circle.radius - 1.0).abs();
     let rims = mesh.circles().iter();
     rims.flat_map(|(circle, edges)| {
-        edges
-            .iter()
-            .flat_map(move |&edge| mesh.edge_nodes(edge).map(|node| off(circle, node)))
+        edges.iter().flat_map(move |&edge| mesh.edge_nodes(edge).map(|node| off(circle, node)))
     })
     .fold(0.0, f64::max)
 }
@@ -87,10 +77,7 @@ fn off_circles(mesh: &Mesh) -> f64 {
 /// Length [m] of the chords of a region.
 fn chords(mesh: &Mesh, region: &str) -> f64 {
     let edges = mesh.region(region).unwrap().edges.iter();
-    edges
-        .map(|&edge| mesh.edge_nodes(edge))
-        .map(|[a, b, _]| distance(a, b, None))
-        .sum()
+    edges.map(|&edge| mesh.edge_nodes(edge)).map(|[a, b, _]| distance(a, b, None)).sum()
 }
 
 /// What holds after every refinement, however it was marked.
@@ -98,11 +85,7 @@ fn check(name: &str, coarse: &Mesh, refined: &Refined) {
     let fine = &refined.mesh;
     let (before, after) = (Quality::of(coarse), Quality::of(fine));
     assert_eq!(before.boundary_loops, after.boundary_loops, "{name}");
-    assert_eq!(
-        before.unnamed_boundary_edges == 0,
-        after.unnamed_boundary_edges == 0,
-        "{name}"
-    );
+    assert_eq!(before.unnamed_boundary_edges == 0, after.unnamed_boundary_edges == 0, "{name}");
     assert!(off_circles(fine) < 1e-12, "{name}: {:e} radii off", off_circles(fine));
     assert_eq!(coarse.circles().len(), fine.circles().len());
     let start = |mesh: &Mesh| mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
@@ -117,20 +100,13 @@ fn check(name: &str, coarse: &Mesh, refined: &Refined) {
             let (before, after) = (chords(coarse, &region.name), chords(fine, &region.name));
             assert!((before - after).abs() < 1e-13 * before, "{name}: {}", region.name);
         }
-        let inherited = refined
-            .lineage
-            .iter()
-            .filter(|child| region.cells.binary_search(&child.parent).is_ok());
+        let inherited = refined.lineage.iter().filter(|child| region.cells.binary_search(&child.parent).is_ok());
         assert_eq!(fine.region(&region.name).unwrap().cells.len(), inherited.count());
     }
     // Children fill their parents, turn the right way, and lie where they say.
     assert_eq!(refined.lineage.len(), fine.triangles().len());
     let mut filled = vec![0.0; coarse.triangles().len()];
-    let scale = coarse
-        .points()
-        .iter()
-        .flatten()
-        .fold(0.0, |scale: f64, x| scale.max(x.abs()));
+    let scale = coarse.points().iter().flatten().fold(0.0, |scale: f64, x| scale.max(x.abs()));
     for (t, child) in refined.lineage.iter().enumerate() {
         assert!(quality::triangle_area(fine, t) > 0.0);
         let [a, b, c] = child.corners;
@@ -162,11 +138,7 @@ fn check_transfer(name: &str, coarse: &Mesh, refined: &Refined) {
     let (coarse, fine) = (Arc::new(coarse.clone()), Arc::new(refined.mesh.clone()));
     // Rings have no other quadratic function than one of z.
     let along = if coarse.period().is_some() { 0.0 } else { 1.0 };
-    let size = coarse
-        .points()
-        .iter()
-        .flatten()
-        .fold(0.0, |size: f64, x| size.max(x.abs()));
+    let size = coarse.points().iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
     let quadratic = |[x, z]: [f64; 2]| {
         let (x, z) = (along * x / size, z / size);
         0.3 + x - 2.0 * z + x * x - 0.7 * x * z + 0.4 * z * z
@@ -175,10 +147,7 @@ fn check_transfer(name: &str, coarse: &Mesh, refined: &Refined) {
         let (from, to) = (Space::new(coarse.clone(), degree), Space::new(fine.clone(), degree));
         if degree >= 2 {
             let values = from.interpolate(quadratic);
-            let field = Field {
-                space: &from,
-                values: &values,
-            };
+            let field = Field { space: &from, values: &values };
             let carried = transfer(&field, &to, &refined.lineage);
             let positions = to.positions();
             let parents = refined.lineage.iter().map(|child| child.parent as usize);
@@ -190,15 +159,9 @@ fn check_transfer(name: &str, coarse: &Mesh, refined: &Refined) {
             }
         }
         let values = random(from.dofs(), degree as u64);
-        let field = Field {
-            space: &from,
-            values: &values,
-        };
+        let field = Field { space: &from, values: &values };
         let carried = transfer(&field, &to, &refined.lineage);
-        let carried = Field {
-            space: &to,
-            values: &carried,
-        };
+        let carried = Field { space: &to, values: &carried };
         for (t, child) in refined.lineage.iter().enumerate() {
             let [s, r] = [0, 1].map(|k| random(2, t as u64)[k]);
             let at = [s * (1.0 - r), s * r];
@@ -231,9 +194,10 @@ fn uniform_refinement_keeps_the_geometry() {
         let known = case.mesh.circles();
         assert_eq!(known.len(), case.holes.len(), "{}", case.name);
         // Once with the circles found in the file, once with those told.
-        let told = case.holes.iter().fold(case.mesh.clone(), |mesh, (region, circle)| {
-            rim::curve_rim(&mesh, region, circle).unwrap()
-        });
+        let told = case
+            .holes
+            .iter()
+            .fold(case.mesh.clone(), |mesh, (region, circle)| rim::curve_rim(&mesh, region, circle).unwrap());
         assert_eq!(told.circles().len(), case.holes.len());
         for mut mesh in [case.mesh.clone(), told] {
             let mut errors = Vec::new();
@@ -241,13 +205,8 @@ fn uniform_refinement_keeps_the_geometry() {
                 let refined = refine::uniform(&mesh).unwrap();
                 check(case.name, &mesh, &refined);
                 assert_eq!(refined.mesh.triangles().len(), 4 * mesh.triangles().len());
-                let boundary = |mesh: &Mesh| {
-                    mesh.topology()
-                        .edge_triangles
-                        .iter()
-                        .filter(|t| t[1] == NO_TRIANGLE)
-                        .count()
-                };
+                let boundary =
+                    |mesh: &Mesh| mesh.topology().edge_triangles.iter().filter(|t| t[1] == NO_TRIANGLE).count();
                 assert_eq!(boundary(&refined.mesh), 2 * boundary(&mesh));
                 errors.push(Quality::of(&mesh).area - case.area);
                 mesh = refined.mesh;
@@ -274,16 +233,8 @@ fn refine_six_times(name: &str, mut mesh: Mesh, near: impl Fn([[f64; 2]; 3]) -> 
         let refined = refine::local(&mesh, &marked).unwrap();
         check(name, &mesh, &refined);
         let mut children = vec![0; marked.len()];
-        refined
-            .lineage
-            .iter()
-            .for_each(|child| children[child.parent as usize] += 1);
-        assert!(
-            marked
-                .iter()
-                .zip(&children)
-                .all(|(marked, &count)| !marked || count == 4)
-        );
+        refined.lineage.iter().for_each(|child| children[child.parent as usize] += 1);
+        assert!(marked.iter().zip(&children).all(|(marked, &count)| !marked || count == 4));
         mesh = refined.mesh;
         let least = Quality::of(&mesh).least_angle;
         assert!(least > 0.5 * first, "{name}: from {first} to {least} degrees");
@@ -297,16 +248,12 @@ fn local_refinement_at_points_and_lines() {
         // At a vertex of the outline or of a rim; the first ring is met at its seam.
         let boundary =
             (0..case.mesh.topology().edges.len() as u32).filter(|&edge| case.mesh.topology().is_boundary(edge));
-        let vertices: HashSet<u32> = boundary
-            .flat_map(|edge| case.mesh.topology().edges[edge as usize])
-            .collect();
+        let vertices: HashSet<u32> = boundary.flat_map(|edge| case.mesh.topology().edges[edge as usize]).collect();
         let places = [vertices.iter().min().copied(), vertices.iter().max().copied()];
         for v in places.into_iter().flatten() {
             let place = case.mesh.points()[v as usize];
             let at = |corners: [[f64; 2]; 3]| {
-                corners
-                    .iter()
-                    .any(|&corner| distance(corner, place, case.mesh.period()) < 1e-12)
+                corners.iter().any(|&corner| distance(corner, place, case.mesh.period()) < 1e-12)
             };
             refine_six_times(&format!("{} at {place:?}", case.name), case.mesh.clone(), at);
         }
@@ -343,35 +290,23 @@ fn the_rim_of_a_meshed_hole_is_refined_from_both_sides() {
         errors.push(feed(&mesh) - PI * circle.radius.powi(2));
         assert!((Quality::of(&mesh).area - film).abs() < 1e-13 * film);
     }
-    assert!(
-        errors.windows(2).all(|pair| (pair[0] / pair[1] - 16.0).abs() < 0.1),
-        "{errors:?}"
-    );
+    assert!(errors.windows(2).all(|pair| (pair[0] / pair[1] - 16.0).abs() < 0.1), "{errors:?}");
     let [x, z] = mesh.circles()[0].0.centre;
     assert!(circle.distance([x, z]) + circle.radius < 1e-14);
 }
 
 /// A round hole by six edges in a hexagon: twelve triangles, which bulge into the film.
 fn nut(outer: f64) -> Mesh {
-    let corner = |k: u32, radius: f64| {
-        [
-            radius * (f64::from(k) * PI / 3.0).cos(),
-            radius * (f64::from(k) * PI / 3.0).sin(),
-        ]
-    };
+    let corner =
+        |k: u32, radius: f64| [radius * (f64::from(k) * PI / 3.0).cos(), radius * (f64::from(k) * PI / 3.0).sin()];
     let points = (0..6).map(|k| corner(k, 1.0)).chain((0..6).map(|k| corner(k, outer)));
     let raw = RawMesh {
         points: points.collect(),
-        triangles: (0..6)
-            .flat_map(|k| [[k, k + 6, (k + 1) % 6], [(k + 1) % 6, k + 6, (k + 1) % 6 + 6]])
-            .collect(),
+        triangles: (0..6).flat_map(|k| [[k, k + 6, (k + 1) % 6], [(k + 1) % 6, k + 6, (k + 1) % 6 + 6]]).collect(),
         curves: vec![("hole".to_owned(), (0..6).map(|k| [k, (k + 1) % 6]).collect())],
         ..RawMesh::default()
     };
-    let circle = Circle {
-        centre: [0.0; 2],
-        radius: 1.0,
-    };
+    let circle = Circle { centre: [0.0; 2], radius: 1.0 };
     rim::curve_rim(&Mesh::build(raw).unwrap(), "hole", &circle).unwrap()
 }
 

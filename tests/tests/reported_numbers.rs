@@ -41,11 +41,7 @@ fn a_cavity_that_the_mesh_does_not_show_is_within_the_bar() {
     for row in [&CAVITY_SHARE, &FRICTION_CAVITY_POWER] {
         let ([value, bar], [finer, _]) = (number(&coarse, row), number(&fine, row));
         assert!(finer > 0.0, "{}: the fine mesh shows none", row.name);
-        assert!(
-            (value - finer).abs() <= bar,
-            "{}: {value} +- {bar}, but {finer}",
-            row.name
-        );
+        assert!((value - finer).abs() <= bar, "{}: {value} +- {bar}, but {finer}", row.name);
     }
 }
 
@@ -63,10 +59,7 @@ fn the_edges_of_an_arc_are_no_cavity_of_guembel() {
     let film = result(
         &wide
             .replace("load = { force = \"2 kN\", angle = \"270 deg\" }", "")
-            .replace(
-                "speed = \"3000 rpm\"",
-                "speed = \"3000 rpm\", eccentricity = 0.6, min_film_angle = \"290 deg\"",
-            ),
+            .replace("speed = \"3000 rpm\"", "speed = \"3000 rpm\", eccentricity = 0.6, min_film_angle = \"290 deg\""),
     );
     let [made, _] = number(&film, &CAVITY_FLOW);
     let [brought, _] = number(&film, &INLET_FLOW);
@@ -92,13 +85,8 @@ feed = [{ group = "hole", pressure = "4 bar", hole = { angle = "30 deg", z = "0 
         let film = result(&format!("{base}cavitation = {{ model = \"{model}\" }}\n"));
         let [torque, _] = number(&film, &FRICTION_TORQUE);
         let [held, _] = number(&film, &FRICTION_TORQUE_BEARING);
-        let force = ["load_x", "load_y"].map(|name| {
-            film.quantities
-                .iter()
-                .find(|it| it.name == name)
-                .expect("a force")
-                .value
-        });
+        let force =
+            ["load_x", "load_y"].map(|name| film.quantities.iter().find(|it| it.name == name).expect("a force").value);
         let (sin, cos) = 200f64.to_radians().sin_cos();
         let moment = 0.7 * 30e-6 * (sin * force[0] - cos * force[1]);
         let off = (torque - held - moment).abs() / torque;
@@ -107,17 +95,10 @@ feed = [{ group = "hole", pressure = "4 bar", hole = { angle = "30 deg", z = "0 
             // The hole brings what leaves at the ends.
             let [side, fed] = ["side_flow", "feed_flow.hole"]
                 .map(|name| film.quantities.iter().find(|it| it.name == name).expect("a flow"));
-            assert!(
-                (side.value / fed.value - 1.0).abs() < 1e-8 && side.error() == fed.error(),
-                "{side:?} {fed:?}"
-            );
+            assert!((side.value / fed.value - 1.0).abs() < 1e-8 && side.error() == fed.error(), "{side:?} {fed:?}");
         }
         // The pressures on the mesh have it to their own error.
-        assert!(
-            film.balances.moment > 0.0 && film.balances.moment < 0.1,
-            "{model}: {}",
-            film.balances.moment
-        );
+        assert!(film.balances.moment > 0.0 && film.balances.moment < 0.1, "{model}: {}", film.balances.moment);
     }
 }
 
@@ -125,10 +106,7 @@ feed = [{ group = "hole", pressure = "4 bar", hole = { angle = "30 deg", z = "0 
 fn a_liner_meshed_again_is_not_called_divided() {
     let levels = result(&arc("guembel", "mesh = { tolerance = \"0.0001 %\" }")).levels;
     assert!(levels.len() > 1, "one mesh");
-    assert!(
-        levels[1..].iter().all(|level| level.refinement == Refinement::Drawn),
-        "{levels:?}"
-    );
+    assert!(levels[1..].iter().all(|level| level.refinement == Refinement::Drawn), "{levels:?}");
 }
 
 #[test]
@@ -151,21 +129,10 @@ fn surfaces_that_deflect_are_compared_with_the_film() {
     assert!(!rigid(&light), "{:?}", light.warnings);
     // 1512 bar on a square that carries F/(p/2): by hand 2 x 0.95 x 0.91/2.1e11 x sqrt(F p/2).
     let heavy = film("80 kN", "");
-    let (load, pressure) = (
-        80e3,
-        heavy
-            .quantities
-            .iter()
-            .find(|it| it.name == "pressure_max")
-            .expect("p_max")
-            .value,
-    );
+    let (load, pressure) = (80e3, heavy.quantities.iter().find(|it| it.name == "pressure_max").expect("p_max").value);
     let by_hand = 2.0 * 0.95 * 0.91 / 2.1e11 * (load * pressure / 2.0).sqrt();
     let deflection = heavy.regime.expect("a film").deflection;
-    assert!(
-        (deflection / by_hand - 1.0).abs() < 1e-6,
-        "{deflection} is not {by_hand}"
-    );
+    assert!((deflection / by_hand - 1.0).abs() < 1e-6, "{deflection} is not {by_hand}");
     assert!(rigid(&heavy), "{deflection}: {:?}", heavy.warnings);
     // A stiffer pair deflects less.
     let stiff = film("80 kN", "elastic_modulus = \"210000 GPa\", ");

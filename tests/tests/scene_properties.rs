@@ -103,9 +103,8 @@ fn a_wrong_value_of_any_key_is_refused_by_name() {
                     Err(SceneError::Complaints { complaints, .. }) => {
                         refused += 1;
                         // What only the numbers of a cap together lead to is told of the whole table.
-                        let named = complaints
-                            .iter()
-                            .any(|it| it.key == "cap" || format!("{it} {}", it.help).contains(&key));
+                        let named =
+                            complaints.iter().any(|it| it.key == "cap" || format!("{it} {}", it.help).contains(&key));
                         assert!(named, "{name}: {key} = {value}: {complaints:?}");
                     }
                     Err(SceneError::Syntax { .. }) => refused += 1,
@@ -171,10 +170,7 @@ fn any_scene_has_three_theories_or_their_reasons() {
         "journal = { speed = \"100 rad/s\" }\nload = { force = \"300 N\", angle = \"270 deg\" }",
     ];
     let models = ["none", "guembel", "reynolds", "jfo"];
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars: false, ..RunOptions::default() };
     let (mut legal, mut films) = (0, 0);
     // Each liner with each journal and each model; feeds in turn, so that each of them meets all of the others.
     for (i, liner) in liners.iter().enumerate() {
@@ -187,16 +183,11 @@ fn any_scene_has_three_theories_or_their_reasons() {
                  ends = {{ pressure = \"1 bar\" }}\n{journal}\noil = {{ viscosity = \"0.02 Pa.s\" }}\ncavitation = {{ model = \"{model}\" }}\n"
             );
             let Ok(scene) = parse(&text) else { continue };
-            let result = run(&scene, &options)
-                .unwrap_or_else(|error| panic!("{error}\n{text}"))
-                .result;
+            let result = run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{text}")).result;
             let found = theories(&scene, &options, &result);
             for answer in &found.alternatives {
                 let has_film = answer.comparisons.iter().any(|it| it.other.is_some());
-                let has_reason = found
-                    .notes
-                    .iter()
-                    .any(|note| note.contains(&format!("{} film: ", answer.name)));
+                let has_reason = found.notes.iter().any(|note| note.contains(&format!("{} film: ", answer.name)));
                 assert!(has_film || has_reason, "{found:?}\n{text}");
                 films += usize::from(has_film);
             }

@@ -19,10 +19,7 @@ fn solved(scene: &str) -> RunResult {
 }
 
 fn viscosity(result: &RunResult) -> f64 {
-    let found = result
-        .quantities
-        .iter()
-        .find(|quantity| quantity.name == "viscosity_effective");
+    let found = result.quantities.iter().find(|quantity| quantity.name == "viscosity_effective");
     found.expect("a viscosity").value
 }
 
@@ -38,10 +35,7 @@ fn the_oil_that_leaves_is_a_criterion() {
     };
     let free = report("outlet_max = '300 C'");
     let outlet = |report: &oilwedge_study::result::TemperatureReport| {
-        let found = report
-            .criteria
-            .iter()
-            .find(|criterion| criterion.what == "temperature of the oil that leaves");
+        let found = report.criteria.iter().find(|criterion| criterion.what == "temperature of the oil that leaves");
         found.expect("a criterion").clone()
     };
     let hot = outlet(&free);
@@ -61,11 +55,7 @@ fn no_verdict_without_reserve_beside_a_broken_assumption() {
     let told = bench.run(&["solve", "scene.toml"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let broken = told.stderr.matches("an assumption does not hold").count();
-    assert!(
-        broken >= 2 && told.stderr.contains("one temperature of the film"),
-        "{}",
-        told.stderr
-    );
+    assert!(broken >= 2 && told.stderr.contains("one temperature of the film"), "{}", told.stderr);
     let verdict = format!(
         "the bearing meets its design criteria, but {broken} assumptions of the film are broken: see the warnings"
     );
@@ -81,10 +71,7 @@ fn no_verdict_without_reserve_beside_a_broken_assumption() {
 fn a_sheared_multigrade_is_told() {
     let is_told = |scene: &str| {
         let result = solved(scene);
-        result
-            .warnings
-            .iter()
-            .any(|warning| warning.contains("give oil.high_shear"))
+        result.warnings.iter().any(|warning| warning.contains("give oil.high_shear"))
     };
     // 9.42 m/s over 4.5 um are 2.1e6 1/s.
     assert!(is_told(&bearing(GRADE, "")));
@@ -111,18 +98,9 @@ fn what_is_wrong_with_high_shear_is_told() {
     let bench = Bench::new();
     for (oil, wanted) in [
         (format!("{GRADE}\nhigh_shear = 1.4"), ["oil.high_shear", "0.3 to 1"]),
-        (
-            format!("{GRADE}\nhigh_shear = '29 mPa.s'"),
-            ["oil.high_shear", "at low shear the oil has"],
-        ),
-        (
-            format!("{GRADE}\nhigh_shear = '3 mm2/s'"),
-            ["oil.high_shear", "dynamic viscosity"],
-        ),
-        (
-            "viscosity = '9 mPa.s'\nhigh_shear = 0.8".to_owned(),
-            ["oil.high_shear", "has a meaning only"],
-        ),
+        (format!("{GRADE}\nhigh_shear = '29 mPa.s'"), ["oil.high_shear", "at low shear the oil has"]),
+        (format!("{GRADE}\nhigh_shear = '3 mm2/s'"), ["oil.high_shear", "dynamic viscosity"]),
+        ("viscosity = '9 mPa.s'\nhigh_shear = 0.8".to_owned(), ["oil.high_shear", "has a meaning only"]),
     ] {
         bench.write("scene.toml", bearing(&oil, ""));
         let told = bench.run(&["solve", "scene.toml"]);

@@ -64,12 +64,7 @@ impl Search<'_> {
         }
         let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
         let is_balanced = at_rest && is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);
-        Ok(Balance {
-            is_ended: !is_balanced && deadline.is_over(),
-            trial,
-            tangent,
-            tried,
-        })
+        Ok(Balance { is_ended: !is_balanced && deadline.is_over(), trial, tangent, tried })
     }
 
     /// The film at the place of a trial, and under its wall where that is bent, with advection schemes chosen anew.

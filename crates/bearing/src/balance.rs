@@ -23,12 +23,7 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems of the tangent could not be solved.
     pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
-        let Balance {
-            trial,
-            tangent,
-            tried,
-            is_ended,
-        } = balance;
+        let Balance { trial, tangent, tried, is_ended } = balance;
         let tangent = tangent.map_or_else(|| self.tangent(&trial), Ok)?;
         let residual = self.residual(&trial);
         Ok(Equilibrium {

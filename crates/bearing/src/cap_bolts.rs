@@ -91,9 +91,7 @@ impl CapBolts {
 
     /// Force R [N] that presses one side of the shell to the length of its seat.
     pub fn shell_force(&self) -> f64 {
-        self.shell.map_or(0.0, |shell| {
-            shell.protrusion * shell.modulus * shell.section / (PI * shell.radius)
-        })
+        self.shell.map_or(0.0, |shell| shell.protrusion * shell.modulus * shell.section / (PI * shell.radius))
     }
 
     /// The forces in a joint tightened for a pull of `cap_force` [N].
@@ -136,12 +134,7 @@ mod tests {
             load_share: 0.2,
             tightness: 2.5,
             torque_coefficient: 0.14,
-            shell: Some(Shell {
-                protrusion: 20e-6,
-                modulus: 2.1e11,
-                section: 40e-6,
-                radius: 0.025,
-            }),
+            shell: Some(Shell { protrusion: 20e-6, modulus: 2.1e11, section: 40e-6, radius: 0.025 }),
         }
     }
 
@@ -161,11 +154,7 @@ mod tests {
     /// The piston's acceleration at the top dead centre, from its path.
     #[test]
     fn inertia_is_mass_times_acceleration() {
-        let joint = CapBolts {
-            rotating_mass: 0.0,
-            cap_mass: 0.0,
-            ..joint()
-        };
+        let joint = CapBolts { rotating_mass: 0.0, cap_mass: 0.0, ..joint() };
         let (r, l, speed) = (joint.crank_radius, joint.rod_length, 600.0f64);
         let height = |t: f64| r * (speed * t).cos() + (l * l - (r * (speed * t).sin()).powi(2)).sqrt();
         let step = 1e-6;

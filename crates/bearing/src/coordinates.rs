@@ -27,10 +27,7 @@ pub struct Coordinates {
 impl Coordinates {
     /// Those that are free under a load.
     pub fn of(load: &Load, bearing: &Bearing) -> Self {
-        Self {
-            order: if load.tilting.is_some() { 4 } else { 2 },
-            arm: 0.5 * bearing.length,
-        }
+        Self { order: if load.tilting.is_some() { 4 } else { 2 }, arm: 0.5 * bearing.length }
     }
 
     /// A pair of parts towards x and y, and one of moments or slopes times `per_arm`, if these are free.

@@ -28,12 +28,7 @@ pub(crate) fn balance_cubic(found: Balance, search: &Search) -> Result<Equilibri
     let mut tried = found.tried;
     let balance = match moved_with_wall(&found.trial, search, &mut tried) {
         None => place_by_place(found, search)?,
-        Some(trial) => Balance {
-            trial,
-            tangent: None,
-            tried,
-            is_ended: false,
-        },
+        Some(trial) => Balance { trial, tangent: None, tried, is_ended: false },
     };
     search.equilibrium(balance)
 }
@@ -49,11 +44,7 @@ fn moved_with_wall(found: &Trial, search: &Search, tried: &mut usize) -> Option<
 /// From place to place, a wall that gives way closed at each.
 fn place_by_place(found: Balance, search: &Search) -> Result<Balance, NoEquilibrium> {
     let deadline = search.options.deadline;
-    let Balance {
-        trial: found,
-        mut tried,
-        ..
-    } = found;
+    let Balance { trial: found, mut tried, .. } = found;
     let near = Neighbour::Start(&found.film);
     let place = search.coordinates.at(&found.problem.journal);
     // What may be left of the deflection at the trial; at a rigid wall nothing is.
@@ -96,10 +87,5 @@ fn place_by_place(found: Balance, search: &Search) -> Result<Balance, NoEquilibr
             history: search.tried.take(),
         }));
     }
-    Ok(Balance {
-        trial,
-        tangent: Some(tangent),
-        tried,
-        is_ended,
-    })
+    Ok(Balance { trial, tangent: Some(tangent), tried, is_ended })
 }

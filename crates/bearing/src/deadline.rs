@@ -71,11 +71,7 @@ impl Deadline {
     /// In `seconds` [s] of this clock from now, which may be infinite, or with the interrupt.
     pub fn by(clock: Clock, seconds: f64, interrupt: Interrupt) -> Self {
         let until = clock.now() + seconds;
-        Self {
-            clock,
-            until,
-            interrupt,
-        }
+        Self { clock, until, interrupt }
     }
 
     /// Whether it has passed.

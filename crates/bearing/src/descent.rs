@@ -43,9 +43,7 @@ impl Search<'_> {
             left -= 1;
             triangle.sort_by(|a, b| a.0.total_cmp(&b.0));
             let [best, good, worst] = triangle;
-            let side = (0..2)
-                .map(|k| (worst.1[k] - best.1[k]).abs() / SIDES[k])
-                .fold(0.0, f64::max);
+            let side = (0..2).map(|k| (worst.1[k] - best.1[k]).abs() / SIDES[k]).fold(0.0, f64::max);
             if best.0 < ENOUGH || side < LEAST_SIDE {
                 break;
             }
@@ -73,9 +71,6 @@ impl Search<'_> {
             }
         }
         triangle.sort_by(|a, b| a.0.total_cmp(&b.0));
-        JournalState {
-            offset: offset(triangle[0].1),
-            ..*start
-        }
+        JournalState { offset: offset(triangle[0].1), ..*start }
     }
 }

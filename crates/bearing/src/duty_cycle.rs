@@ -82,13 +82,7 @@ enum Source {
 impl DutyCycle {
     /// A load that does not change, with a nominal period [rad] of the crank angle and an angular speed [rad/s] of the crank.
     pub fn constant(duty: Duty, period: f64, angular_speed: f64) -> Self {
-        Self {
-            period,
-            angular_speed,
-            at: 0.0,
-            unbalance: None,
-            source: Source::Constant(duty),
-        }
+        Self { period, angular_speed, at: 0.0, unbalance: None, source: Source::Constant(duty) }
     }
 
     /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is not repeated at the end. The
@@ -122,13 +116,7 @@ impl DutyCycle {
     }
 
     fn of(period: f64, turning: Turning, source: Source) -> Self {
-        Self {
-            period,
-            angular_speed: turning.speed.abs(),
-            at: 0.0,
-            unbalance: None,
-            source,
-        }
+        Self { period, angular_speed: turning.speed.abs(), at: 0.0, unbalance: None, source }
     }
 
     /// This load with its force at the axial position `at` [m], 0 midway between the ends: the moment grows by that of the force.
@@ -141,10 +129,7 @@ impl DutyCycle {
     /// crank angle 0 and turn with the journal.
     #[must_use]
     pub fn with_unbalance(self, unbalance: [f64; 2]) -> Self {
-        Self {
-            unbalance: Some(unbalance),
-            ..self
-        }
+        Self { unbalance: Some(unbalance), ..self }
     }
 
     /// This load with an angle of its own, which grows at this rate [rad/s] however the journal turns. Its frame is that of the shell, which is at rest.

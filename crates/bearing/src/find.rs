@@ -97,9 +97,7 @@ impl Search<'_> {
         self.below_rounding().map_or(Ok(()), Err)?;
         let found = match self.guided(problem) {
             Some(outcome) => outcome,
-            None => self
-                .check_capacity(problem)
-                .map_or_else(|| self.on_levels(problem, known), Err),
+            None => self.check_capacity(problem).map_or_else(|| self.on_levels(problem, known), Err),
         };
         let found = self.inside(found, None)?;
         match self.is_in_contact(&found.trial) {
@@ -128,9 +126,7 @@ impl Search<'_> {
         // What the film carries at this tilt is no limit where the tilt is free.
         let is_limit = self.load.tilting.is_none();
         let begins_at_contact = is_limit && bearing.clearance - self.least_under(problem, &problem.journal) > nearly;
-        begins_at_contact
-            .then(|| self.beyond_capacity(problem, &problem.journal))
-            .flatten()
+        begins_at_contact.then(|| self.beyond_capacity(problem, &problem.journal)).flatten()
     }
 
     /// Balances the load from its balance on coarser meshes, if the system has any; `known` is why they have none.
@@ -336,9 +332,7 @@ impl Search<'_> {
             }
             // Where the wall gives way films take long, and those in a rigid one lead as near.
             let guide = problem.deflection().map(|_| self.in_rigid_wall(problem));
-            let (asked, search) = guide
-                .as_ref()
-                .map_or((problem, self), |(rigid, search)| (rigid, search));
+            let (asked, search) = guide.as_ref().map_or((problem, self), |(rigid, search)| (rigid, search));
             let starts = search.starts(asked);
             let descended = starts.iter().take(STARTS).map(|start| search.descended(asked, start));
             let starts = starts.iter().take(STARTS).copied().chain(descended);

@@ -17,10 +17,7 @@ use crate::{Carrier, InitialGuess, NoEquilibrium, Purpose, SearchOptions};
 impl Search<'_> {
     /// The balance found from that of the Swift-Stieber film, or why no position of that film carries the load. None where it leads nowhere, and for other films.
     pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Balance, NoEquilibrium>> {
-        let guide = FilmProblem {
-            cavitation: problem.cavitation.guide()?,
-            ..problem.clone()
-        };
+        let guide = FilmProblem { cavitation: problem.cavitation.guide()?, ..problem.clone() };
         let options = SearchOptions {
             accuracy: Some(ROUGHLY_BALANCED),
             carrier: Carrier::Quadratic,

@@ -37,10 +37,7 @@ impl Load {
             moment: [tilting.moment[0] + arm * z_x, tilting.moment[1] + arm * z_y],
             ..tilting
         });
-        Self {
-            force: [force_x + x, force_y + y],
-            tilting,
-        }
+        Self { force: [force_x + x, force_y + y], tilting }
     }
 }
 

@@ -153,9 +153,7 @@ impl Search<'_> {
     pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
         let guide = problem.deflection().map(|_| self.in_rigid_wall(problem));
-        let (asked, search) = guide
-            .as_ref()
-            .map_or((problem, self), |(rigid, search)| (rigid, search));
+        let (asked, search) = guide.as_ref().map_or((problem, self), |(rigid, search)| (rigid, search));
         let off = |angle: f64| {
             let trial = search.at_contact(asked, angle)?;
             let [x, y] = trial.carried.force;

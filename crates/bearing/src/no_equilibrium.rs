@@ -222,9 +222,7 @@ impl NoEquilibrium {
         match self {
             Self::Film(reason) => reason.is_unreached(),
             Self::BeyondCapacity { .. } => false,
-            Self::Unreachable {
-                asked, nearest, why, ..
-            } => ![FAR, OUT].contains(why) && *nearest > AT_REST * asked,
+            Self::Unreachable { asked, nearest, why, .. } => ![FAR, OUT].contains(why) && *nearest > AT_REST * asked,
             // What carries all of the moment in contact has no thicker film.
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)

@@ -64,11 +64,7 @@ pub fn predicted(visited: &[Visited], point: Point) -> Option<Predicted> {
         false if are_apart(&coordinates, point.coordinate) => weights(&coordinates, point.coordinate),
         false => Vec::new(),
     };
-    let here = Some(Predicted {
-        eccentricity: last.eccentricity,
-        angle: last.angle,
-        tilt: last.tilt,
-    });
+    let here = Some(Predicted { eccentricity: last.eccentricity, angle: last.angle, tilt: last.tilt });
     if weights.is_empty() || points.iter().any(|it| it.eccentricity < CENTRED) {
         return here;
     }
@@ -84,15 +80,7 @@ pub fn predicted(visited: &[Visited], point: Point) -> Option<Predicted> {
     let eccentricity = eccentricity_at(s);
     let shrink = (1.0 - eccentricity) / (1.0 - last.eccentricity);
     let is_near = shrink > LEAST_SHRINK && shrink < 1.0 / LEAST_SHRINK && turn.abs() < 1.0;
-    if is_near {
-        Some(Predicted {
-            eccentricity,
-            angle: last.angle + turn,
-            tilt,
-        })
-    } else {
-        here
-    }
+    if is_near { Some(Predicted { eccentricity, angle: last.angle + turn, tilt }) } else { here }
 }
 
 /// Whether all values differ, also from the one asked for.
@@ -131,17 +119,8 @@ mod tests {
     }
 
     fn here(visited: Visited) -> Option<Predicted> {
-        let Visited {
-            eccentricity,
-            angle,
-            tilt,
-            ..
-        } = visited;
-        Some(Predicted {
-            eccentricity,
-            angle,
-            tilt,
-        })
+        let Visited { eccentricity, angle, tilt, .. } = visited;
+        Some(Predicted { eccentricity, angle, tilt })
     }
 
     #[test]
@@ -149,27 +128,17 @@ mod tests {
         let visited = [at(0.5, 1.0), at(1.0, 1.0), at(2.0, 1.0)];
         assert!(close(predicted(&visited, at(3.0, 1.0).point), at(3.0, 1.0)));
         // Over the duty, where that runs.
-        let visited = [at(0.5, 0.5), at(1.0, 1.0), at(2.0, 2.0)].map(|it| Visited {
-            point: Point {
-                coordinate: it.point.duty.exp(),
-                ..it.point
-            },
-            ..it
-        });
+        let visited = [at(0.5, 0.5), at(1.0, 1.0), at(2.0, 2.0)]
+            .map(|it| Visited { point: Point { coordinate: it.point.duty.exp(), ..it.point }, ..it });
         assert!(close(predicted(&visited, at(3.0, 3.0).point), at(3.0, 3.0)));
         assert_eq!(predicted(&visited, at(60.0, 60.0).point), here(at(2.0, 2.0)));
-        assert_eq!(
-            predicted(&[at(2.0, 1.0), at(2.0, 1.0)], at(2.0, 1.0).point),
-            here(at(2.0, 1.0))
-        );
+        assert_eq!(predicted(&[at(2.0, 1.0), at(2.0, 1.0)], at(2.0, 1.0).point), here(at(2.0, 1.0)));
         assert_eq!(predicted(&[], at(3.0, 3.0).point), None);
     }
 
     #[test]
     fn one_position_tells_the_next_by_its_duty() {
-        let Predicted {
-            eccentricity, angle, ..
-        } = predicted(&[at(1.0, 1.0)], at(2.0, 1.1).point).expect("a position");
+        let Predicted { eccentricity, angle, .. } = predicted(&[at(1.0, 1.0)], at(2.0, 1.1).point).expect("a position");
         assert!((log_eccentricity(eccentricity) - log_eccentricity(at(1.0, 1.0).eccentricity) - 0.1).abs() < 1e-12);
         assert_eq!(angle, at(1.0, 1.0).angle);
     }

@@ -24,17 +24,9 @@ impl Search<'_> {
             NoEquilibrium::Unreachable { asked, .. } | NoEquilibrium::NotConverged { asked, .. } if asked < least => {
                 NoEquilibrium::BelowRounding { asked, least }
             }
-            NoEquilibrium::Unreachable {
-                asked,
-                nearest,
-                journal,
-                ..
-            } if self.options.deadline.is_over() => NoEquilibrium::Ended {
-                asked,
-                nearest,
-                journal,
-                history: self.tried.take(),
-            },
+            NoEquilibrium::Unreachable { asked, nearest, journal, .. } if self.options.deadline.is_over() => {
+                NoEquilibrium::Ended { asked, nearest, journal, history: self.tried.take() }
+            }
             // What the film carries in contact all around is known, unless a force like the load was found on the way.
             NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
             mut reason @ NoEquilibrium::Unreachable { .. } if self.points_out() => {
@@ -43,12 +35,7 @@ impl Search<'_> {
                 }
                 reason
             }
-            NoEquilibrium::Unreachable {
-                asked,
-                nearest,
-                journal,
-                ..
-            } if nearest > AT_REST * asked => {
+            NoEquilibrium::Unreachable { asked, nearest, journal, .. } if nearest > AT_REST * asked => {
                 let history = self.tried.take();
                 NoEquilibrium::NotConverged {
                     asked,
@@ -82,11 +69,7 @@ impl Search<'_> {
     /// The reason with the nearest of all trials, where the search ended with this one.
     pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
         self.unreachable_from(
-            Nearest {
-                distance: self.distance(trial),
-                force: trial.carried.force,
-                journal: trial.problem.journal,
-            },
+            Nearest { distance: self.distance(trial), force: trial.carried.force, journal: trial.problem.journal },
             why,
         )
     }
@@ -112,8 +95,6 @@ impl Search<'_> {
 pub(crate) fn opening(system: &FilmSystem, radius: f64, direction: f64) -> f64 {
     let beyond = |[x, _]: [f64; 2]| (x / radius - direction).rem_euclid(TAU);
     let places = system.space().positions().into_iter().map(beyond);
-    let [next, last] = places.fold([TAU, 0.0], |[next, last], beyond| {
-        [next.min(beyond), f64::max(last, beyond)]
-    });
+    let [next, last] = places.fold([TAU, 0.0], |[next, last], beyond| [next.min(beyond), f64::max(last, beyond)]);
     next + TAU - last
 }

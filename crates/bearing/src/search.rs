@@ -196,10 +196,7 @@ impl<'a> Search<'a> {
                 true => self.trial_within(&problem.clone().with_wall_at_rest(), at, Neighbour::None, AT_START),
                 false => Err(reason),
             };
-            match self
-                .trial_within(problem, at, Neighbour::None, AT_START)
-                .or_else(from_rest)
-            {
+            match self.trial_within(problem, at, Neighbour::None, AT_START).or_else(from_rest) {
                 // Without a supply there is no film anywhere.
                 Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => start = nearer(&start),
                 other => return other,
@@ -210,10 +207,7 @@ impl<'a> Search<'a> {
 
     /// The coordinates of the journal of a problem with its centre at `offset` [m].
     pub(crate) fn at_offset(&self, problem: &FilmProblem, offset: [f64; 2]) -> Vector {
-        self.coordinates.at(&JournalState {
-            offset,
-            ..problem.journal
-        })
+        self.coordinates.at(&JournalState { offset, ..problem.journal })
     }
 
     /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall is bent that which is looked for is near.
@@ -229,27 +223,16 @@ impl<'a> Search<'a> {
         near: Neighbour,
         part: f64,
     ) -> Result<Trial, NoFilm> {
-        let close = if problem.has_bent_wall() {
-            closed_near
-        } else {
-            closed_within
-        };
+        let close = if problem.has_bent_wall() { closed_near } else { closed_within };
         let left = part.max(self.left_at_balance());
         let placed = self.placed(problem, at).with_contact(fineness(left));
         let (problem, film, contact) = close(placed, self.system, near, left)?;
         let carried = load_touching(&problem, self.system, &film, contact.as_deref());
         let is_exact = problem.deflection().is_none() && problem.contact.is_none();
         let may_leave = if is_exact { 0.0 } else { left };
-        let trial = self.recorded(Trial {
-            contact,
-            may_leave,
-            ..Trial::of(problem, film, carried.total.resultant())
-        });
+        let trial = self.recorded(Trial { contact, may_leave, ..Trial::of(problem, film, carried.total.resultant()) });
         Ok(match near {
-            Neighbour::None => Trial {
-                schemes_chosen_at: self.residual(&trial),
-                ..trial
-            },
+            Neighbour::None => Trial { schemes_chosen_at: self.residual(&trial), ..trial },
             Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
         })
     }
@@ -267,10 +250,7 @@ impl<'a> Search<'a> {
         let film = problem.solve_from(self.system, near)?;
         let Pair { problem, film, cubic } = closed_pair(problem, self.system, film, cubic, closed)?;
         let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
-        Ok(self.recorded(Trial {
-            cubic: Some(cubic),
-            ..Trial::of(problem, film, carried)
-        }))
+        Ok(self.recorded(Trial { cubic: Some(cubic), ..Trial::of(problem, film, carried) }))
     }
 
     /// Part of a deflection that may be left where the load is balanced.
@@ -299,11 +279,7 @@ impl<'a> Search<'a> {
             observer.position(self.tried.borrow().len(), residual);
         }
         if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
-            self.nearest.set(Some(Nearest {
-                distance,
-                force: trial.carried.force,
-                journal: trial.problem.journal,
-            }));
+            self.nearest.set(Some(Nearest { distance, force: trial.carried.force, journal: trial.problem.journal }));
         }
         trial
     }
@@ -394,11 +370,7 @@ fn only_pushes(problem: &FilmProblem, system: &FilmSystem) -> bool {
 /// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
 fn reference_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
     let bearing = &problem.bearing;
-    let tilting = JournalState {
-        velocity: [0.0; 2],
-        ..problem.journal
-    }
-    .gap_speed(0.5 * bearing.length);
+    let tilting = JournalState { velocity: [0.0; 2], ..problem.journal }.gap_speed(0.5 * bearing.length);
     let rate = problem.journal.speed.abs() + (centre_velocity.speed() + tilting) / bearing.clearance;
     let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
     let given = system.supply.regions().iter().map(|region| region.pressure.abs());

@@ -44,9 +44,7 @@ impl Search<'_> {
     /// The next trial, by the longest step that brings the forces nearer to the load.
     pub(crate) fn next_trial(&self, from: &Trial, tangent: &Tangent, tried: &mut usize) -> Option<Trial> {
         let newton = || tangent.stiffness.solve(self.excess(from).map(|excess| -excess));
-        let steps = (self.residual(from) > NEAR)
-            .then(|| self.logarithmic_steps(from, tangent))
-            .flatten();
+        let steps = (self.residual(from) > NEAR).then(|| self.logarithmic_steps(from, tangent)).flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
         let from_tangent = (from, tangent);
         if self.is_costly(from) || from.problem.deflection().is_some() {
@@ -55,9 +53,7 @@ impl Search<'_> {
         self.damped(from_tangent, [longest; 2], tried).or_else(|| {
             // Where the tilt is free the branch of balances leads on.
             let may_try = longest != shortest && self.load.tilting.is_none();
-            may_try
-                .then(|| self.damped(from_tangent, [shortest; 2], tried))
-                .flatten()
+            may_try.then(|| self.damped(from_tangent, [shortest; 2], tried)).flatten()
         })
     }
 
@@ -125,9 +121,7 @@ impl Search<'_> {
         let gap = self.least_film(trial);
         let [sin, cos] = [journal.min_film_angle().sin(), journal.min_film_angle().cos()];
         let step = [cos, sin, 0.0, 0.0].map(|part| part * LITTLE * gap);
-        let moved = self
-            .coordinates
-            .placed(journal, moved(self.coordinates.at(journal), 1.0, step));
+        let moved = self.coordinates.placed(journal, moved(self.coordinates.at(journal), 1.0, step));
         let before = self.least_under(problem, &moved);
         let gained = self.least_under(&tangent.bent(problem, step), &moved) - before;
         Some((gained / (LITTLE * gap)).clamp(0.0, MOST_FOLLOWED))
@@ -211,11 +205,9 @@ impl Search<'_> {
                 && self.distance(&trial) < nearer
             {
                 return Some(match near {
-                    Neighbour::Kept(_) => Trial {
-                        schemes_chosen_at: from.schemes_chosen_at,
-                        is_continued: true,
-                        ..trial
-                    },
+                    Neighbour::Kept(_) => {
+                        Trial { schemes_chosen_at: from.schemes_chosen_at, is_continued: true, ..trial }
+                    }
                     Neighbour::None | Neighbour::Start(_) | Neighbour::Found(_) => trial,
                 });
             }

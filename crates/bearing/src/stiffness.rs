@@ -47,17 +47,14 @@ impl Stiffness {
     #[must_use]
     pub fn plus(mut self, factor: f64, other: &Self) -> Self {
         for (row, more) in self.rows.iter_mut().zip(&other.rows) {
-            row.iter_mut()
-                .zip(more)
-                .for_each(|(entry, more)| *entry += factor * more);
+            row.iter_mut().zip(more).for_each(|(entry, more)| *entry += factor * more);
         }
         self
     }
 
     /// The change of the forces by a `step`.
     pub fn times(&self, step: Vector) -> Vector {
-        self.rows
-            .map(|row| (0..self.order).fold(0.0, |sum, k| sum + row[k] * step[k]))
+        self.rows.map(|row| (0..self.order).fold(0.0, |sum, k| sum + row[k] * step[k]))
     }
 
     /// The tangent corrected by what it `missed` of the forces after a `step` (Broyden, Math. Comp. 19 (1965) 577).
@@ -108,19 +105,13 @@ impl Index<usize> for Stiffness {
 /// Solves two equations by Cramer's rule.
 fn cramer(a: &[Vector; 4], b: [f64; 2]) -> [f64; 2] {
     let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
-    [
-        (a[1][1] * b[0] - a[0][1] * b[1]) / determinant,
-        (a[0][0] * b[1] - a[1][0] * b[0]) / determinant,
-    ]
+    [(a[1][1] * b[0] - a[0][1] * b[1]) / determinant, (a[0][0] * b[1] - a[1][0] * b[0]) / determinant]
 }
 
 /// Solves four equations by elimination with row pivots.
 fn eliminate(mut a: [Vector; 4], mut b: Vector) -> Vector {
     for k in 0..4 {
-        let pivot = (k..4).fold(
-            k,
-            |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best },
-        );
+        let pivot = (k..4).fold(k, |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best });
         a.swap(k, pivot);
         b.swap(k, pivot);
         let (upper, above) = (a[k], b[k]);
@@ -145,12 +136,8 @@ mod tests {
     use super::*;
 
     /// A matrix that needs pivots.
-    const ROWS: [Vector; 4] = [
-        [0.0, 2.0, 1.0, -1.0],
-        [3.0, 0.0, 0.5, 2.0],
-        [1.0, -1.0, 0.0, 4.0],
-        [2.0, 0.3, 7.0, 0.0],
-    ];
+    const ROWS: [Vector; 4] =
+        [[0.0, 2.0, 1.0, -1.0], [3.0, 0.0, 0.5, 2.0], [1.0, -1.0, 0.0, 4.0], [2.0, 0.3, 7.0, 0.0]];
 
     fn matrix(order: usize) -> Stiffness {
         let column = |k: usize| Ok::<_, ()>(ROWS.map(|row| row[k]));
@@ -163,10 +150,7 @@ mod tests {
         let back = matrix(4).times(matrix(4).solve(wanted));
         assert!((0..4).all(|k| (back[k] - wanted[k]).abs() < 1e-14), "{back:?}");
         let two = matrix(2).times(matrix(2).solve(wanted));
-        assert!(
-            (0..2).all(|k| (two[k] - wanted[k]).abs() < 1e-14) && two[2] == 0.0,
-            "{two:?}"
-        );
+        assert!((0..2).all(|k| (two[k] - wanted[k]).abs() < 1e-14) && two[2] == 0.0, "{two:?}");
     }
 
     #[test]
@@ -176,10 +160,7 @@ mod tests {
         let told = matrix(4).times(step);
         let missed = [0, 1, 2, 3].map(|k| forces[k] - told[k]);
         let corrected = matrix(4).corrected(step, missed).times(step);
-        assert!(
-            (0..4).all(|k| (corrected[k] - forces[k]).abs() < 1e-14),
-            "{corrected:?}"
-        );
+        assert!((0..4).all(|k| (corrected[k] - forces[k]).abs() < 1e-14), "{corrected:?}");
     }
 
     #[test]

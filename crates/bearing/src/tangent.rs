@@ -78,10 +78,7 @@ impl Search<'_> {
             Ok::<_, NoFilm>(column)
         })?;
         let wall = followed.into_iter().map(|change| change.deflection);
-        Ok(Tangent {
-            stiffness,
-            wall: WallByPlace(wall.collect()),
-        })
+        Ok(Tangent { stiffness, wall: WallByPlace(wall.collect()) })
     }
 
     /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.

@@ -91,8 +91,7 @@ impl ThermalBalance {
 
     /// Heat [W] that the housing gives off.
     pub fn given_off(&self, mean: f64) -> f64 {
-        self.housing
-            .map_or(0.0, |housing| housing.conductance * (mean - housing.ambient))
+        self.housing.map_or(0.0, |housing| housing.conductance * (mean - housing.ambient))
     }
 
     /// Heat [W] that neither takes.
@@ -103,9 +102,7 @@ impl ThermalBalance {
     /// The temperature [K] at which these flows would be balanced, infinite where nothing carries heat off.
     fn balanced_by(&self, film: &ThermalFlows) -> f64 {
         let by_oil = (self.heat_capacity * film.flow * self.per_mean(film.carried_over)).max(0.0);
-        let (by_housing, ambient) = self
-            .housing
-            .map_or((0.0, 0.0), |housing| (housing.conductance, housing.ambient));
+        let (by_housing, ambient) = self.housing.map_or((0.0, 0.0), |housing| (housing.conductance, housing.ambient));
         let supplied = film.power + by_oil * self.inlet + by_housing * ambient;
         supplied / (by_oil + by_housing)
     }
@@ -181,11 +178,7 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
     fn at(&mut self, temperature: f64) -> Result<Point, E> {
         self.films += 1;
         let film = (self.evaluate)(temperature)?;
-        Ok(Point {
-            temperature,
-            film,
-            surplus: self.balance.surplus(temperature, &film),
-        })
+        Ok(Point { temperature, film, surplus: self.balance.surplus(temperature, &film) })
     }
 
     /// The first film: at the start or, where there is none, elsewhere.
@@ -227,11 +220,7 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
             let told = self.balance.balanced_by(&near.film).clamp(coldest, hottest);
             // A little beyond, so that the root does not lie at the end of the bracket.
             let beyond = told + 1e-3 * (told - near.temperature);
-            let mut next = if beyond.is_nan() {
-                hottest
-            } else {
-                beyond.clamp(coldest, hottest)
-            };
+            let mut next = if beyond.is_nan() { hottest } else { beyond.clamp(coldest, hottest) };
             if let Some((edge, _)) = &none_beyond {
                 next = 0.5 * (near.temperature + edge);
             }
@@ -244,20 +233,13 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
             }
             match none_beyond {
                 Some((edge, reason)) if (edge - near.temperature).abs() < EDGE || self.films > MOST_FILMS => {
-                    return Err(NoBalance::Ends {
-                        temperature: near.temperature,
-                        film: near.film,
-                        reason,
-                    });
+                    return Err(NoBalance::Ends { temperature: near.temperature, film: near.film, reason });
                 }
                 other => none_beyond = other,
             }
             let is_last = near.temperature == hottest || near.temperature == coldest || self.films > MOST_FILMS;
             if is_last && none_beyond.is_none() {
-                return Err(NoBalance::TooHot {
-                    temperature: near.temperature,
-                    film: near.film,
-                });
+                return Err(NoBalance::TooHot { temperature: near.temperature, film: near.film });
             }
         }
     }
@@ -313,10 +295,7 @@ pub struct Start {
 impl Start {
     /// At a temperature [K] where the slope is not known.
     pub fn at(temperature: f64) -> Self {
-        Self {
-            temperature,
-            slope: None,
-        }
+        Self { temperature, slope: None }
     }
 }
 
@@ -331,11 +310,7 @@ pub fn find<E>(
     accuracy: f64,
     evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
 ) -> Result<Balanced, NoBalance<E>> {
-    let mut search = Search {
-        balance,
-        evaluate,
-        films: 0,
-    };
+    let mut search = Search { balance, evaluate, films: 0 };
     let [coldest, hottest] = balance.range();
     let first = search.first(start.temperature.clamp(coldest, hottest))?;
     let (nearest, slope) = search.by_slope(first, start.slope, accuracy);

@@ -80,10 +80,7 @@ struct Branch<'a, 'b> {
 impl Search<'_> {
     /// Balances the force alone, and follows the branch from there to the balance of the moment.
     pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
-        let straight = Load {
-            tilting: None,
-            ..self.load
-        };
+        let straight = Load { tilting: None, ..self.load };
         let options = SearchOptions {
             guess: InitialGuess::Cold,
             carrier: Carrier::Quadratic,
@@ -111,11 +108,7 @@ impl Search<'_> {
 
     /// Follows the branch that begins with this trial.
     pub(crate) fn along_branch(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
-        let branch = Branch {
-            search: self,
-            first: self.excess(&trial),
-            clearance: trial.problem.bearing.clearance,
-        };
+        let branch = Branch { search: self, first: self.excess(&trial), clearance: trial.problem.bearing.clearance };
         branch.followed(branch.point(trial, 0.0)?)
     }
 
@@ -127,17 +120,11 @@ impl Search<'_> {
             accuracy: Some(ROUGHLY_BALANCED),
             ..self.options
         };
-        let load = self
-            .load
-            .with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
+        let load = self.load.with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
         let search = Search::new(problem, self.system, load, options);
         let bent = problem.clone().deflected(way.deflection.as_ref());
         let found = search.run(&bent, way.journal).ok()?;
-        let branch = Branch {
-            search: self,
-            first: way.first,
-            clearance: problem.bearing.clearance,
-        };
+        let branch = Branch { search: self, first: way.first, clearance: problem.bearing.clearance };
         Some(branch.followed(branch.point(self.recorded(found.trial), way.part).ok()?))
     }
 
@@ -277,10 +264,7 @@ impl Branch<'_, '_> {
         let long = (length(at.ahead.place) / self.clearance).hypot(1.0);
         let is_back = before.is_some_and(|before| self.product(before, at.ahead.place, 1.0) < 0.0);
         let long = if is_back { -long } else { long };
-        long.is_finite().then(|| Direction {
-            moves: at.ahead.over(long),
-            part: 1.0 / long,
-        })
+        long.is_finite().then(|| Direction { moves: at.ahead.over(long), part: 1.0 / long })
     }
 
     /// A point of the branch at this part.

@@ -55,11 +55,9 @@ impl Tangents<'_> {
     /// The linear systems could not be solved.
     pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>) -> Result<Moves, NoFilm> {
         match self {
-            Self::Rigid(stiffness) => Ok(Moves {
-                place: stiffness.solve(force),
-                wall: Vec::new(),
-                contact: Vec::new(),
-            }),
+            Self::Rigid(stiffness) => {
+                Ok(Moves { place: stiffness.solve(force), wall: Vec::new(), contact: Vec::new() })
+            }
             Self::Yielding(joint) => Ok(joint.solve(force, wall).map_err(Failure::from)?),
             Self::OfCubic(bordered) => Ok(bordered.solve(force, wall).map_err(Failure::from)?),
         }
@@ -90,10 +88,7 @@ impl Search<'_> {
             ..Trial::of(problem, film, carried.total.resultant())
         });
         Ok(match near {
-            Neighbour::None => Trial {
-                schemes_chosen_at: self.left(&trial),
-                ..trial
-            },
+            Neighbour::None => Trial { schemes_chosen_at: self.left(&trial), ..trial },
             Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
         })
     }
@@ -135,14 +130,7 @@ impl Search<'_> {
 
     /// What a trial leaves of the balance of its wall.
     pub(crate) fn left_of_wall<'t>(&self, trial: &'t Trial) -> Cow<'t, Left> {
-        let of = || {
-            Left::of(
-                &trial.problem,
-                self.system,
-                &trial.film,
-                contact_points(&trial.problem, self.system),
-            )
-        };
+        let of = || Left::of(&trial.problem, self.system, &trial.film, contact_points(&trial.problem, self.system));
         trial.left.as_ref().map_or_else(|| Cow::Owned(of()), Cow::Borrowed)
     }
 
@@ -190,10 +178,7 @@ impl Search<'_> {
     /// As [`Self::led_to`], contact settled under the wall there; none where the film along the tangent is thinner than `least` [m].
     pub(crate) fn led_on(&self, trial: &Trial, moves: &Moves, part: f64, least: f64) -> Option<(FilmProblem, Vector)> {
         let (bent, at) = self.led_to(trial, moves, part);
-        let led = FilmProblem {
-            journal: self.coordinates.placed(&trial.problem.journal, at),
-            ..bent
-        };
+        let led = FilmProblem { journal: self.coordinates.placed(&trial.problem.journal, at), ..bent };
         (self.least_under(&led, &led.journal) >= least).then_some(())?;
         let contact = (trial.contact.clone()).or_else(|| contact_points(&trial.problem, self.system));
         let settled = contact.filter(|_| !moves.contact.is_empty()).and_then(|contact| {
@@ -246,14 +231,8 @@ impl Search<'_> {
         }
         *tried += 1;
         let here = self.coordinates.at(&trial.problem.journal);
-        let fine = self
-            .open(&trial.problem, here, Neighbour::Kept(&trial.film), closed)
-            .ok()?;
-        Some(Trial {
-            schemes_chosen_at: trial.schemes_chosen_at,
-            is_continued: trial.is_continued,
-            ..fine
-        })
+        let fine = self.open(&trial.problem, here, Neighbour::Kept(&trial.film), closed).ok()?;
+        Some(Trial { schemes_chosen_at: trial.schemes_chosen_at, is_continued: trial.is_continued, ..fine })
     }
 
     /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none where no step does.
@@ -279,11 +258,7 @@ impl Search<'_> {
             if let Ok(next) = next
                 && self.left(&next) < before
             {
-                return Ok(Some(Trial {
-                    schemes_chosen_at: trial.schemes_chosen_at,
-                    is_continued: true,
-                    ..next
-                }));
+                return Ok(Some(Trial { schemes_chosen_at: trial.schemes_chosen_at, is_continued: true, ..next }));
             }
             if before < AT_ROUNDING {
                 break;
@@ -298,10 +273,8 @@ fn counted(problem: FilmProblem, (films, products): (usize, usize), residual: f6
     let before = problem.deflection().map(|deflection| deflection.closing);
     match before {
         None => problem,
-        Some(before) => problem.closed_by(Closing {
-            residual,
-            outer: before.outer + films,
-            inner: before.inner + products,
-        }),
+        Some(before) => {
+            problem.closed_by(Closing { residual, outer: before.outer + films, inner: before.inner + products })
+        }
     }
 }

@@ -59,21 +59,14 @@ pub struct Estimate {
 
 impl From<&Quantity> for Estimate {
     fn from(quantity: &Quantity) -> Self {
-        Self {
-            value: quantity.value,
-            error: quantity.error(),
-        }
+        Self { value: quantity.value, error: quantity.error() }
     }
 }
 
 impl Comparison {
     /// A quantity of the film beside that of another answer; `None` where neither has it.
     pub fn between(film: Option<&Quantity>, other: Option<&Quantity>) -> Option<Self> {
-        Some(Self {
-            row: film.or(other)?.row,
-            film: film.map(Estimate::from),
-            other: other.map(Estimate::from),
-        })
+        Some(Self { row: film.or(other)?.row, film: film.map(Estimate::from), other: other.map(Estimate::from) })
     }
 
     /// The film's value less the other one; of angles the shorter way round.
@@ -121,10 +114,7 @@ mod tests {
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD};
 
     fn quantity(row: &'static Row, value: f64, error: Option<f64>) -> Option<Quantity> {
-        Some(Quantity {
-            bar: error.map(Bar::of),
-            ..Quantity::new(row, value)
-        })
+        Some(Quantity { bar: error.map(Bar::of), ..Quantity::new(row, value) })
     }
 
     fn between(film: Option<Quantity>, other: Option<Quantity>) -> Comparison {
@@ -135,10 +125,7 @@ mod tests {
     fn a_difference_has_the_sum_of_both_bars() {
         let load = |value, error| quantity(&LOAD, value, error);
         let it = between(load(12.0, Some(0.5)), load(10.0, Some(0.25)));
-        assert_eq!(
-            (it.surplus(), it.difference(), it.error()),
-            (Some(2.0), Some(-2.0), Some(0.75))
-        );
+        assert_eq!((it.surplus(), it.difference(), it.error()), (Some(2.0), Some(-2.0), Some(0.75)));
         assert_eq!(between(load(12.0, None), load(10.0, Some(0.25))).error(), None);
         let lost = between(load(12.0, Some(0.5)), None);
         assert_eq!((lost.difference(), lost.error()), (None, None));
@@ -148,12 +135,9 @@ mod tests {
     #[test]
     fn angles_differ_by_the_shorter_way_round() {
         let angle = |value| quantity(&ATTITUDE_ANGLE, value, None);
-        for (film, other, surplus) in [
-            (170.0, -170.0, -20.0),
-            (-170.0, 170.0, 20.0),
-            (50.0, 40.0, 10.0),
-            (90.0, -90.0, 180.0),
-        ] {
+        for (film, other, surplus) in
+            [(170.0, -170.0, -20.0), (-170.0, 170.0, 20.0), (50.0, 40.0, 10.0), (90.0, -90.0, 180.0)]
+        {
             assert_eq!(between(angle(film), angle(other)).surplus(), Some(surplus));
         }
     }

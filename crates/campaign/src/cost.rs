@@ -38,9 +38,7 @@ pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> 
         false => median_seconds(scene, options, result)?,
     };
     let run_with = (options, result, seconds);
-    let costs = variants
-        .into_iter()
-        .map(|(effect, without)| cost(effect, &without, scene, run_with));
+    let costs = variants.into_iter().map(|(effect, without)| cost(effect, &without, scene, run_with));
     let costs: Vec<EffectCost> = costs.collect();
     Ok(AddOn {
         key: "cost",
@@ -147,10 +145,7 @@ fn notes(costs: &[EffectCost], bars: bool) -> Vec<String> {
     };
     let reason = |cost: &EffectCost| {
         let reason = cost.reason.as_ref()?;
-        Some(format!(
-            "without {} ({}): {reason}",
-            cost.effect.name, cost.effect.instead
-        ))
+        Some(format!("without {} ({}): {reason}", cost.effect.name, cost.effect.instead))
     };
     let negligible =
         named(Some(true)).map(|names| format!("could be left out: {names} (no change exceeds the error bars)"));
@@ -175,10 +170,7 @@ fn unfit(scene: &Scene) -> Option<String> {
 fn median_seconds(scene: &Scene, options: &RunOptions, result: &RunResult) -> Result<f64, CompileError> {
     let total = |result: &RunResult| {
         let parts = result.timing_s.iter();
-        parts
-            .filter(|(part, _)| part == "total")
-            .map(|(_, seconds)| *seconds)
-            .sum()
+        parts.filter(|(part, _)| part == "total").map(|(_, seconds)| *seconds).sum()
     };
     let mut seconds: Vec<f64> = vec![total(result)];
     while seconds.len() < RUNS && seconds.iter().sum::<f64>() < ENOUGH {
@@ -206,10 +198,7 @@ mod tests {
     use oilwedge_study::quantities::{Bar, LOAD, Quantity};
 
     fn cost(changes: &[(f64, Option<f64>)]) -> EffectCost {
-        let load = |value: f64, error: Option<f64>| Quantity {
-            bar: error.map(Bar::of),
-            ..Quantity::new(&LOAD, value)
-        };
+        let load = |value: f64, error: Option<f64>| Quantity { bar: error.map(Bar::of), ..Quantity::new(&LOAD, value) };
         let change = |&(change, error): &(f64, _)| {
             Comparison::between(Some(&load(10.0 + change, error)), Some(&load(10.0, Some(0.0))))
         };
@@ -235,10 +224,7 @@ cavitation = { model = "jfo" }
         let scene =
             oilwedge_study::parse(text, std::path::Path::new("all.toml")).unwrap_or_else(|error| panic!("{error}"));
         let variants: Vec<_> = without_each(&scene).collect();
-        let names: Vec<_> = variants
-            .iter()
-            .map(|(effect, without)| (effect.name, unfit(without).is_none()))
-            .collect();
+        let names: Vec<_> = variants.iter().map(|(effect, without)| (effect.name, unfit(without).is_none())).collect();
         let wanted = [
             ("couette", false),
             ("squeeze", true),

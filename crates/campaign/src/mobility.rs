@@ -12,11 +12,8 @@ use oilwedge_study::result::RunResult;
 use crate::add_on::{AddOn, Alternative, Comparison, nullable, object};
 
 /// The numbers that are compared.
-const COMPARED: [&Row; 3] = [
-    &CYCLE_FILM_THICKNESS_MIN,
-    &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
-    &CYCLE_FILM_THICKNESS_MIN_ANGLE,
-];
+const COMPARED: [&Row; 3] =
+    [&CYCLE_FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, &CYCLE_FILM_THICKNESS_MIN_ANGLE];
 /// Part of the time that following the orbit took.
 const ORBIT: &str = "orbit";
 
@@ -26,9 +23,7 @@ const ORBIT: &str = "orbit";
 /// The scene does not become a film.
 pub fn mobility(scene: &Scene, result: &RunResult, path: &OrbitPath) -> Result<AddOn, CompileError> {
     let orbits = by_maps(scene, path)?;
-    let direct = (result.timing_s.iter())
-        .find(|(part, _)| part == ORBIT)
-        .map_or(0.0, |(_, seconds)| *seconds);
+    let direct = (result.timing_s.iter()).find(|(part, _)| part == ORBIT).map_or(0.0, |(_, seconds)| *seconds);
     let found: Vec<&ByMap> = orbits.iter().filter_map(|orbit| orbit.as_ref().ok()).collect();
     let alternatives: Vec<Alternative> = found.iter().map(|orbit| alternative(orbit, result, direct)).collect();
     let records = found.iter().zip(&alternatives).map(|(orbit, it)| record(orbit, it));
@@ -41,11 +36,7 @@ pub fn mobility(scene: &Scene, result: &RunResult, path: &OrbitPath) -> Result<A
         record: Value::Array(records.collect()),
         alternatives,
         lists: Vec::new(),
-        notes: found
-            .iter()
-            .map(|orbit| note(orbit))
-            .chain(reasons.map(|reason| format!("no map: {reason}")))
-            .collect(),
+        notes: found.iter().map(|orbit| note(orbit)).chain(reasons.map(|reason| format!("no map: {reason}"))).collect(),
     })
 }
 

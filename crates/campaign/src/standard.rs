@@ -112,14 +112,8 @@ impl Numbers {
             ("feed", nullable(self.feed)),
             ("squeezed_flow", nullable(self.by_film)),
             ("pressed_flow", nullable(self.by_feed)),
-            (
-                "numbers",
-                Value::Array(self.comparisons.iter().filter_map(number).collect()),
-            ),
-            (
-                BALANCE_KEY,
-                nullable((!self.balance.is_empty()).then(|| object(balance))),
-            ),
+            ("numbers", Value::Array(self.comparisons.iter().filter_map(number).collect())),
+            (BALANCE_KEY, nullable((!self.balance.is_empty()).then(|| object(balance)))),
             ("notes", Value::Array(notes.collect())),
         ])
     }
@@ -136,17 +130,9 @@ impl Numbers {
                 ("its side_flow by the feed pressure, Q_p", flow(by_feed)),
             ]
         });
-        let of_both = (
-            "viscosity of both",
-            vec![Quantity::new(&VISCOSITY_EFFECTIVE, viscosity)],
-        );
+        let of_both = ("viscosity of both", vec![Quantity::new(&VISCOSITY_EFFECTIVE, viscosity)]);
         let balance = ("with its own temperature", self.balance.clone());
-        let lists = self
-            .given
-            .map(|_| of_both)
-            .into_iter()
-            .chain(flows.into_iter().flatten())
-            .chain([balance]);
+        let lists = self.given.map(|_| of_both).into_iter().chain(flows.into_iter().flatten()).chain([balance]);
         AddOn {
             key: "standard",
             title,
@@ -154,11 +140,7 @@ impl Numbers {
             lists: lists.filter(|(_, quantities)| !quantities.is_empty()).collect(),
             record: self.record(viscosity),
             notes: self.notes,
-            alternatives: vec![Alternative {
-                name: NAME.to_owned(),
-                comparisons: self.comparisons,
-                seconds: None,
-            }],
+            alternatives: vec![Alternative { name: NAME.to_owned(), comparisons: self.comparisons, seconds: None }],
         }
     }
 }
@@ -172,10 +154,7 @@ fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<C
         (&quantities::LOAD, at(twin.load)),
         (&quantities::ECCENTRICITY, under(twin.eccentricity)),
         (&quantities::FILM_THICKNESS_MIN, under(twin.least_film(scene))),
-        (
-            &quantities::SOMMERFELD_NUMBER,
-            at(twin.number).filter(|_| twin.lands.count == 1.0),
-        ),
+        (&quantities::SOMMERFELD_NUMBER, at(twin.number).filter(|_| twin.lands.count == 1.0)),
         (&quantities::ATTITUDE_ANGLE, Some(twin.attitude().to_degrees())),
         (&quantities::FRICTION_COEFFICIENT, Some(twin.coefficient)),
         (&quantities::FRICTION_POWER, Some(twin.power)),
@@ -250,20 +229,14 @@ journal = {{ speed = "3000 rpm"{journal} }}
     /// The difference, of angles in degrees, else relative.
     fn off(twin: &Numbers, row: &Row) -> f64 {
         let it = number(twin, row);
-        let film = it
-            .film
-            .filter(|_| it.row.unit != Unit::Degree)
-            .map_or(1.0, |film| film.value.abs());
+        let film = it.film.filter(|_| it.row.unit != Unit::Degree).map_or(1.0, |film| film.value.abs());
         it.difference().expect("both") / film
     }
 
     #[test]
     fn a_ring_is_near_its_twin_at_its_eccentricity_and_under_its_load() {
         let at = twin(AT, "");
-        assert_eq!(
-            (at.given, &at.feed, &at.notes[..]),
-            (Some("eccentricity"), &None, &[][..])
-        );
+        assert_eq!((at.given, &at.feed, &at.notes[..]), (Some("eccentricity"), &None, &[][..]));
         assert!(
             off(&at, &quantities::LOAD).abs() < 0.03 && off(&at, &quantities::ATTITUDE_ANGLE).abs() < 2.0,
             "{at:?}"
@@ -276,10 +249,7 @@ journal = {{ speed = "3000 rpm"{journal} }}
         let under = twin("", &format!("load = {{ force = \"{load} N\", angle = \"270 deg\" }}"));
         assert_eq!(under.given, Some("load"));
         assert!(off(&under, &quantities::ECCENTRICITY).abs() < 0.02, "{under:?}");
-        let thickness = number(&under, &quantities::FILM_THICKNESS_MIN)
-            .other
-            .expect("a thickness")
-            .value;
+        let thickness = number(&under, &quantities::FILM_THICKNESS_MIN).other.expect("a thickness").value;
         assert!((thickness - 7.5e-6).abs() < 5e-7);
     }
 
@@ -294,36 +264,22 @@ journal = {{ speed = "3000 rpm"{journal} }}
         let groove = |extent: &str| {
             format!("feed = [{{ group = \"g\", groove = {{ {extent}width = \"4 mm\" }}, pressure = \"2 bar\" }}]")
         };
-        let feeds = |list: &[f64]| {
-            format!(
-                "feed = [{}]",
-                list.iter().map(|at| hole(*at)).collect::<Vec<_>>().join(", ")
-            )
-        };
+        let feeds =
+            |list: &[f64]| format!("feed = [{}]", list.iter().map(|at| hole(*at)).collect::<Vec<_>>().join(", "));
         for (more, wanted) in [
             (feeds(&[80.0]), Some("a hole opposite to the load")),
             (feeds(&[170.0]), Some("a hole at 90 degrees to the load")),
             (feeds(&[170.0, 350.0]), Some("two holes at 90 degrees to the load")),
             (feeds(&[260.0]), None),
             (groove(""), Some("a groove all around")),
-            (
-                groove("from = \"70 deg\", to = \"90 deg\", "),
-                Some("a pocket opposite to the load"),
-            ),
-            (
-                groove("from = \"-10 deg\", to = \"170 deg\", "),
-                Some("a groove along the half opposite to the load"),
-            ),
+            (groove("from = \"70 deg\", to = \"90 deg\", "), Some("a pocket opposite to the load")),
+            (groove("from = \"-10 deg\", to = \"170 deg\", "), Some("a groove along the half opposite to the load")),
             (groove("from = \"20 deg\", to = \"140 deg\", "), None),
         ] {
             let twin = twin(AT, &more);
             assert_eq!(twin.feed, wanted, "{more}: {twin:?}");
             let has_flow = Comparison::of(&quantities::SIDE_FLOW, &twin.comparisons).is_some();
-            assert_eq!(
-                (has_flow, twin.notes.is_empty()),
-                (wanted.is_some(), wanted.is_some()),
-                "{more}: {twin:?}"
-            );
+            assert_eq!((has_flow, twin.notes.is_empty()), (wanted.is_some(), wanted.is_some()), "{more}: {twin:?}");
         }
     }
 

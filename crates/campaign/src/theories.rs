@@ -59,11 +59,7 @@ pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> AddO
     let (films, without) = films(scene, options, result);
     let alternatives = [0, 1, 2].map(|k| films[k].beside(&films[1]));
     let slenderness = scene.bearing.length / scene.bearing.diameter;
-    let records = films
-        .iter()
-        .zip(&alternatives)
-        .map(|(film, it)| film.record(it))
-        .collect();
+    let records = films.iter().zip(&alternatives).map(|(film, it)| film.record(it)).collect();
     let [short, _, long] = alternatives;
     AddOn {
         key: "theories",
@@ -195,10 +191,7 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
         return without(complaint.to_string());
     }
     match run(&scene, options) {
-        Ok(found) => TheoryFilm {
-            film_start: film_start.map(f64::to_degrees),
-            ..film(&scene, theory, &found.result)
-        },
+        Ok(found) => TheoryFilm { film_start: film_start.map(f64::to_degrees), ..film(&scene, theory, &found.result) },
         Err(error) => without(error.to_string()),
     }
 }
@@ -249,10 +242,7 @@ cavitation = { model = "guembel" }
 
     fn found(text: &str) -> ([TheoryFilm; 3], Vec<&'static str>) {
         let scene = oilwedge_study::parse(text, Path::new("ring.toml")).unwrap_or_else(|error| panic!("{error}"));
-        let options = RunOptions {
-            bars: false,
-            ..RunOptions::default()
-        };
+        let options = RunOptions { bars: false, ..RunOptions::default() };
         let result = run(&scene, &options).unwrap_or_else(|error| panic!("{error}")).result;
         let (films, without) = films(&scene, &options, &result);
         let own = films.iter().find(|film| film.theory == scene.bearing.theory.name());
@@ -263,9 +253,7 @@ cavitation = { model = "guembel" }
     }
 
     fn value(film: &TheoryFilm, row: &Row) -> f64 {
-        film.quantity(row)
-            .unwrap_or_else(|| panic!("no {row:?}: {film:?}"))
-            .value
+        film.quantity(row).unwrap_or_else(|| panic!("no {row:?}: {film:?}")).value
     }
 
     /// Short: Ocvirk's load. Long: its half film, from the widest film on, is that of Sommerfeld without its other half.
@@ -277,10 +265,8 @@ cavitation = { model = "guembel" }
             assert_eq!(value(one, &LOAD), value(other, &LOAD), "{}", one.theory);
         }
         let scale = 0.02 * 100.0 / 1e-6 * 0.075 * 0.015;
-        let ocvirk = 0.2f64.powi(2)
-            * oilwedge_reynolds::analytical::ocvirk::ShortFilm::steady(0.6)
-                .half_film()
-                .magnitude();
+        let ocvirk =
+            0.2f64.powi(2) * oilwedge_reynolds::analytical::ocvirk::ShortFilm::steady(0.6).half_film().magnitude();
         let [short, full, long] = &all;
         assert!((value(short, &LOAD) / (scale * ocvirk) - 1.0).abs() < 5e-3);
         assert!(value(short, &LOAD) > value(full, &LOAD));
@@ -290,11 +276,7 @@ cavitation = { model = "guembel" }
         let beside = full.beside(full);
         assert!(beside.comparisons.iter().all(|it| it.difference() == Some(0.0)));
         let notes = notes(0.2, &["feeds", "this"], &all);
-        for part in [
-            "without feeds, without this",
-            "long: the ring was given a film start",
-            "a short bearing",
-        ] {
+        for part in ["without feeds, without this", "long: the ring was given a film start", "a short bearing"] {
             assert!(notes.iter().any(|note| note.contains(part)), "no {part} in {notes:?}");
         }
     }
@@ -302,10 +284,7 @@ cavitation = { model = "guembel" }
     #[test]
     fn a_theory_that_does_not_apply_has_a_reason() {
         let with = |from: &str, to: &str| RING.replacen(from, to, 1);
-        let arc = with(
-            "\"37.5 um\"",
-            "\"37.5 um\", arc = { from = \"60 deg\", to = \"240 deg\" }",
-        );
+        let arc = with("\"37.5 um\"", "\"37.5 um\", arc = { from = \"60 deg\", to = \"240 deg\" }");
         let feed =
             "feed = [{ group = \"hole\", hole = { diameter = \"4 mm\", angle = \"20 deg\" }, pressure = \"1 bar\" }]\n";
         let loaded = with(

@@ -65,12 +65,7 @@ impl CharacteristicsOf {
         }
         files::write(&folder, &found)?;
         complain::warn(&found.warnings);
-        output(
-            self.run.json,
-            || json(&found),
-            || characteristics_report(&found, &folder),
-            Some(&folder),
-        )?;
+        output(self.run.json, || json(&found), || characteristics_report(&found, &folder), Some(&folder))?;
         Ok(exit_code(found.status))
     }
 }

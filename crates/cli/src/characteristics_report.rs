@@ -14,12 +14,7 @@ const DIGITS: usize = 5;
 /// Everything about the characteristics of a film.
 pub(crate) fn characteristics_report(found: &Characteristics, folder: &Path) -> String {
     let mut parts = vec![heading(&found.title, status(found.status))];
-    parts.extend(
-        found
-            .reason
-            .as_ref()
-            .map(|reason| format!("reason: {}", printable(reason))),
-    );
+    parts.extend(found.reason.as_ref().map(|reason| format!("reason: {}", printable(reason))));
     parts.extend(found.journal.as_ref().map(journal));
     if let Some(units) = found.units {
         parts.push(sixteen(found, units));
@@ -75,30 +70,16 @@ fn sixteen(found: &Characteristics, units: Units) -> String {
 
 /// What the parts carry at the rates of the scene, their sum, and the film.
 fn together(found: &Characteristics) -> String {
-    let all = || {
-        found
-            .parts
-            .iter()
-            .map(|part| part.share)
-            .chain([found.sum, found.film])
-            .flatten()
-    };
+    let all = || found.parts.iter().map(|part| part.share).chain([found.sum, found.film]).flatten();
     let greatest = |numbers: [usize; 2]| {
         let values = all().flat_map(|it| numbers.map(|k| it.numbers()[k].value.abs()));
         values.fold(0.0, f64::max)
     };
     let [force, moment] =
         [([0, 1], Unit::Newton), ([2, 3], Unit::NewtonMetre)].map(|(k, unit)| readable_unit(greatest(k), unit));
-    let names = [
-        ("force along", force),
-        ("force across", force),
-        ("moment along", moment),
-        ("moment across", moment),
-    ];
+    let names = [("force along", force), ("force across", force), ("moment along", moment), ("moment across", moment)];
     let header = names.map(|(name, (unit, _))| format!("{name}\n{unit}"));
-    let header = ["this film".to_owned(), "rate\n1/s".to_owned()]
-        .into_iter()
-        .chain(header);
+    let header = ["this film".to_owned(), "rate\n1/s".to_owned()].into_iter().chain(header);
     let mut table = table(header, 1..6);
     let cells = |carried: Option<&Carried>| four(carried, |number, k| shown(number, names[k].1.1));
     for part in &found.parts {
@@ -106,11 +87,7 @@ fn together(found: &Characteristics) -> String {
         table.add_row([words(part.part), rate].into_iter().chain(cells(part.share.as_ref())));
     }
     for (name, carried) in [("sum of the parts", found.sum), ("film", found.film)] {
-        table.add_row(
-            [name.to_owned(), String::new()]
-                .into_iter()
-                .chain(cells(carried.as_ref())),
-        );
+        table.add_row([name.to_owned(), String::new()].into_iter().chain(cells(carried.as_ref())));
     }
     let stronger = found.surplus().map(|ratio| {
         format!(
@@ -159,11 +136,7 @@ fn fit(fit: &Fit) -> String {
         fit.formula,
         fit.grid.len()
     )];
-    parts.extend(
-        fit.reason
-            .as_ref()
-            .map(|reason| format!("reason: {}", printable(reason))),
-    );
+    parts.extend(fit.reason.as_ref().map(|reason| format!("reason: {}", printable(reason))));
     if !fit.rows.is_empty() {
         let header = ["S", "n", "sign", "k0", "k1", "k2", "a0", "a1", "worst in core", "worst"];
         let mut table = table(header, 1..10);
@@ -178,10 +151,7 @@ fn fit(fit: &Fit) -> String {
         parts.push(table.to_string());
         let domain = |it: &Domain| {
             let [[eps, to_eps], [b, to_b]] = [it.eccentricity, it.slenderness];
-            format!(
-                "eps {eps} to {to_eps}, B/D {b} to {to_b}: {} % allowed",
-                100.0 * it.allowed
-            )
+            format!("eps {eps} to {to_eps}, B/D {b} to {to_b}: {} % allowed", 100.0 * it.allowed)
         };
         parts.push(format!("core {}; all {}", domain(&fit.core), domain(&fit.wide)));
     }

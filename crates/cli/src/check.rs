@@ -58,8 +58,7 @@ impl Check {
 }
 
 fn is_mesh(file: &Path) -> bool {
-    file.extension()
-        .is_some_and(|ending| ending.eq_ignore_ascii_case("msh"))
+    file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("msh"))
 }
 
 #[cfg(test)]

@@ -6,10 +6,7 @@ use oilwedge_report::tables::{duration, effects, heading, mesh, printable, table
 
 /// Everything about a scene or mesh that can be used.
 pub(crate) fn check_report(found: &CheckReport) -> String {
-    let mut parts = vec![heading(
-        found.title.as_deref().unwrap_or(&found.mesh_file),
-        "can be used",
-    )];
+    let mut parts = vec![heading(found.title.as_deref().unwrap_or(&found.mesh_file), "can be used")];
     parts.extend(found.effects.as_ref().map(effects));
     if !found.liner.is_empty() {
         parts.push(printable(&found.liner.join("\n")));
@@ -50,19 +47,15 @@ fn facts(found: &CheckReport) -> String {
     lines.extend(sweep(&found.sweep));
     lines.extend(found.cost.map(|cost| {
         let factor = significant(8e-6 * cost.factor_entries as f64, 3);
-        format!(
-            "cost      {} unknown pressures, {factor} MB for the factorised matrix",
-            cost.unknowns
-        ) + &orbit_words(cost.orbit_seconds)
+        format!("cost      {} unknown pressures, {factor} MB for the factorised matrix", cost.unknowns)
+            + &orbit_words(cost.orbit_seconds)
     }));
     lines.join("\n")
 }
 
 /// The processor time of an orbit, of which the order of magnitude is known; nothing without one.
 fn orbit_words(seconds: Option<f64>) -> String {
-    seconds.map_or(String::new(), |seconds| {
-        format!("; the orbit takes some {} of processor time", duration(seconds))
-    })
+    seconds.map_or(String::new(), |seconds| format!("; the orbit takes some {} of processor time", duration(seconds)))
 }
 
 /// The error bars wanted; nothing without a tolerance.
@@ -82,9 +75,7 @@ fn tolerance(targets: &[(String, f64)]) -> Option<String> {
 /// The cases of a sweep; nothing without one.
 fn sweep(axes: &[(String, usize)]) -> Option<String> {
     let cases: usize = axes.iter().map(|(_, values)| values).product();
-    let parts: Vec<_> = (axes.iter())
-        .map(|(name, values)| format!("{values} of {}", printable(name)))
-        .collect();
+    let parts: Vec<_> = (axes.iter()).map(|(name, values)| format!("{values} of {}", printable(name))).collect();
     (!axes.is_empty()).then(|| format!("sweep     {cases} cases: {}", parts.join(" by ")))
 }
 
@@ -96,11 +87,7 @@ mod tests {
 
     #[test]
     fn a_mesh_is_shown_with_its_regions() {
-        let regions = vec![RegionFacts {
-            name: "end_low".into(),
-            kind: "curve".into(),
-            parts: 24,
-        }];
+        let regions = vec![RegionFacts { name: "end_low".into(), kind: "curve".into(), parts: 24 }];
         let found = CheckReport {
             format: CHECK_FORMAT.into(),
             title: None,
@@ -117,10 +104,7 @@ mod tests {
             warnings: vec![],
         };
         let text = check_report(&found);
-        assert!(
-            text.contains("liner.msh: can be used") && text.contains("end_low"),
-            "{text}"
-        );
+        assert!(text.contains("liner.msh: can be used") && text.contains("end_low"), "{text}");
         let tolerance = "tolerance load to 0.1 %, attitude_angle to 0.01 % of 1 rad\n";
         assert!(text.contains(tolerance), "{text}");
         let sweep = "sweep     90 cases: 5 of speed [rpm] by 18 of eccentricity\n";

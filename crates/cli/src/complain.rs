@@ -70,16 +70,10 @@ impl From<SweepError> for Failure {
                 Some(format!("{ELSEWHERE}, or replace it with --fresh"))
             }
             SweepError::Busy { .. } => Some(format!("wait until it ends, end it, or {ELSEWHERE}")),
-            SweepError::NoParts { dir } => Some(format!(
-                "compute them with --part 1/N to N/N and --out {}",
-                dir.display()
-            )),
-            SweepError::Gaps {
-                dir,
-                missing,
-                unfinished,
-                of,
-            } => (missing.iter().chain(unfinished).min())
+            SweepError::NoParts { dir } => {
+                Some(format!("compute them with --part 1/N to N/N and --out {}", dir.display()))
+            }
+            SweepError::Gaps { dir, missing, unfinished, of } => (missing.iter().chain(unfinished).min())
                 .and_then(|number| Part::new(*number, *of))
                 .map(|part| format!("compute each as with {}", again(&part, dir))),
             SweepError::Divisions { .. } => Some("move those of one division away".to_owned()),
@@ -252,17 +246,11 @@ mod tests {
     #[test]
     fn a_complaint_shows_the_line_and_the_way_out() {
         let text = "title = \"x\"\n[bearing]\nclearance = 37.5\n";
-        let Err(error) = oilwedge_study::parse(text, Path::new("bearing.toml")) else {
-            panic!("must be refused")
-        };
+        let Err(error) = oilwedge_study::parse(text, Path::new("bearing.toml")) else { panic!("must be refused") };
         let drawn = Failure::Scene(error).drawn();
         let drawn = anstream::adapter::strip_str(&drawn).to_string();
-        for part in [
-            "bearing.toml:3:13",
-            "bearing.clearance: a bare number",
-            "write clearance = \"37.5 um\"",
-            "[oil]",
-        ] {
+        for part in ["bearing.toml:3:13", "bearing.clearance: a bare number", "write clearance = \"37.5 um\"", "[oil]"]
+        {
             assert!(drawn.contains(part), "{part}:\n{drawn}");
         }
     }

@@ -79,28 +79,17 @@ impl Converge {
         let report = &study.report;
         files::write(&folder, &study)?;
         let is_drawn = self.plot && report.levels().next().is_some();
-        let figures: Vec<_> = is_drawn
-            .then(|| (CONVERGENCE.to_owned(), convergence_figure(&study)))
-            .into_iter()
-            .collect();
+        let figures: Vec<_> =
+            is_drawn.then(|| (CONVERGENCE.to_owned(), convergence_figure(&study))).into_iter().collect();
         let page = match self.page.is_wanted() {
             true => {
-                let svg = report
-                    .levels()
-                    .next()
-                    .is_some()
-                    .then(|| convergence_figure(&study).to_svg());
+                let svg = report.levels().next().is_some().then(|| convergence_figure(&study).to_svg());
                 Some(convergence_page(&plot::value(&json(report)?)?, svg.as_deref())?)
             }
             false => None,
         };
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, STUDY_PAGE_FILE, page)?;
-        output(
-            self.json,
-            || json(report),
-            || convergence_report(report, &folder) + &drawn,
-            Some(&folder),
-        )?;
+        output(self.json, || json(report), || convergence_report(report, &folder) + &drawn, Some(&folder))?;
         Ok(exit_code(report.status))
     }
 }
@@ -113,10 +102,7 @@ mod tests {
     fn a_time_is_positive_and_ends() {
         assert_eq!(seconds("2.5"), Ok(2.5));
         for text in ["0", "-1", "nan", "inf", "1e9", "ten", ""] {
-            assert!(
-                seconds(text).is_err_and(|message| message.contains("as 30 or 2.5")),
-                "{text}"
-            );
+            assert!(seconds(text).is_err_and(|message| message.contains("as 30 or 2.5")), "{text}");
         }
     }
 }

@@ -77,11 +77,7 @@ pub(crate) enum Form {
 pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
     let scene = ShaftScene::read(asked.scene)?;
     let working = Progress::of("the films of all bearings; Ctrl-C ends with the cycles that are complete");
-    let options = RunOptions {
-        interrupt: interrupt::listen()?,
-        observer: Some(working.observer()),
-        ..asked.options
-    };
+    let options = RunOptions { interrupt: interrupt::listen()?, observer: Some(working.observer()), ..asked.options };
     let mut run = run_shaft(&scene, &options)?;
     let mut beside: Vec<ShaftBeside> = Vec::new();
     for variant in asked.beside {
@@ -121,9 +117,8 @@ fn drawn(folder: &Path, run: &ShaftRun, views: &ShaftViews) -> Result<String, Fa
     let of_bearing = |(number, bearing): (usize, &oilwedge_study::shaft::BearingPath)| {
         let title = format!("{}, bearing {}", run.result.title, bearing.name);
         let course = OrbitCourse::of_path(&bearing.path);
-        let figures = load_figures(&title, &bearing.load, width)
-            .into_iter()
-            .chain(orbit_figures(&title, &course, width));
+        let figures =
+            load_figures(&title, &bearing.load, width).into_iter().chain(orbit_figures(&title, &course, width));
         let named = move |(name, figure)| (format!("bearing_{}_{name}", number + 1), figure);
         figures.map(named).collect::<Vec<_>>()
     };

@@ -57,10 +57,7 @@ impl Diff {
 /// The result in a folder, or that of a scene.
 fn result(path: &Path) -> Result<Value, Failure> {
     let cannot = |path: &Path, why: &dyn std::fmt::Display| {
-        Failure::Message(format!(
-            "cannot read {}: {why}; give a scene, or a folder of oilwedge solve",
-            path.display()
-        ))
+        Failure::Message(format!("cannot read {}: {why}; give a scene, or a folder of oilwedge solve", path.display()))
     };
     let value = |path: &Path, text: &str| serde_json::from_str(text).map_err(|error| cannot(path, &error));
     if path.is_dir() {
@@ -89,10 +86,7 @@ fn in_words(difference: &Difference) -> String {
         }
     }
     if !difference.quantities.is_empty() {
-        let mut rows = table(
-            ["quantity", "A", "B", "change", "both bars", "unit", "exceeds the bars"],
-            1..5,
-        );
+        let mut rows = table(["quantity", "A", "B", "change", "both bars", "unit", "exceeds the bars"], 1..5);
         rows.add_rows(difference.quantities.iter().map(cells));
         text += &format!("{rows}\n{}\n", verdict(&difference.quantities));
     }
@@ -107,10 +101,7 @@ fn verdict(quantities: &[ChangedQuantity]) -> String {
         0 => String::new(),
         unknown => format!("; of {unknown} it is not known"),
     };
-    format!(
-        "{more} of {} changed quantities exceed both error bars together{unknown}",
-        quantities.len()
-    )
+    format!("{more} of {} changed quantities exceed both error bars together{unknown}", quantities.len())
 }
 
 /// Digits of a check sum that are shown.
@@ -123,19 +114,11 @@ fn line(changed: &Changed) -> String {
         Value::Array(items) if items.is_empty() => "none".to_owned(),
         value => printable(&value.to_string()),
     };
-    format!(
-        "{}: {} -> {}",
-        printable(&changed.key),
-        shown(&changed.a),
-        shown(&changed.b)
-    )
+    format!("{}: {} -> {}", printable(&changed.key), shown(&changed.a), shown(&changed.b))
 }
 
 fn cells(quantity: &ChangedQuantity) -> [String; 7] {
-    let greatest = [quantity.a, quantity.b]
-        .into_iter()
-        .flatten()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    let greatest = [quantity.a, quantity.b].into_iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
     let (unit, size) = readable_unit_of(greatest, &quantity.unit);
     let number =
         |number: Option<f64>, digits| number.map_or("none".to_owned(), |number| significant(number / size, digits));

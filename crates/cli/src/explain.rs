@@ -46,9 +46,7 @@ impl Explain {
             None => entries(),
             Some(name) => explain(name.trim()).map_err(|near| {
                 let hint = near.map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
-                Failure::Message(format!(
-                    "nothing is called \"{name}\"; {hint}oilwedge explain --all lists all names"
-                ))
+                Failure::Message(format!("nothing is called \"{name}\"; {hint}oilwedge explain --all lists all names"))
             })?,
         };
         let text = || match self.all || meant.len() > MOST_IN_FULL {

@@ -25,10 +25,7 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
     }
     let lists = [
         (Measure::Bar, "Cost of accuracy, by error bars"),
-        (
-            Measure::Error,
-            "Cost of accuracy, by the true error, which only finer meshes show",
-        ),
+        (Measure::Error, "Cost of accuracy, by the true error, which only finer meshes show"),
     ];
     for (measure, title) in lists {
         let list: Vec<&Price> = report.prices.iter().filter(|price| price.measure == measure).collect();
@@ -39,11 +36,7 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
     let mut lines: Vec<String> = report.notes.clone();
     let without = report.strategies.iter().filter(|course| course.levels.is_empty());
     lines.extend(without.map(|course| format!("{} has no level: {}", course.strategy.name(), course.ended)));
-    lines.push(format!(
-        "time      {} of {} s",
-        time(report.seconds),
-        report.max_seconds
-    ));
+    lines.push(format!("time      {} of {} s", time(report.seconds), report.max_seconds));
     let files = match report.strategies.iter().any(|course| !course.levels.is_empty()) {
         true => "converge.csv, converge.json, converge.svg, converge.png",
         false => "converge.json",
@@ -161,11 +154,7 @@ fn round(unknowns: f64) -> String {
 
 /// A relative number in percent, as a power of ten where that is shorter.
 fn percent(part: f64) -> String {
-    let digits = if (part.log10().round() - part.log10()).abs() < 1e-9 {
-        1
-    } else {
-        2
-    };
+    let digits = if (part.log10().round() - part.log10()).abs() < 1e-9 { 1 } else { 2 };
     match part {
         small if small < 0.95e-6 => significant(part, digits),
         part => format!("{} %", significant(100.0 * part, digits)),
@@ -184,9 +173,6 @@ mod tests {
         assert_eq!(percent(1e-6), "0.0001 %");
         assert_eq!([1.234e-9, 1e-7].map(percent), ["1.2e-9", "1e-7"]);
         assert_eq!(round(12_345.6), "12000");
-        assert_eq!(
-            [0.000_123_4, 0.012_34, 1.234].map(milliseconds),
-            ["0.12", "12.3", "1234"]
-        );
+        assert_eq!([0.000_123_4, 0.012_34, 1.234].map(milliseconds), ["0.12", "12.3", "1234"]);
     }
 }

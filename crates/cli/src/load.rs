@@ -69,22 +69,13 @@ impl Load {
         let folder = folder(&self.out, &self.scene);
         replace(&folder, &[(LOAD_FILE.as_ref(), Some(text.as_bytes()))])?;
         let drawn = plot::written(&folder, &figures)?;
-        output(
-            self.json,
-            || Ok(text),
-            || in_words(&sheet, &folder, &drawn),
-            Some(&folder),
-        )?;
+        output(self.json, || Ok(text), || in_words(&sheet, &folder, &drawn), Some(&folder))?;
         Ok(ExitCode::SUCCESS)
     }
 }
 
 fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
-    let angle = if sheet.frequency_hz.is_some() {
-        "angle of the load"
-    } else {
-        "crank angle"
-    };
+    let angle = if sheet.frequency_hz.is_some() { "angle of the load" } else { "crank angle" };
     let mut rows = table(["", "value", angle, "direction"], 1..4);
     let mut add = |name: &str, value: String, at: Option<(f64, f64)>| {
         // Without the sign of a zero.
@@ -107,26 +98,14 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
     add("mean magnitude", newtons(sheet.mean_magnitude_n), None);
     // The curve between the rows of a table beside the rows alone.
     if let Some(table) = &sheet.table {
-        add(
-            &format!("greatest force of the {} rows", table.rows),
-            newtons(table.peak.magnitude_n),
-            of(&table.peak),
-        );
+        add(&format!("greatest force of the {} rows", table.rows), newtons(table.peak.magnitude_n), of(&table.peak));
         let (value, direction) = mean(table.mean_force_n);
         add("mean force of the rows", value, direction);
         add("mean magnitude of the rows", newtons(table.mean_magnitude_n), None);
     }
-    add(
-        "greatest force/(length diameter)",
-        format!("{} MPa", significant(1e-6 * sheet.specific_load_pa, 4)),
-        None,
-    );
+    add("greatest force/(length diameter)", format!("{} MPa", significant(1e-6 * sheet.specific_load_pa, 4)), None);
     if sheet.greatest_moment_n_m > 0.0 {
-        add(
-            "greatest moment",
-            format!("{} N.m", significant(sheet.greatest_moment_n_m, 4)),
-            None,
-        );
+        add("greatest moment", format!("{} N.m", significant(sheet.greatest_moment_n_m, 4)), None);
     }
     if sheet.half_speed_share > LEAST_SHARE {
         add(
@@ -142,11 +121,7 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
     };
     add("speed of the journal against the shell", speed, None);
     if let Some(work) = sheet.gas_work_j {
-        add(
-            "work of the gas in a period",
-            format!("{} J", significant(work, 7)),
-            None,
-        );
+        add("work of the gas in a period", format!("{} J", significant(work, 7)), None);
     }
     let period = match sheet.frequency_hz {
         Some(frequency) => format!("load that repeats at {} Hz", significant(frequency, 6)),

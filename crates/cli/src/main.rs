@@ -139,14 +139,9 @@ fn main() -> ExitCode {
 /// The main thread is one of the pool's, so that no work is handed over where there is nothing to share.
 fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
     let threads = threads.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .use_current_thread()
-        .build_global();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread().build_global();
     pool.map_err(|error| {
-        Failure::Message(format!(
-            "cannot start {threads} threads: {error}; give fewer with --threads"
-        ))
+        Failure::Message(format!("cannot start {threads} threads: {error}; give fewer with --threads"))
     })
 }
 

@@ -46,12 +46,8 @@ fn scene_name(text: &str) -> Result<PathBuf, String> {
 }
 
 fn kinds() -> PossibleValuesParser {
-    let first_sentence = |text: &'static str| {
-        text.split(['.', '\n'])
-            .next()
-            .unwrap_or_default()
-            .trim_start_matches("# ")
-    };
+    let first_sentence =
+        |text: &'static str| text.split(['.', '\n']).next().unwrap_or_default().trim_start_matches("# ");
     PossibleValuesParser::new(KINDS.map(|(name, text)| PossibleValue::new(name).help(first_sentence(text))))
 }
 
@@ -99,10 +95,7 @@ fn is_ours(schema: &Path) -> bool {
 }
 
 fn exists(path: &Path) -> Failure {
-    Failure::Message(format!(
-        "{} exists and is not replaced; give another name, or move it away",
-        path.display()
-    ))
+    Failure::Message(format!("{} exists and is not replaced; give another name, or move it away", path.display()))
 }
 
 fn cannot(path: &Path, error: &std::io::Error) -> Failure {

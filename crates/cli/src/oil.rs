@@ -77,13 +77,7 @@ fn in_words(sheet: &OilSheet) -> String {
 }
 
 fn all() -> String {
-    let header = [
-        "grade",
-        "nu 40 C [mm2/s]",
-        "nu 100 C [mm2/s]",
-        "rho 15 C [kg/m3]",
-        "class",
-    ];
+    let header = ["grade", "nu 40 C [mm2/s]", "nu 100 C [mm2/s]", "rho 15 C [kg/m3]", "class"];
     let mut rows = table(header, 1..4);
     for grade in GRADES {
         rows.add_row([

@@ -66,20 +66,13 @@ fn width(text: &str) -> Result<f64, String> {
     let width = (1e9 * metres).round() / 1e6;
     match WIDTHS.contains(&width) {
         true => Ok(width),
-        false => Err(format!(
-            "give a width from {} mm to {} mm",
-            WIDTHS.start(),
-            WIDTHS.end()
-        )),
+        false => Err(format!("give a width from {} mm to {} mm", WIDTHS.start(), WIDTHS.end())),
     }
 }
 
 /// What `--plot` draws.
 pub(crate) fn usual() -> PlotOptions {
-    PlotOptions {
-        selected: Vec::new(),
-        width: PAGE_WIDTH,
-    }
+    PlotOptions { selected: Vec::new(), width: PAGE_WIDTH }
 }
 
 /// Pictures by name.
@@ -107,10 +100,7 @@ pub(crate) fn value(json: &str) -> Result<Value, Failure> {
 }
 
 fn unknown(Unknown { name, known }: Unknown) -> Failure {
-    Failure::Message(format!(
-        "--field: there is no \"{name}\" to draw; there are {}",
-        known.join(", ")
-    ))
+    Failure::Message(format!("--field: there is no \"{name}\" to draw; there are {}", known.join(", ")))
 }
 
 /// Writes pictures, if there are any, and says so in a line.
@@ -128,11 +118,7 @@ fn written_files(folder: &Path, pictures: &[PictureFiles]) -> Result<String, Fai
     write_pictures(folder, pictures)?;
     let names: Vec<&str> = pictures.iter().map(|picture| picture.name.as_str()).collect();
     let place = folder.join(PLOT_FOLDER);
-    Ok(format!(
-        "pictures  {}: {} (.svg, .png)\n",
-        place.display(),
-        names.join(", ")
-    ))
+    Ok(format!("pictures  {}: {} (.svg, .png)\n", place.display(), names.join(", ")))
 }
 
 impl Plot {
@@ -149,18 +135,12 @@ impl Plot {
     }
 
     fn options(&self) -> PlotOptions {
-        PlotOptions {
-            selected: self.fields.clone(),
-            width: self.width,
-        }
+        PlotOptions { selected: self.fields.clone(), width: self.width }
     }
 
     fn of_scene(&self) -> Result<ExitCode, Failure> {
         let scene = oilwedge_study::read(&self.of)?;
-        let options = RunOptions {
-            interrupt: interrupt::listen()?,
-            ..RunOptions::of(&scene)
-        };
+        let options = RunOptions { interrupt: interrupt::listen()?, ..RunOptions::of(&scene) };
         let working = Progress::of("the film");
         let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;
         drop(working);
@@ -178,15 +158,7 @@ impl Plot {
             to_vtu(&picture, compression)
         });
         let picture = picture.transpose()?;
-        write_results(
-            &folder,
-            &run.result,
-            &[],
-            Beside {
-                picture: picture.as_deref(),
-                orbit: orbit.as_deref(),
-            },
-        )?;
+        write_results(&folder, &run.result, &[], Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;
         if let Some(reason) = &run.result.reason {
@@ -255,10 +227,7 @@ impl Plot {
     fn of_study(&self, study: &Path) -> Result<ExitCode, Failure> {
         if let Some(name) = self.fields.iter().find(|name| *name != CONVERGENCE) {
             let known = vec![CONVERGENCE.to_owned()];
-            return Err(unknown(Unknown {
-                name: name.clone(),
-                known,
-            }));
+            return Err(unknown(Unknown { name: name.clone(), known }));
         }
         if (self.width - PAGE_WIDTH).abs() > 1e-9 {
             return Err(Failure::Message(format!(
@@ -267,11 +236,7 @@ impl Plot {
         }
         let [svg, png] = ["svg", "png"].map(|ending| study.with_extension(ending));
         let drawn = svg.is_file().then(|| {
-            Ok::<_, Failure>(PictureFiles {
-                name: CONVERGENCE.to_owned(),
-                svg: read(&svg)?,
-                png: read(&png)?,
-            })
+            Ok::<_, Failure>(PictureFiles { name: CONVERGENCE.to_owned(), svg: read(&svg)?, png: read(&png)? })
         });
         let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
         say(&folder, written_files(&folder, drawn.transpose()?.as_slice())?)
@@ -292,11 +257,7 @@ fn orbit_in(folder: &Path) -> Result<OrbitCourse, Failure> {
 
 /// Prints the line about the pictures.
 fn say(folder: &Path, line: String) -> Result<ExitCode, Failure> {
-    let line = if line.is_empty() {
-        "there is nothing to draw\n".to_owned()
-    } else {
-        line
-    };
+    let line = if line.is_empty() { "there is nothing to draw\n".to_owned() } else { line };
     print(&line, Some(folder))?;
     Ok(ExitCode::SUCCESS)
 }

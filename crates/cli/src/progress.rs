@@ -74,8 +74,7 @@ impl Steps {
             say(&line);
             now.told = Instant::now();
         }
-        self.bar
-            .set_message(format!("{line}; Ctrl-C ends with the best so far"));
+        self.bar.set_message(format!("{line}; Ctrl-C ends with the best so far"));
     }
 }
 
@@ -107,10 +106,7 @@ impl RunObserver for Steps {
         let Reached { level, unknowns, .. } = reached;
         let bars = bars(reached);
         if self.bar.is_hidden() {
-            say(&format!(
-                "level {level}: {unknowns} unknowns, {bars}, {}",
-                time(reached.seconds)
-            ));
+            say(&format!("level {level}: {unknowns} unknowns, {bars}, {}", time(reached.seconds)));
         }
         self.show(|now| now.reached = format!("level {level} reached {bars}"));
     }
@@ -126,10 +122,7 @@ impl RunObserver for Steps {
 
     fn expects(&self, unknowns: usize, seconds: Option<f64>) {
         if let Some(seconds) = seconds.filter(|seconds| *seconds > SILENCE.as_secs_f64()) {
-            let line = format!(
-                "the orbit on {unknowns} unknowns takes some {} of processor time",
-                duration(seconds)
-            );
+            let line = format!("the orbit on {unknowns} unknowns takes some {} of processor time", duration(seconds));
             self.bar.suspend(|| say(&line));
         }
     }
@@ -156,11 +149,7 @@ fn bars(reached: &Reached) -> String {
     match (reached.error, reached.asked) {
         (Some(error), Some(asked)) => {
             let (unit, size) = readable_unit(error, reached.unit);
-            let text = format!(
-                "{name} ± {}, asked for ± {} {unit}",
-                bar(error / size),
-                bar(asked / size)
-            );
+            let text = format!("{name} ± {}, asked for ± {} {unit}", bar(error / size), bar(asked / size));
             text.trim_end().to_owned()
         }
         _ => format!("{name} not resolved yet"),
@@ -193,10 +182,7 @@ impl Progress {
 
     /// Shows how a run gets on.
     pub(crate) fn observer(&self) -> &'static dyn RunObserver {
-        let steps = Steps {
-            bar: self.bar.clone(),
-            now: Mutex::new(Now::at_first()),
-        };
+        let steps = Steps { bar: self.bar.clone(), now: Mutex::new(Now::at_first()) };
         // One for each run of the program.
         Box::leak(Box::new(steps))
     }
@@ -223,11 +209,7 @@ impl Progress {
             bar.set_style(style.progress_chars("=> "));
         }
         bar.enable_steady_tick(TICK);
-        Self {
-            bar,
-            begun: Instant::now(),
-            told: Instant::now(),
-        }
+        Self { bar, begun: Instant::now(), told: Instant::now() }
     }
 
     /// The run turns to another task.
@@ -287,10 +269,7 @@ impl Observer for Progress {
     fn begins(&mut self, strategy: Strategy, level: usize, cells: usize, expected: Option<f64>) {
         let expected = expected.map_or(String::new(), |seconds| format!(", some {seconds:.1} s"));
         self.show_time();
-        self.bar.set_message(format!(
-            "{}, level {level}: some {cells} triangles{expected}",
-            strategy.name()
-        ));
+        self.bar.set_message(format!("{}, level {level}: some {cells} triangles{expected}", strategy.name()));
     }
 
     fn ended(&mut self, _: Strategy, _: &LevelReport) {
@@ -304,11 +283,7 @@ mod tests {
 
     #[test]
     fn rows_of_an_earlier_run_are_no_speed() {
-        let now = Cases {
-            kept: 900,
-            done: 910,
-            cases: 1000,
-        };
+        let now = Cases { kept: 900, done: 910, cases: 1000 };
         assert_eq!(seconds_left(now, 20.0), Some(180.0));
         assert_eq!(seconds_left(Cases { done: 900, ..now }, 20.0), None);
         assert_eq!(seconds_left(Cases { done: 1000, ..now }, 20.0), None);

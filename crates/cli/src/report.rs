@@ -65,12 +65,8 @@ fn open(path: &Path) {
         "windows" => "explorer",
         _ => "xdg-open",
     };
-    let command = Command::new(program)
-        .arg(path)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn();
+    let command =
+        Command::new(program).arg(path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
     let reason = match command {
         Err(error) => Some(error.to_string()),
         // The explorer of Windows ends with 1 in any case.
@@ -148,10 +144,7 @@ impl Report {
                 self.of.display()
             )));
         }
-        let arguments = PageArguments {
-            report: true,
-            open: self.open,
-        };
+        let arguments = PageArguments { report: true, open: self.open };
         for (name, page) in pages {
             print(&arguments.written(&self.of, name, Some(page))?, Some(&self.of))?;
         }
@@ -175,10 +168,7 @@ impl Report {
             true => Some(OrbitCourse::from_csv(&read(&orbit)?).map_err(Failure::of_file(&orbit))?),
             false => None,
         };
-        let extras = Extras {
-            course: course.as_ref(),
-            files: &[],
-        };
+        let extras = Extras { course: course.as_ref(), files: &[] };
         film_page_with(&result, picture.as_ref(), extras).map_err(Failure::of_file(file))
     }
 }

@@ -137,11 +137,7 @@ impl Solve {
             other => other?,
         };
         let is_search = scene.tolerance.is_some() || scene.is_loaded();
-        let interrupt = if is_search {
-            interrupt::listen()?
-        } else {
-            Interrupt::NEVER
-        };
+        let interrupt = if is_search { interrupt::listen()? } else { Interrupt::NEVER };
         let options = RunOptions {
             unrolled: self.unrolled,
             frames: self.frames.unwrap_or(0),
@@ -149,10 +145,7 @@ impl Solve {
             ..self.run.options(&scene, interrupt)?
         };
         let working = Progress::of(Self::task(&scene));
-        let observed = RunOptions {
-            observer: Some(working.observer()),
-            ..options
-        };
+        let observed = RunOptions { observer: Some(working.observer()), ..options };
         self.check_add_ons(&scene)?;
         let run = oilwedge_study::run(&scene, &observed).map_err(Failure::of(path))?;
         if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
@@ -185,18 +178,14 @@ impl Solve {
         };
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
         let figures = match course.as_ref().filter(|_| self.plot) {
-            Some(course) => orbit_figures(&run.result.title, course, plot::usual().width)
-                .into_iter()
-                .chain(figures)
-                .collect(),
+            Some(course) => {
+                orbit_figures(&run.result.title, course, plot::usual().width).into_iter().chain(figures).collect()
+            }
             None => figures,
         };
         let page = match self.page.is_wanted() {
             true => {
-                let extras = Extras {
-                    course: course.as_ref(),
-                    files: &SceneFile::all(&scene.text, path),
-                };
+                let extras = Extras { course: course.as_ref(), files: &SceneFile::all(&scene.text, path) };
                 Some(film_page_with(&plot::value(&json)?, run.picture.as_ref(), extras)?)
             }
             false => None,
@@ -208,24 +197,12 @@ impl Solve {
         });
         let picture = picture.transpose()?;
         let folder = self.run.folder();
-        write_results(
-            &folder,
-            &run.result,
-            &add_ons,
-            Beside {
-                picture: picture.as_deref(),
-                orbit: orbit.as_deref(),
-            },
-        )?;
+        write_results(&folder, &run.result, &add_ons, Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
         complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
         complain::warn(&run.result.warnings);
-        let written = Written {
-            folder: &folder,
-            has_fields: picture.is_some(),
-            pictures: &drawn,
-        };
+        let written = Written { folder: &folder, has_fields: picture.is_some(), pictures: &drawn };
         output(
             self.run.json,
             || Ok(json),
@@ -259,10 +236,8 @@ impl Solve {
             )));
         }
         let beside = [(self.cut, Variant::Cut), (self.counterweights, Variant::Counterweights)];
-        let beside: Vec<Variant> = beside
-            .into_iter()
-            .filter_map(|(is_given, variant)| is_given.then_some(variant))
-            .collect();
+        let beside: Vec<Variant> =
+            beside.into_iter().filter_map(|(is_given, variant)| is_given.then_some(variant)).collect();
         crankshaft::solve(crankshaft::Asked {
             scene: &self.run.scene,
             folder: &self.run.folder(),
@@ -284,10 +259,7 @@ impl Solve {
         let compression = (self.vtu).map_or_else(|| Compression::usual(&first.picture), Compression::from);
         let count = frames.len();
         write_frames(folder, frames, compression)?;
-        Ok(format!(
-            "animation {}: {count} frames\n",
-            folder.join(COLLECTION_FILE).display()
-        ))
+        Ok(format!("animation {}: {count} frames\n", folder.join(COLLECTION_FILE).display()))
     }
 
     /// Refuses what cannot stand beside the film of this scene.

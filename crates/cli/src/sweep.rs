@@ -72,20 +72,10 @@ impl Sweep {
     /// [`Failure`]: the scene or a case of it cannot be used, or the table cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let (cases, case) = self.read()?;
-        let options = SweepOptions {
-            case,
-            fresh: self.fresh,
-            part: self.part,
-        };
+        let options = SweepOptions { case, fresh: self.fresh, part: self.part };
         let folder = self.folder();
         warn(&repeated(&cases));
-        warn(
-            &self
-                .part
-                .and_then(|part| empty(&cases, part))
-                .into_iter()
-                .collect::<Vec<_>>(),
-        );
+        warn(&self.part.and_then(|part| empty(&cases, part)).into_iter().collect::<Vec<_>>());
         let report = match &self.join {
             Some(parts) => oilwedge_report::sweep::join(&cases, &options, parts, &folder)?,
             None => computed(&cases, &options, &folder)?,
@@ -103,19 +93,12 @@ impl Sweep {
         };
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, SWEEP_PAGE_FILE, page)?;
         let written = self.part.map_or(folder.clone(), |part| part_folder(&folder, part));
-        output(
-            self.run.json,
-            || json(&report),
-            || sweep_report(&report, Some(&written)) + &drawn,
-            Some(&written),
-        )?;
+        output(self.run.json, || json(&report), || sweep_report(&report, Some(&written)) + &drawn, Some(&written))?;
         // A part is a job among others: whether the sweep has an answer is known when they are joined.
-        Ok(
-            match self.part.is_some() || report.rows.iter().any(|row| report.has_answer(row)) {
-                true => ExitCode::SUCCESS,
-                false => ExitCode::from(1),
-            },
-        )
+        Ok(match self.part.is_some() || report.rows.iter().any(|row| report.has_answer(row)) {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::from(1),
+        })
     }
 
     /// The cases of the scene, of one bearing or of a crankshaft, and how each is run.
@@ -124,28 +107,19 @@ impl Sweep {
         let (cases, options, example) = match oilwedge_study::read(path) {
             Err(error) if is_crankshaft(&error) => {
                 let scene = ShaftScene::read(path)?;
-                let options = RunOptions {
-                    interrupt: interrupt::listen()?,
-                    ..self.run.options_of_shaft()
-                };
+                let options = RunOptions { interrupt: interrupt::listen()?, ..self.run.options_of_shaft() };
                 let example = "speed = { from = \"1000 rpm\", to = \"6000 rpm\", steps = 6 }";
                 (Cases::of_shaft(&scene)?, options, example)
             }
             scene => {
                 let scene = scene?;
                 let options = self.run.options(&scene, interrupt::listen()?)?;
-                (
-                    Cases::of(&scene)?,
-                    options,
-                    "eccentricity = { from = 0.1, to = 0.95, steps = 18 }",
-                )
+                (Cases::of(&scene)?, options, "eccentricity = { from = 0.1, to = 0.95, steps = 18 }")
             }
         };
         let cases = cases.ok_or_else(|| {
             let path = path.display();
-            Failure::Message(format!(
-                "the scene {path} has no [sweep]; write for example\n\n[sweep]\n{example}"
-            ))
+            Failure::Message(format!("the scene {path} has no [sweep]; write for example\n\n[sweep]\n{example}"))
         })?;
         Ok((cases, options))
     }
@@ -169,15 +143,8 @@ fn computed(cases: &Cases, options: &SweepOptions, folder: &Path) -> Result<Swee
 
 /// A part as it is written: its number and how many there are.
 fn part(text: &str) -> Result<Part, String> {
-    let part = text
-        .split_once('/')
-        .and_then(|(number, of)| Part::new(number.parse().ok()?, of.parse().ok()?));
-    part.ok_or_else(|| {
-        format!(
-            "a part is written K/N, such as 3/40, with 1 <= K <= N and N at most {}",
-            Part::MOST
-        )
-    })
+    let part = text.split_once('/').and_then(|(number, of)| Part::new(number.parse().ok()?, of.parse().ok()?));
+    part.ok_or_else(|| format!("a part is written K/N, such as 3/40, with 1 <= K <= N and N at most {}", Part::MOST))
 }
 
 /// That a part has no case.

@@ -14,10 +14,9 @@ use std::process::ExitCode;
 pub(crate) fn print(text: &str, written: Option<&Path>) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output {
-            error,
-            written: written.map(Path::to_owned),
-        }),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Output { error, written: written.map(Path::to_owned) })
+        }
         _ => Ok(()),
     }
 }

@@ -83,10 +83,7 @@ impl Verify {
                 Vec::from(run_map(&mut |count| {
                     done += count;
                     progress.cases(Cases { kept, done, cases });
-                    progress.line(&format!(
-                        "{done} of {cases} cases, {}: map",
-                        time(clock.elapsed().as_secs_f64())
-                    ));
+                    progress.line(&format!("{done} of {cases} cases, {}: map", time(clock.elapsed().as_secs_f64())));
                 })?)
             }
             false => Vec::new(),
@@ -97,17 +94,10 @@ impl Verify {
         let mut text = report(&verdicts, &maps, clock.elapsed().as_secs_f64());
         if self.hard {
             self.write(&verdicts, &maps)?;
-            text += &format!(
-                "written   {}: stability.md, stability.svg, stability.png\n",
-                self.out.display()
-            );
+            text += &format!("written   {}: stability.md, stability.svg, stability.png\n", self.out.display());
         }
         print(&text, self.hard.then_some(self.out.as_path()))?;
-        Ok(if faults == 0 {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::from(1)
-        })
+        Ok(if faults == 0 { ExitCode::SUCCESS } else { ExitCode::from(1) })
     }
 
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
@@ -127,10 +117,7 @@ impl Verify {
 fn line(series: &[Verdict], [done, cases]: [usize; 2], clock: Instant) -> String {
     let name = |verdict: &Verdict| format!("{}, {}", verdict.case.family, verdict.case.series);
     let name = series.first().map_or(String::new(), name);
-    format!(
-        "{done} of {cases} cases, {}: {name}",
-        time(clock.elapsed().as_secs_f64())
-    )
+    format!("{done} of {cases} cases, {}: {name}", time(clock.elapsed().as_secs_f64()))
 }
 
 /// Time between two pages of a suite that is running.
@@ -155,11 +142,8 @@ impl Draft {
     /// Writes the page, whole or not at all. Pictures of an earlier run are taken away.
     fn write(&mut self, folder: &Path, progress: [usize; 2]) -> Result<(), Failure> {
         let text = page_so_far(&self.verdicts, progress);
-        let files = [
-            (PICTURES[0].as_ref(), None),
-            (PICTURES[1].as_ref(), None),
-            (PAGE.as_ref(), Some(text.as_bytes())),
-        ];
+        let files =
+            [(PICTURES[0].as_ref(), None), (PICTURES[1].as_ref(), None), (PAGE.as_ref(), Some(text.as_bytes()))];
         folder::replace(folder, &files)?;
         self.written = Some(Instant::now());
         Ok(())
@@ -173,10 +157,7 @@ const PICTURES: [&str; 2] = ["stability.svg", "stability.png"];
 
 /// Computed numbers beside known ones, in a table; nothing where there are none.
 fn known_values(verdicts: &[Verdict]) -> String {
-    let mut cells = table(
-        ["case", "quantity", "known", "computed", "± error", "difference", "unit"],
-        2..6,
-    );
+    let mut cells = table(["case", "quantity", "known", "computed", "± error", "difference", "unit"], 2..6);
     let mut is_empty = true;
     for verdict in verdicts {
         for it in &verdict.known {
@@ -227,11 +208,7 @@ fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
         + &known;
     for verdict in faulty {
         text += &format!("\n! {} ({})\n", verdict.case.name(), verdict.case.family);
-        text += &verdict
-            .faults
-            .iter()
-            .map(|fault| format!("    {fault}\n"))
-            .collect::<String>();
+        text += &verdict.faults.iter().map(|fault| format!("    {fault}\n")).collect::<String>();
     }
     for cell in maps.iter().flat_map(unexplained) {
         text += &format!("\n! map: {cell}\n");

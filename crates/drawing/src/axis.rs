@@ -88,11 +88,7 @@ impl Axis {
     #[must_use]
     pub fn widened(self, extent: f64) -> Self {
         let middle = 0.5 * (self.low + self.high);
-        Self {
-            low: middle - 0.5 * extent,
-            high: middle + 0.5 * extent,
-            ..self
-        }
+        Self { low: middle - 0.5 * extent, high: middle + 0.5 * extent, ..self }
     }
 
     /// Place of a value from 0 (low end) to 1.
@@ -114,10 +110,7 @@ impl Axis {
             }
             Scale::Degrees => {
                 let wanted = self.extent() / most;
-                let step = DEGREES
-                    .into_iter()
-                    .find(|step| *step >= wanted * (1.0 - ROUND_OFF))
-                    .unwrap_or(180.0);
+                let step = DEGREES.into_iter().find(|step| *step >= wanted * (1.0 - ROUND_OFF)).unwrap_or(180.0);
                 let values = multiples(self.low, self.high, step).into_iter();
                 // A full turn from 0 ends at 360; on a longer way a turn begins there at 0.
                 let last = self.high - ROUND_OFF * self.extent();
@@ -127,9 +120,7 @@ impl Axis {
                 let every = (self.extent() / most).ceil().max(1.0) as i32;
                 let exponents = self.low.ceil() as i32..=self.high.floor() as i32;
                 let exponents = exponents.filter(|exponent| exponent % every == 0);
-                exponents
-                    .map(|exponent| (10f64.powi(exponent), self.power(exponent)))
-                    .collect()
+                exponents.map(|exponent| (10f64.powi(exponent), self.power(exponent))).collect()
             }
         }
     }
@@ -162,10 +153,7 @@ fn linear(bounds: Option<[f64; 2]>) -> [f64; 2] {
     };
     let room = ROOM * extent;
     let is_near = |end: f64, other: f64| (-UNDERSHOOT..NEAR).contains(&(end / other));
-    [
-        if is_near(low, high) { 0.0 } else { low - room },
-        if is_near(high, low) { 0.0 } else { high + room },
-    ]
+    [if is_near(low, high) { 0.0 } else { low - room }, if is_near(high, low) { 0.0 } else { high + room }]
 }
 
 /// The least round step (1, 2, 2.5 or 5 times a power of ten) with which `extent` has `most` steps at most.
@@ -173,10 +161,7 @@ pub fn linear_steps(extent: f64, most: f64) -> f64 {
     let wanted = extent / most;
     let decade = 10f64.powf(wanted.log10().floor());
     let steps = DIGITS.into_iter().chain([10.0]).map(|digit| digit * decade);
-    steps
-        .into_iter()
-        .find(|step| *step >= wanted * (1.0 - ROUND_OFF))
-        .unwrap_or(10.0 * decade)
+    steps.into_iter().find(|step| *step >= wanted * (1.0 - ROUND_OFF)).unwrap_or(10.0 * decade)
 }
 
 /// Multiples of a step between two values, both included.
@@ -201,13 +186,11 @@ pub fn number(value: f64, step: f64) -> Label {
     let is_fine = (step / 10f64.powf(exponent) - 2.5).abs() < 0.01;
     let decimals = (-exponent + if is_fine { 1.0 } else { 0.0 }).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");
-    Label::plain(&with_minus(
-        if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
-            text.trim_start_matches('-')
-        } else {
-            &text
-        },
-    ))
+    Label::plain(&with_minus(if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+        text.trim_start_matches('-')
+    } else {
+        &text
+    }))
 }
 
 fn with_minus(text: &str) -> String {
@@ -216,11 +199,7 @@ fn with_minus(text: &str) -> String {
 
 /// An angle within the turn from 0 to 360 degrees; 360 itself at the end of an axis only.
 fn angle(degrees: f64, is_last: bool) -> Label {
-    let turn = if degrees == 360.0 && is_last {
-        degrees
-    } else {
-        degrees.rem_euclid(360.0)
-    };
+    let turn = if degrees == 360.0 && is_last { degrees } else { degrees.rem_euclid(360.0) };
     Label::plain(&format!("{}\u{b0}", (turn * 1e6).round() * 1e-6))
 }
 
@@ -273,15 +252,9 @@ mod tests {
     fn linear_axes_are_divided_into_round_steps() {
         let speeds = axis(&[600.0, -1e-9, 3200.0], Scale::Linear);
         assert_eq!(speeds.low, 0.0);
-        assert_eq!(
-            texts(&speeds, 7.0),
-            ["0", "500", "1000", "1500", "2000", "2500", "3000"]
-        );
+        assert_eq!(texts(&speeds, 7.0), ["0", "500", "1000", "1500", "2000", "2500", "3000"]);
         assert_eq!(texts(&axis(&[-0.584, 2.7], Scale::Linear), 6.0), ["0", "1", "2"]);
-        assert_eq!(
-            [linear_steps(10.0, 5.0), linear_steps(0.9, 4.0), linear_steps(7.0, 4.0)],
-            [2.0, 0.25, 2.0]
-        );
+        assert_eq!([linear_steps(10.0, 5.0), linear_steps(0.9, 4.0), linear_steps(7.0, 4.0)], [2.0, 0.25, 2.0]);
         for constant in [0.0, 3.0, -2.0] {
             let axis = axis(&[constant], Scale::Linear);
             assert!(axis.extent() > 0.0 && (0.0..=1.0).contains(&axis.place(constant)));
@@ -303,15 +276,7 @@ mod tests {
         let ring = Axis::between(300.0, 660.0, Scale::Degrees, Label::default());
         assert_eq!(
             texts(&ring, 6.0),
-            [
-                "300\u{b0}",
-                "0\u{b0}",
-                "60\u{b0}",
-                "120\u{b0}",
-                "180\u{b0}",
-                "240\u{b0}",
-                "300\u{b0}"
-            ]
+            ["300\u{b0}", "0\u{b0}", "60\u{b0}", "120\u{b0}", "180\u{b0}", "240\u{b0}", "300\u{b0}"]
         );
     }
 }

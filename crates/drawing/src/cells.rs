@@ -53,12 +53,7 @@ impl CellGrid {
         let beside = usual.line() + words + 2.0;
         let x = left + beside;
         let size = [(width - beside - RIGHT) / self.columns.len().max(1) as f64, CELL_HEIGHT];
-        let inner = [
-            x,
-            top + ABOVE,
-            width - beside - RIGHT,
-            CELL_HEIGHT * self.rows.len() as f64,
-        ];
+        let inner = [x, top + ABOVE, width - beside - RIGHT, CELL_HEIGHT * self.rows.len() as f64];
         let bottom = inner[1] + inner[3];
         figure.text([x, top + 2.0], &self.title, usual.bold(), Anchor::Left);
         figure.text([x, top + 6.3], &self.legend, small.coloured(GREY), Anchor::Left);
@@ -66,20 +61,10 @@ impl CellGrid {
         let widest = self.columns.iter().map(|word| word.width(small)).fold(0.0, f64::max);
         let every = ((widest + 1.0) / size[0]).ceil().max(1.0) as usize;
         for (k, word) in self.columns.iter().enumerate().filter(|(k, _)| k % every == 0) {
-            figure.text(
-                [x + size[0] * (k as f64 + 0.5), bottom + 2.2],
-                word,
-                small,
-                Anchor::Centre,
-            );
+            figure.text([x + size[0] * (k as f64 + 0.5), bottom + 2.2], word, small, Anchor::Centre);
         }
         figure.text([x + 0.5 * inner[2], bottom + 6.5], &self.x, usual, Anchor::Centre);
-        figure.text(
-            [left + 0.5 * usual.line(), inner[1] + 0.5 * inner[3]],
-            &self.y,
-            usual,
-            Anchor::Upright,
-        );
+        figure.text([left + 0.5 * usual.line(), inner[1] + 0.5 * inner[3]], &self.y, usual, Anchor::Upright);
         for (j, (word, cells)) in self.rows.iter().zip(&self.cells).enumerate() {
             let high = bottom - size[1] * (j as f64 + 1.0);
             let middle = high + 0.5 * (size[1] - GAP);
@@ -89,12 +74,7 @@ impl CellGrid {
                 figure.rectangle([at, high, size[0] - GAP, size[1] - GAP], cell.fill);
                 if cell.word.width(small) < size[0] - GAP {
                     let letters = small.coloured(cell.fill.ink());
-                    figure.text(
-                        [at + 0.5 * (size[0] - GAP), middle],
-                        &cell.word,
-                        letters,
-                        Anchor::Centre,
-                    );
+                    figure.text([at + 0.5 * (size[0] - GAP), middle], &cell.word, letters, Anchor::Centre);
                 }
             }
         }
@@ -109,10 +89,7 @@ mod tests {
 
     #[test]
     fn every_cell_is_drawn_with_its_word() {
-        let cell = |fill: Colour, word: &str| Cell {
-            fill,
-            word: word.into(),
-        };
+        let cell = |fill: Colour, word: &str| Cell { fill, word: word.into() };
         let grid = CellGrid {
             title: "A grid".into(),
             legend: "what colours mean".into(),
@@ -120,23 +97,12 @@ mod tests {
             columns: vec!["0.1".into(), "0.9".into()],
             y: "slenderness".into(),
             rows: vec!["1".into(), "2".into()],
-            cells: vec![
-                vec![cell(WHITE, "7"), cell(BLUE, "limit")],
-                vec![cell(WHITE, "23"), cell(BLUE, "?")],
-            ],
+            cells: vec![vec![cell(WHITE, "7"), cell(BLUE, "limit")], vec![cell(WHITE, "23"), cell(BLUE, "?")]],
         };
         let mut figure = Figure::new([85.0, grid.height()], "t", "d");
         grid.draw(&mut figure, [0.0, 0.0], 85.0);
         let svg = figure.to_svg();
-        for word in [
-            "A grid",
-            "eccentricity",
-            "slenderness",
-            "\n7\n",
-            "\nlimit\n",
-            "\n23\n",
-            "\n?\n",
-        ] {
+        for word in ["A grid", "eccentricity", "slenderness", "\n7\n", "\nlimit\n", "\n23\n", "\n?\n"] {
             assert!(svg.contains(word), "no {word:?} in {svg}");
         }
         assert!(figure.to_png().is_ok());

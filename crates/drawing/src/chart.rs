@@ -33,51 +33,28 @@ pub struct Series {
 impl Series {
     /// A line without marks.
     pub fn line(name: &str, colour: Colour, points: Vec<[f64; 2]>) -> Self {
-        Self {
-            name: Label::plain(name),
-            colour,
-            stroke: Some(Stroke::Solid),
-            mark: None,
-            points,
-            bars: Vec::new(),
-        }
+        Self { name: Label::plain(name), colour, stroke: Some(Stroke::Solid), mark: None, points, bars: Vec::new() }
     }
 
     /// Marks without a line.
     pub fn marks(name: &str, colour: Colour, mark: Mark, points: Vec<[f64; 2]>) -> Self {
-        Self {
-            stroke: None,
-            mark: Some(mark),
-            ..Self::line(name, colour, points)
-        }
+        Self { stroke: None, mark: Some(mark), ..Self::line(name, colour, points) }
     }
 
     /// With this stroke.
     #[must_use]
     pub fn stroked(self, stroke: Stroke) -> Self {
-        Self {
-            stroke: Some(stroke),
-            ..self
-        }
+        Self { stroke: Some(stroke), ..self }
     }
 
     /// With this mark at each point.
     #[must_use]
     pub fn marked(self, mark: Mark) -> Self {
-        Self {
-            mark: Some(mark),
-            ..self
-        }
+        Self { mark: Some(mark), ..self }
     }
 
     fn entry(&self) -> Entry {
-        Entry {
-            name: self.name.clone(),
-            colour: self.colour,
-            stroke: self.stroke,
-            mark: self.mark,
-            area: None,
-        }
+        Entry { name: self.name.clone(), colour: self.colour, stroke: self.stroke, mark: self.mark, area: None }
     }
 }
 
@@ -152,18 +129,9 @@ impl Chart {
 
     fn values(&self, axis: usize) -> impl Iterator<Item = f64> {
         let ends = move |series: &Series| -> Vec<f64> {
-            let bar = |k: usize| {
-                series
-                    .bars
-                    .get(k)
-                    .copied()
-                    .filter(|bar| axis == 1 && bar.is_finite())
-                    .unwrap_or(0.0)
-            };
+            let bar = |k: usize| series.bars.get(k).copied().filter(|bar| axis == 1 && bar.is_finite()).unwrap_or(0.0);
             let points = series.points.iter().enumerate();
-            points
-                .flat_map(|(k, point)| [point[axis] - bar(k), point[axis] + bar(k)])
-                .collect()
+            points.flat_map(|(k, point)| [point[axis] - bar(k), point[axis] + bar(k)]).collect()
         };
         let notes = self.notes.iter().map(move |note| note.at[axis]);
         self.series
@@ -201,21 +169,14 @@ impl Chart {
                 Frame { inner: outer, x, y }
             }
         };
-        figure.text(
-            [frame.inner[0], top + 0.45 * line],
-            &self.title,
-            Letters::default().bold(),
-            Anchor::Left,
-        );
+        figure.text([frame.inner[0], top + 0.45 * line], &self.title, Letters::default().bold(), Anchor::Left);
         if self.kind == Kind::Curves {
             self.bands.iter().for_each(|band| draw_band(figure, &frame, band));
             frame.draw_grid(figure);
             self.bands.iter().for_each(|band| draw_note_of(figure, &frame, band));
         }
         figure.clipped(with_room(frame.inner), |figure| {
-            self.series
-                .iter()
-                .for_each(|series| draw_series(figure, &frame, series));
+            self.series.iter().for_each(|series| draw_series(figure, &frame, series));
         });
         for note in &self.notes {
             let letters = Letters::sized(SMALLEST_LETTERS).coloured(note.colour).with_halo();
@@ -249,12 +210,7 @@ fn draw_note_of(figure: &mut Figure, frame: &Frame, band: &Band) {
         let y = low - 0.7 * letters.line();
         // Above the lines of the grid.
         figure.rectangle(
-            [
-                frame.inner[0] + 1.0,
-                f64::max(y - 0.5 * letters.line(), high),
-                width + 1.0,
-                0.9 * letters.line(),
-            ],
+            [frame.inner[0] + 1.0, f64::max(y - 0.5 * letters.line(), high), width + 1.0, 0.9 * letters.line()],
             GRID,
         );
         figure.text([frame.inner[0] + 1.5, y], &band.note, letters, Anchor::Left);
@@ -266,11 +222,7 @@ fn extent(frame: &Frame, band: &Band) -> Option<[f64; 2]> {
     let [_, top, _, height] = frame.inner;
     let place = |value: f64| frame.at([1.0, value])[1].clamp(top, top + height);
     let high = place(band.high);
-    let low = if band.low.is_finite() {
-        place(band.low)
-    } else {
-        top + height
-    };
+    let low = if band.low.is_finite() { place(band.low) } else { top + height };
     (low > high).then_some([high, low])
 }
 
@@ -301,10 +253,7 @@ fn draw_series(figure: &mut Figure, frame: &Frame, series: &Series) {
         }
     }
     if let Some(mark) = series.mark {
-        points
-            .iter()
-            .filter(|point| is_finite(point))
-            .for_each(|&point| figure.mark(point, mark, series.colour));
+        points.iter().filter(|point| is_finite(point)).for_each(|&point| figure.mark(point, mark, series.colour));
     }
 }
 
@@ -333,12 +282,7 @@ pub fn charts_figure(title: &str, charts: &[Chart], columns: usize, width: f64) 
     let names: Vec<String> = charts.iter().map(|chart| chart.title.text()).collect();
     let size = [width, below + legend_height(&legend, inner) + MARGIN];
     let mut figure = Figure::new(size, title, &names.join("; "));
-    figure.text(
-        [MARGIN, MARGIN + 0.5 * bold.line()],
-        &Label::fitted(title, bold, inner),
-        bold,
-        Anchor::Left,
-    );
+    figure.text([MARGIN, MARGIN + 0.5 * bold.line()], &Label::fitted(title, bold, inner), bold, Anchor::Left);
     for (k, chart) in charts.iter().enumerate() {
         let left = MARGIN + (each + GAP) * (k % columns) as f64;
         let top = head + (height + GAP) * (k / columns) as f64;
@@ -364,33 +308,15 @@ mod tests {
             },
             Series::marks("printed", BLUE, Mark::Ring, points),
         ];
-        chart.bands = vec![Band {
-            low: f64::NEG_INFINITY,
-            high: 0.1,
-            note: "noise".into(),
-        }];
-        let circle = (0..=36)
-            .map(|k| f64::from(10 * k).to_radians())
-            .map(|phi| [10.0 * phi.cos(), 30.0 * phi.sin()]);
+        chart.bands = vec![Band { low: f64::NEG_INFINITY, high: 0.1, note: "noise".into() }];
+        let circle = (0..=36).map(|k| f64::from(10 * k).to_radians()).map(|phi| [10.0 * phi.cos(), 30.0 * phi.sin()]);
         let mut drawing = Chart::new("liner", Label::default(), Label::default());
         drawing.kind = Kind::Drawing;
         drawing.series = vec![Series::line("right", BLUE, circle.collect()).stroked(Stroke::Dashed)];
-        drawing.notes = vec![Note {
-            at: [0.0, 0.0],
-            label: "O".into(),
-            colour: BLUE,
-        }];
+        drawing.notes = vec![Note { at: [0.0, 0.0], label: "O".into(), colour: BLUE }];
         let figure = charts_figure("Two charts", &[chart, drawing], 2, PAGE_WIDTH);
         let svg = figure.to_svg();
-        for part in [
-            "flow &amp; power",
-            "3000",
-            "0.3",
-            ">\nprinted\n<",
-            "noise",
-            "liner",
-            "width=\"170mm\"",
-        ] {
+        for part in ["flow &amp; power", "3000", "0.3", ">\nprinted\n<", "noise", "liner", "width=\"170mm\""] {
             assert!(svg.contains(part), "no {part} in\n{svg}");
         }
         assert_eq!(svg.matches("\nright\n").count(), 1);

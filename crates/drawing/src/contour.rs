@@ -148,15 +148,8 @@ fn cells(patches: &[Patch]) -> Vec<Cell> {
     for patch in patches {
         let [a, b, c] = [0, 1, 2].map(|k| patch.points[k]);
         let turns = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        let order = if turns < 0.0 {
-            [0, 2, 1, 5, 4, 3]
-        } else {
-            [0, 1, 2, 3, 4, 5]
-        };
-        let patch = Patch {
-            points: order.map(|k| patch.points[k]),
-            values: order.map(|k| patch.values[k]),
-        };
+        let order = if turns < 0.0 { [0, 2, 1, 5, 4, 3] } else { [0, 1, 2, 3, 4, 5] };
+        let patch = Patch { points: order.map(|k| patch.points[k]), values: order.map(|k| patch.values[k]) };
         let sides = sides(&patch);
         for (side, _) in sides {
             let places = of_side.entry(side).or_default();
@@ -169,12 +162,7 @@ fn cells(patches: &[Patch]) -> Vec<Cell> {
         let v = patch.values;
         let controls = (0..3).map(|k| 2.0 * v[3 + k] - 0.5 * (v[k] + v[(k + 1) % 3]));
         let bounds = least_and_greatest(v[..3].iter().copied().chain(controls));
-        cells.push(Cell {
-            patch,
-            forwards: sides.map(|(_, is_forwards)| is_forwards),
-            bounds,
-            beyond: [None; 3],
-        });
+        cells.push(Cell { patch, forwards: sides.map(|(_, is_forwards)| is_forwards), bounds, beyond: [None; 3] });
     }
     for k in 0..cells.len() {
         let sides = sides(&cells[k].patch);
@@ -189,10 +177,7 @@ fn divisions(cells: &[Cell]) -> u32 {
         let (a, b) = (cell.patch.points[k], cell.patch.points[(k + 1) % 3]);
         (b[0] - a[0]).hypot(b[1] - a[1])
     };
-    let longest = cells
-        .iter()
-        .flat_map(|cell| (0..3).map(|k| length(cell, k)))
-        .fold(0.0, f64::max);
+    let longest = cells.iter().flat_map(|cell| (0..3).map(|k| length(cell, k))).fold(0.0, f64::max);
     (longest / FINE).ceil().clamp(DIVISIONS[0], DIVISIONS[1]) as u32
 }
 
@@ -234,11 +219,7 @@ mod tests {
     fn area(outlines: &[Vec<[f64; 2]>]) -> f64 {
         let of = |line: &Vec<[f64; 2]>| {
             let next = line.iter().cycle().skip(1);
-            0.5 * line
-                .iter()
-                .zip(next)
-                .map(|(a, b)| a[0] * b[1] - a[1] * b[0])
-                .sum::<f64>()
+            0.5 * line.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>()
         };
         outlines.iter().map(of).sum()
     }
@@ -253,11 +234,7 @@ mod tests {
             let outlines = above(&cells, 100.0 - radius.powi(2), divisions(&cells));
             assert_eq!(outlines.len(), 1, "radius {radius}");
             let exact = std::f64::consts::PI * radius.powi(2);
-            assert!(
-                (area(&outlines) / exact - 1.0).abs() < 0.012,
-                "{radius}: {}",
-                area(&outlines) / exact
-            );
+            assert!((area(&outlines) / exact - 1.0).abs() < 0.012, "{radius}: {}", area(&outlines) / exact);
             for point in &outlines[0] {
                 let off = (point[0] - 10.0).hypot(point[1] - 10.0) - radius;
                 assert!(off.abs() < 2e-3, "{radius}: {off}");

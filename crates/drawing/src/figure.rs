@@ -31,11 +31,7 @@ pub struct Pen {
 impl Pen {
     /// A solid line.
     pub fn new(width: f64, colour: Colour) -> Self {
-        Self {
-            width,
-            colour,
-            stroke: Stroke::Solid,
-        }
+        Self { width, colour, stroke: Stroke::Solid }
     }
 
     /// With another stroke.
@@ -117,12 +113,7 @@ pub struct Figure {
 impl Figure {
     /// An empty white sheet of that width and height [mm], with a title and a description for those who cannot see it.
     pub fn new(size: [f64; 2], title: &str, description: &str) -> Self {
-        Self {
-            size,
-            title: title.to_owned(),
-            description: description.to_owned(),
-            primitives: Vec::new(),
-        }
+        Self { size, title: title.to_owned(), description: description.to_owned(), primitives: Vec::new() }
     }
 
     /// Width and height [mm].
@@ -231,8 +222,7 @@ impl Figure {
     /// A label.
     pub fn text(&mut self, at: [f64; 2], label: &Label, letters: Letters, anchor: Anchor) {
         if !label.is_empty() {
-            self.primitives
-                .push(Primitive::Text(at, label.clone(), letters, anchor));
+            self.primitives.push(Primitive::Text(at, label.clone(), letters, anchor));
         }
     }
 }

@@ -33,21 +33,14 @@ fn numbers() -> Letters {
 }
 
 fn widest(ticks: &[(f64, Label)]) -> f64 {
-    ticks
-        .iter()
-        .map(|(_, label)| label.width(numbers()))
-        .fold(0.0, f64::max)
+    ticks.iter().map(|(_, label)| label.width(numbers())).fold(0.0, f64::max)
 }
 
 impl Frame {
     /// The frame whose axes, numbers and names fill the rectangle `outer`.
     pub fn within(outer: Rectangle, x: Axis, y: Axis) -> Self {
         let [left, top, width, height] = outer;
-        let mut frame = Self {
-            inner: [left, top, width, height],
-            x,
-            y,
-        };
+        let mut frame = Self { inner: [left, top, width, height], x, y };
         let bottom = frame.bottom_margin();
         frame.inner[3] = height - bottom;
         let beside = frame.left_margin();
@@ -58,21 +51,13 @@ impl Frame {
 
     /// Room left of the frame for numbers and name [mm].
     pub fn left_margin(&self) -> f64 {
-        let name = if self.y.name.is_empty() {
-            0.0
-        } else {
-            GAP + Letters::default().line()
-        };
+        let name = if self.y.name.is_empty() { 0.0 } else { GAP + Letters::default().line() };
         TICK + GAP + widest(&self.y_ticks()) + name
     }
 
     /// Room below the frame for numbers and name [mm].
     pub fn bottom_margin(&self) -> f64 {
-        let name = if self.x.name.is_empty() {
-            0.0
-        } else {
-            GAP + Letters::default().line()
-        };
+        let name = if self.x.name.is_empty() { 0.0 } else { GAP + Letters::default().line() };
         TICK + GAP + numbers().capital() + name
     }
 
@@ -120,10 +105,7 @@ impl Frame {
             figure.lines(fine, Pen::new(0.5, FINE));
         }
         let lines = self.x_ticks().into_iter().map(|(value, _)| upright(value));
-        figure.lines(
-            lines.chain(self.y_ticks().into_iter().map(|(value, _)| level(value))),
-            Pen::new(0.5, GRID),
-        );
+        figure.lines(lines.chain(self.y_ticks().into_iter().map(|(value, _)| level(value))), Pen::new(0.5, GRID));
     }
 
     /// The frame, its ticks, numbers and names, which belong above the curves.
@@ -145,19 +127,9 @@ impl Frame {
         }
         figure.lines(strokes, pen);
         let below = bottom + self.bottom_margin() - 0.5 * Letters::default().line();
-        figure.text(
-            [left + 0.5 * width, below],
-            &self.x.name,
-            Letters::default(),
-            Anchor::Centre,
-        );
+        figure.text([left + 0.5 * width, below], &self.x.name, Letters::default(), Anchor::Centre);
         let beside = left - self.left_margin() + 0.5 * Letters::default().line();
-        figure.text(
-            [beside, top + 0.5 * height],
-            &self.y.name,
-            Letters::default(),
-            Anchor::Upright,
-        );
+        figure.text([beside, top + 0.5 * height], &self.y.name, Letters::default(), Anchor::Upright);
     }
 }
 
@@ -170,10 +142,7 @@ pub fn draw_colour_bar(figure: &mut Figure, beside: Rectangle, axis: &Axis, map:
     let places: Vec<f64> = match edges.is_empty() {
         true => (0..=64).map(|k| f64::from(k) / 64.0).collect(),
         false => {
-            let inner = edges
-                .iter()
-                .map(|edge| axis.place(*edge))
-                .filter(|place| (1e-9..1.0 - 1e-9).contains(place));
+            let inner = edges.iter().map(|edge| axis.place(*edge)).filter(|place| (1e-9..1.0 - 1e-9).contains(place));
             [0.0].into_iter().chain(inner).chain([1.0]).collect()
         }
     };
@@ -187,9 +156,7 @@ pub fn draw_colour_bar(figure: &mut Figure, beside: Rectangle, axis: &Axis, map:
     let right = x + BAR[0];
     let place = |value: f64| top + height * (1.0 - axis.place(value));
     figure.lines(
-        ticks
-            .iter()
-            .map(|(value, _)| [[right, place(*value)], [right + TICK, place(*value)]]),
+        ticks.iter().map(|(value, _)| [[right, place(*value)], [right + TICK, place(*value)]]),
         Pen::new(0.5, INK),
     );
     for (value, label) in &ticks {

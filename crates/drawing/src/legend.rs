@@ -64,10 +64,7 @@ pub fn draw_legend(figure: &mut Figure, entries: &[Entry], [left, top]: [f64; 2]
                 figure.rectangle([x, y - 1.1, SAMPLE[0], 2.2], colour);
             }
             if let Some(stroke) = entry.stroke {
-                figure.line(
-                    &[[x, y], [x + SAMPLE[0], y]],
-                    Pen::new(1.0, entry.colour).stroked(stroke),
-                );
+                figure.line(&[[x, y], [x + SAMPLE[0], y]], Pen::new(1.0, entry.colour).stroked(stroke));
             }
             if let Some(mark) = entry.mark {
                 figure.mark([x + 0.5 * SAMPLE[0], y], mark, entry.colour);

@@ -45,11 +45,8 @@ impl Edges {
 
     /// Closed lines through the edges, simplified [mm]. As many edges leave each place as arrive there, so all lines close.
     pub(crate) fn into_outlines(self) -> Vec<Vec<[f64; 2]>> {
-        let mut edges: Vec<(Place, Place)> = self
-            .counts
-            .into_iter()
-            .flat_map(|(edge, count)| std::iter::repeat_n(edge, count as usize))
-            .collect();
+        let mut edges: Vec<(Place, Place)> =
+            self.counts.into_iter().flat_map(|(edge, count)| std::iter::repeat_n(edge, count as usize)).collect();
         edges.sort_unstable();
         let mut leaving: HashMap<Place, Vec<Place>> = HashMap::new();
         for (from, to) in edges.iter().rev() {
@@ -65,11 +62,7 @@ impl Edges {
             }
             let line = simplified(&line);
             if line.len() > 2 && area(&line).abs() >= LEAST_AREA {
-                outlines.push(
-                    line.into_iter()
-                        .map(|place| place.map(|part| f64::from(part) / PLACES))
-                        .collect(),
-                );
+                outlines.push(line.into_iter().map(|place| place.map(|part| f64::from(part) / PLACES)).collect());
             }
         }
         outlines
@@ -86,11 +79,7 @@ fn area(line: &[Place]) -> f64 {
 
 /// A closed line without the points that lie on it (Douglas and Peucker).
 fn simplified(line: &[Place]) -> Vec<Place> {
-    let distance = |k: usize| {
-        (0..2)
-            .map(|d| (f64::from(line[k][d]) - f64::from(line[0][d])).powi(2))
-            .sum::<f64>()
-    };
+    let distance = |k: usize| (0..2).map(|d| (f64::from(line[k][d]) - f64::from(line[0][d])).powi(2)).sum::<f64>();
     let Some(far) = (0..line.len()).max_by(|a, b| distance(*a).total_cmp(&distance(*b))) else {
         return Vec::new();
     };
@@ -113,11 +102,8 @@ fn distance_to_segment(point: Place, from: Place, to: Place) -> f64 {
     let [p, a, b] = [point, from, to].map(|place| place.map(f64::from));
     let (along, beside) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
     let length = along[0].powi(2) + along[1].powi(2);
-    let part = if length > 0.0 {
-        ((along[0] * beside[0] + along[1] * beside[1]) / length).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let part =
+        if length > 0.0 { ((along[0] * beside[0] + along[1] * beside[1]) / length).clamp(0.0, 1.0) } else { 0.0 };
     (beside[0] - part * along[0]).hypot(beside[1] - part * along[1])
 }
 
@@ -130,19 +116,14 @@ mod tests {
         let mut edges = Edges::default();
         let square = |x: i32, y: i32| [[x, y], [x + 1000, y], [x + 1000, y + 1000], [x, y + 1000]];
         // Three by three squares without the one in the middle.
-        for (x, y) in (0..3)
-            .flat_map(|x| (0..3).map(move |y| (x, y)))
-            .filter(|at| *at != (1, 1))
-        {
+        for (x, y) in (0..3).flat_map(|x| (0..3).map(move |y| (x, y))).filter(|at| *at != (1, 1)) {
             edges.add_polygon(&square(1000 * x, 1000 * y));
         }
         let mut outlines = edges.into_outlines();
         outlines.sort_by_key(Vec::len);
         assert_eq!(outlines.len(), 2);
-        let areas: Vec<f64> = outlines
-            .iter()
-            .map(|line| area(&line.iter().map(|point| place(*point)).collect::<Vec<_>>()))
-            .collect();
+        let areas: Vec<f64> =
+            outlines.iter().map(|line| area(&line.iter().map(|point| place(*point)).collect::<Vec<_>>())).collect();
         assert!(areas.contains(&9e6) && areas.contains(&-1e6), "{areas:?}");
         assert!(outlines.iter().all(|line| line.len() == 4), "{outlines:?}");
     }

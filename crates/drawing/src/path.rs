@@ -27,17 +27,12 @@ impl Polylines {
     pub(crate) fn new<L: IntoIterator<Item = [f64; 2]>>(lines: impl IntoIterator<Item = L>, end: End) -> Self {
         let placed = |line: L| {
             let points = line.into_iter();
-            let mut places: Vec<_> = points
-                .map(|point| point.map(|part| (PARTS * part).round() as i32))
-                .collect();
+            let mut places: Vec<_> = points.map(|point| point.map(|part| (PARTS * part).round() as i32)).collect();
             places.dedup();
             places
         };
         let lines = lines.into_iter().map(placed).filter(|places| !places.is_empty());
-        Self {
-            lines: lines.collect(),
-            end,
-        }
+        Self { lines: lines.collect(), end }
     }
 
     /// The attribute `d` of a path, relative and in few letters.
@@ -110,11 +105,7 @@ mod tests {
 
     #[test]
     fn paths_are_relative_and_do_not_drift() {
-        let rims = [
-            vec![[1.0, 2.0], [1.004, 2.0], [1.5, 1.0], [0.0, 0.0]],
-            vec![],
-            vec![[1.0, 1.0], [2.0, 1.0]],
-        ];
+        let rims = [vec![[1.0, 2.0], [1.004, 2.0], [1.5, 1.0], [0.0, 0.0]], vec![], vec![[1.0, 1.0], [2.0, 1.0]]];
         assert_eq!(Polylines::new(rims, End::Closed).to_svg(), "M1 2l.5-1-1.5-1zm0-1l1 0z");
         let lines = [vec![[1.0, 1.0], [2.0, 1.0]], vec![[f64::NAN, f64::INFINITY]]];
         assert_eq!(Polylines::new(lines, End::Open).to_svg(), "M1 1l1 0m-2 21474835.47h0");

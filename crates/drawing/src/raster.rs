@@ -37,19 +37,13 @@ impl Figure {
 
 /// The PNG of a picture without transparent dots.
 fn encoded(picture: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
-    let colours: Vec<u8> = (picture.pixels().iter())
-        .flat_map(|dot| [dot.red(), dot.green(), dot.blue()])
-        .collect();
+    let colours: Vec<u8> = (picture.pixels().iter()).flat_map(|dot| [dot.red(), dot.green(), dot.blue()]).collect();
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, picture.width(), picture.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     let per_metre = (DOTS_PER_INCH / 0.0254).round() as u32;
-    encoder.set_pixel_dims(Some(png::PixelDimensions {
-        xppu: per_metre,
-        yppu: per_metre,
-        unit: png::Unit::Meter,
-    }));
+    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }));
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&colours)?;
     writer.finish()?;
@@ -126,9 +120,7 @@ fn stroke(pen: Pen) -> tiny_skia::Stroke {
 fn path(lines: &Polylines) -> Option<Path> {
     let mut path = PathBuilder::new();
     for line in &lines.lines {
-        let mut points = line
-            .iter()
-            .map(|place| place.map(|part| (f64::from(part) / PARTS) as f32));
+        let mut points = line.iter().map(|place| place.map(|part| (f64::from(part) / PARTS) as f32));
         if let Some([x, y]) = points.next() {
             path.move_to(x, y);
         }
@@ -209,10 +201,9 @@ mod tests {
         let (width, all) = (picture.width() as usize, picture.pixels());
         let dark = all.iter().enumerate().filter(|(_, dot)| dot.red() < 128);
         let places = dark.map(|(k, _)| [k % width, k / width].map(|place| place as f64 * 25.4 / DOTS_PER_INCH));
-        let bounds = places.fold(
-            [f64::MAX, f64::MAX, f64::MIN, f64::MIN],
-            |[left, top, right, bottom], [x, y]| [left.min(x), top.min(y), right.max(x), bottom.max(y)],
-        );
+        let bounds = places.fold([f64::MAX, f64::MAX, f64::MIN, f64::MIN], |[left, top, right, bottom], [x, y]| {
+            [left.min(x), top.min(y), right.max(x), bottom.max(y)]
+        });
         let share = all.iter().map(|dot| 1.0 - f64::from(dot.red()) / 255.0).sum::<f64>() / all.len() as f64;
         (bounds, share * 255.0 / f64::from(255 - INK.0[0]))
     }
@@ -245,28 +236,16 @@ mod tests {
             assert!((drawn - share).abs() < 0.02, "{stroke:?}: {drawn}");
         }
         assert!((line(Stroke::Solid) - 1.0).abs() < 0.05);
-        let square = |side: f64| {
-            [
-                [5.0, 2.0],
-                [5.0 + side, 2.0],
-                [5.0 + side, 2.0 + side],
-                [5.0, 2.0 + side],
-            ]
-        };
+        let square = |side: f64| [[5.0, 2.0], [5.0 + side, 2.0], [5.0 + side, 2.0 + side], [5.0, 2.0 + side]];
         let hole = square(3.0).into_iter().rev().collect::<Vec<_>>();
         let (_, share) = ink(|figure| figure.area([square(5.0).to_vec(), hole], INK));
         assert!((share - 16.0 / 200.0).abs() < 1e-3, "{share}");
         let (bounds, share) = ink(|figure| {
             figure.clipped([2.0, 3.0, 6.0, 5.0], |figure| {
-                figure.clipped([4.0, 0.0, 9.0, 9.0], |figure| {
-                    figure.rectangle([0.0, 0.0, 20.0, 10.0], INK)
-                });
+                figure.clipped([4.0, 0.0, 9.0, 9.0], |figure| figure.rectangle([0.0, 0.0, 20.0, 10.0], INK));
             });
         });
-        assert!(
-            (share - 0.1).abs() < 1e-3 && bounds[0] > 3.9 && bounds[3] < 8.1,
-            "{share} {bounds:?}"
-        );
+        assert!((share - 0.1).abs() < 1e-3 && bounds[0] > 3.9 && bounds[3] < 8.1, "{share} {bounds:?}");
         let (_, share) = ink(|figure| figure.disc([10.0, 5.0], 4.0, WHITE, Pen::new(72.0 / 25.4, INK)));
         assert!((share - std::f64::consts::TAU * 4.0 / 200.0).abs() < 2e-3, "{share}");
     }
@@ -290,9 +269,8 @@ mod tests {
 
     #[test]
     fn letters_without_a_glyph_are_boxes_and_others_have_their_own() {
-        let mut seen: Vec<_> = ["\u{2212}", "\u{3b5}", "\u{f6}", "\u{b0}", "o"]
-            .map(|letter| text(letter, Anchor::Left))
-            .into();
+        let mut seen: Vec<_> =
+            ["\u{2212}", "\u{3b5}", "\u{f6}", "\u{b0}", "o"].map(|letter| text(letter, Anchor::Left)).into();
         let [a, b] = ["\u{4e2d}", "\u{1f600}"].map(|letter| text(letter, Anchor::Left));
         assert!(a == b && a[2] > 10.5, "{a:?} {b:?}");
         seen.push(a);
@@ -302,26 +280,13 @@ mod tests {
     #[test]
     fn a_halo_parts_letters_from_what_is_below() {
         let blue = |halo: bool| {
-            let letters = if halo {
-                Letters::default().with_halo()
-            } else {
-                Letters::default()
-            };
+            let letters = if halo { Letters::default().with_halo() } else { Letters::default() };
             let mut figure = Figure::new([20.0, 10.0], "t", "d");
             figure.rectangle([0.0, 0.0, 20.0, 10.0], BLUE);
             figure.text([10.0, 5.0], &"H".into(), letters, Anchor::Centre);
             let picture = figure.picture().expect("dots");
-            picture
-                .pixels()
-                .iter()
-                .filter(|dot| [dot.red(), dot.green(), dot.blue()] == BLUE.0)
-                .count()
+            picture.pixels().iter().filter(|dot| [dot.red(), dot.green(), dot.blue()] == BLUE.0).count()
         };
-        assert!(
-            blue(true) < blue(false) - 100 && blue(true) > 20_000,
-            "{} {}",
-            blue(true),
-            blue(false)
-        );
+        assert!(blue(true) < blue(false) - 100 && blue(true) > 20_000, "{} {}", blue(true), blue(false));
     }
 }

@@ -25,9 +25,7 @@ impl Figure {
     /// Tells the names within this sheet from those of others on the same page.
     fn key(&self) -> u32 {
         let letters = self.title.bytes().chain(self.description.bytes());
-        letters.fold(0x811c_9dc5, |key, letter| {
-            (key ^ u32::from(letter)).wrapping_mul(0x0100_0193)
-        })
+        letters.fold(0x811c_9dc5, |key, letter| (key ^ u32::from(letter)).wrapping_mul(0x0100_0193))
     }
 }
 
@@ -87,11 +85,7 @@ fn text([x, y]: [f64; 2], label: &Label, letters: Letters, anchor: Anchor) -> St
         Anchor::Right => " text-anchor=\"end\"",
     };
     let place = match anchor {
-        Anchor::Upright => format!(
-            " transform=\"translate({} {})rotate(-90)\"",
-            length(x + drop),
-            length(y)
-        ),
+        Anchor::Upright => format!(" transform=\"translate({} {})rotate(-90)\"", length(x + drop), length(y)),
         _ => format!(" x=\"{}\" y=\"{}\"", length(x), length(y + drop)),
     };
     let weight = match letters.weight {
@@ -193,10 +187,7 @@ mod tests {
         }
         assert_eq!(content(&Label::plain("a *b* \u{1b}"), Letters::default()), "a *b* ");
         let small = content(&Label::marked("*p*_{max}"), Letters::sized(7.0));
-        assert!(
-            small.contains(&format!("font-size=\"{:.3}\"", SMALLEST_LETTERS * POINT)),
-            "{small}"
-        );
+        assert!(small.contains(&format!("font-size=\"{:.3}\"", SMALLEST_LETTERS * POINT)), "{small}");
     }
 
     #[test]

@@ -69,13 +69,7 @@ impl Label {
     /// The text as it is; control characters are left out.
     pub fn plain(text: &str) -> Self {
         let text: String = text.chars().filter(|letter| !letter.is_control()).collect();
-        Self {
-            parts: if text.is_empty() {
-                Vec::new()
-            } else {
-                vec![(Style::Upright, text)]
-            },
-        }
+        Self { parts: if text.is_empty() { Vec::new() } else { vec![(Style::Upright, text)] } }
     }
 
     /// A text in which `*p*` is italic, `_{max}` lowered and `^{3}` raised.
@@ -142,12 +136,7 @@ impl Label {
             used += Self::plain(letter.encode_utf8(&mut [0; 4])).width(letters);
             used <= room
         };
-        let short: String = whole
-            .parts
-            .iter()
-            .flat_map(|(_, text)| text.chars())
-            .take_while(is_within)
-            .collect();
+        let short: String = whole.parts.iter().flat_map(|(_, text)| text.chars()).take_while(is_within).collect();
         Self::plain(&format!("{}{ELLIPSIS}", short.trim_end()))
     }
 
@@ -233,22 +222,14 @@ pub struct Letters {
 
 impl Default for Letters {
     fn default() -> Self {
-        Self {
-            size: LETTERS,
-            colour: INK,
-            weight: Weight::Usual,
-            halo: 0.0,
-        }
+        Self { size: LETTERS, colour: INK, weight: Weight::Usual, halo: 0.0 }
     }
 }
 
 impl Letters {
     /// Letters of this height [points]; none is smaller than [`SMALLEST_LETTERS`].
     pub fn sized(size: f64) -> Self {
-        Self {
-            size: size.max(SMALLEST_LETTERS),
-            ..Self::default()
-        }
+        Self { size: size.max(SMALLEST_LETTERS), ..Self::default() }
     }
 
     /// In this colour.
@@ -260,10 +241,7 @@ impl Letters {
     /// In bold type.
     #[must_use]
     pub fn bold(self) -> Self {
-        Self {
-            weight: Weight::Bold,
-            ..self
-        }
+        Self { weight: Weight::Bold, ..self }
     }
 
     /// With a white line of half a millimetre around them.
@@ -292,10 +270,7 @@ mod tests {
         let letters = Letters::default();
         let text = "a text of several words that is too long for its place";
         let short = Label::fitted(text, letters, 30.0);
-        assert!(
-            short.width(letters) <= 30.0 && short.text().ends_with('\u{2026}'),
-            "{short:?}"
-        );
+        assert!(short.width(letters) <= 30.0 && short.text().ends_with('\u{2026}'), "{short:?}");
         assert_eq!(Label::fitted(text, letters, 200.0).text(), text);
         let long = Label::fitted(&"x".repeat(1_000_000), letters, 30.0);
         assert!(long.text().len() < 40 && long.width(letters) <= 30.0, "{long:?}");

@@ -13,12 +13,7 @@ pub fn draw_mesh(figure: &mut Figure, patches: &[Patch], pen: Pen) {
 
 /// The sides of all triangles as few lines [mm], each side once.
 fn trails(patches: &[Patch]) -> Vec<Vec<[f64; 2]>> {
-    join(
-        patches
-            .iter()
-            .flat_map(|patch| sides(patch).map(|(side, _)| side))
-            .collect(),
-    )
+    join(patches.iter().flat_map(|patch| sides(patch).map(|(side, _)| side)).collect())
 }
 
 /// Pieces of lines [mm] as few lines: pieces that meet are drawn on from each other.
@@ -44,18 +39,11 @@ fn join(mut all: Vec<Side>) -> Vec<Vec<[f64; 2]>> {
     let mut drawn = vec![false; all.len()];
     let mut lines = Vec::new();
     // Lines that have ends are drawn from one of them.
-    let end_of = |side: &Side| {
-        side[..2]
-            .iter()
-            .copied()
-            .find(|end| at.get(end).is_some_and(|sides| sides.len() % 2 == 1))
-    };
+    let end_of =
+        |side: &Side| side[..2].iter().copied().find(|end| at.get(end).is_some_and(|sides| sides.len() % 2 == 1));
     let (ends, others): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|k| end_of(&all[*k]).is_some());
-    let starts: Vec<(usize, Place)> = ends
-        .into_iter()
-        .chain(others)
-        .map(|k| (k, end_of(&all[k]).unwrap_or(all[k][0])))
-        .collect();
+    let starts: Vec<(usize, Place)> =
+        ends.into_iter().chain(others).map(|k| (k, end_of(&all[k]).unwrap_or(all[k][0]))).collect();
     for (start, from) in starts {
         if drawn[start] {
             continue;

@@ -38,9 +38,7 @@ impl Groups {
         };
         let strong = |i: usize| {
             let (root, roots) = (roots[i], &roots);
-            pulls(i)
-                .filter(move |&(j, pull)| pull > STRONG * root * roots[j])
-                .map(|(j, _)| j)
+            pulls(i).filter(move |&(j, pull)| pull > STRONG * root * roots[j]).map(|(j, _)| j)
         };
         let free = |&i: &usize| !masked[i];
         let mut group = vec![NO_GROUP; n];
@@ -54,9 +52,8 @@ impl Groups {
         }
         let first = group.clone();
         for i in (0..n).filter(free).filter(|&i| first[i] == NO_GROUP) {
-            let most = pulls(i)
-                .filter(|&(j, pull)| pull > 0.0 && first[j] != NO_GROUP)
-                .max_by(|a, b| a.1.total_cmp(&b.1));
+            let most =
+                pulls(i).filter(|&(j, pull)| pull > 0.0 && first[j] != NO_GROUP).max_by(|a, b| a.1.total_cmp(&b.1));
             group[i] = most.map_or(NO_GROUP, |(j, _)| first[j]);
         }
         for i in (0..n).filter(free) {
@@ -65,10 +62,7 @@ impl Groups {
                 count += 1;
             }
         }
-        Self {
-            group,
-            count: count as usize,
-        }
+        Self { group, count: count as usize }
     }
 
     /// Sums over groups.
@@ -114,10 +108,7 @@ impl Groups {
             }
             row_start.push(columns.len() as u32);
         }
-        Matrix {
-            pattern: Arc::new(Pattern { row_start, columns }),
-            values,
-        }
+        Matrix { pattern: Arc::new(Pattern { row_start, columns }), values }
     }
 
     /// The unknowns of each group: those of group `k` are `members[start[k]..start[k + 1]]`.

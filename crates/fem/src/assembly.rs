@@ -51,12 +51,7 @@ impl Assembler {
         let sparsity = Sparsity::new(&space);
         let kernel = ElementKernel::new(space.degree());
         let ranges = vertex_ranges(&space, &sparsity);
-        Self {
-            space,
-            sparsity,
-            kernel,
-            ranges,
-        }
+        Self { space, sparsity, kernel, ranges }
     }
 
     /// The space.
@@ -91,11 +86,7 @@ impl Assembler {
         let (mut rest, mut rest_entries) = (&mut residual[..], &mut entries[..]);
         for range in &self.ranges {
             let (block, after) = rest.split_at_mut(range.rows.len());
-            let wanted = if rest_entries.is_empty() {
-                0
-            } else {
-                range.entries.len()
-            };
+            let wanted = if rest_entries.is_empty() { 0 } else { range.entries.len() };
             let (block_entries, entries_after) = rest_entries.split_at_mut(wanted);
             (rest, rest_entries) = (after, entries_after);
             blocks.push((range, block, block_entries));
@@ -140,10 +131,7 @@ impl Assembler {
                 Tangent::Symmetric => self.kernel.response(law, self.space.mesh(), t, &nodal, &mut element),
             }
             for i in 0..n {
-                match dofs[i]
-                    .checked_sub(range.rows.start)
-                    .and_then(|row| residual.get_mut(row))
-                {
+                match dofs[i].checked_sub(range.rows.start).and_then(|row| residual.get_mut(row)) {
                     Some(own) => *own += element.residual[i],
                     None => owed.residual.push((dofs[i] as u32, element.residual[i])),
                 }
@@ -230,21 +218,14 @@ pub(crate) mod tests {
         }
         fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
             for (&[x, z], out) in positions.iter().zip(out) {
-                *out = Conduction {
-                    conductance: 1.0 + x * x,
-                    flux: [0.3 * x, 0.1],
-                    source: 0.7 * z,
-                };
+                *out = Conduction { conductance: 1.0 + x * x, flux: [0.3 * x, 0.1], source: 0.7 * z };
             }
         }
         fn response(&self, _: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
             for ((&[x, z], state), out) in positions.iter().zip(states).zip(out) {
                 let k = 1.0 + x * x;
                 *out = Response {
-                    flux: [
-                        state.gradient[0] * (-k * self.1[0]) + 0.3 * x,
-                        state.gradient[1] * (-k * self.1[1]) + 0.1,
-                    ],
+                    flux: [state.gradient[0] * (-k * self.1[0]) + 0.3 * x, state.gradient[1] * (-k * self.1[1]) + 0.1],
                     source: Dual::constant(0.7 * z),
                 };
             }
@@ -262,10 +243,7 @@ pub(crate) mod tests {
         fn response(&self, _: usize, _: &[[f64; 2]], states: &[State], out: &mut [Response]) {
             for (state, out) in states.iter().zip(out) {
                 let k = state.value.exp();
-                *out = Response {
-                    flux: state.gradient.map(|g| -(k * g)),
-                    source: state.value * state.value,
-                };
+                *out = Response { flux: state.gradient.map(|g| -(k * g)), source: state.value * state.value };
             }
         }
     }
@@ -302,10 +280,7 @@ pub(crate) mod tests {
             let u: Vec<f64> = u.iter().zip(&direction).map(|(u, d)| u + sign * step * d).collect();
             assembler.residual(&Nonlinear, &u)
         };
-        let difference = shifted(1.0)
-            .into_iter()
-            .zip(shifted(-1.0))
-            .map(|(a, b)| (a - b) / (2.0 * step));
+        let difference = shifted(1.0).into_iter().zip(shifted(-1.0)).map(|(a, b)| (a - b) / (2.0 * step));
         let error = greatest(difference.zip(&exact).map(|(a, b)| a - b));
         assert!(error < 1e-8 * greatest(exact.iter().copied()), "{error}");
     }
@@ -314,10 +289,7 @@ pub(crate) mod tests {
     fn residuals_sum_to_the_integral_of_the_source() {
         let assembler = Assembler::new(Space::new(wavy_ring(9, 4), 2));
         let u = assembler.space().interpolate(|x| x[1] * x[1]);
-        let sum: f64 = assembler
-            .residual(&Both(Tangent::Conduction, [1.0; 2]), &u)
-            .iter()
-            .sum();
+        let sum: f64 = assembler.residual(&Both(Tangent::Conduction, [1.0; 2]), &u).iter().sum();
         // Int 0.7 z over a ring of circumference 9 and height 4.
         assert!((sum - 0.7 * 9.0 * 8.0).abs() < 1e-9, "{sum}");
     }
@@ -335,10 +307,7 @@ pub(crate) mod tests {
             })
         };
         assert!(on(1) == on(3));
-        let field = Field {
-            space: assembler.space(),
-            values: &u,
-        };
+        let field = Field { space: assembler.space(), values: &u };
         assert!(field.maximum().value <= 1.01);
     }
 }

@@ -34,10 +34,7 @@ pub struct Obstacle {
 impl Obstacle {
     /// At every node: for linear and for cubic elements, none of whose functions has a negative mean.
     pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
-        Self {
-            value,
-            candidates: vec![true; space.dofs()],
-        }
+        Self { value, candidates: vec![true; space.dofs()] }
     }
 
     /// An obstacle for quadratic elements: at the middles of edges. Functions of vertices have no mean, so a
@@ -86,9 +83,7 @@ pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> R
         exchange.apply(&wrong, &mut iteration.held);
         iteration = iteration.with_contact_changed(reactions)?;
     }
-    Err(Failure::TooManySteps {
-        history: iteration.history,
-    })
+    Err(Failure::TooManySteps { history: iteration.history })
 }
 
 /// The active-set iteration between two steps.
@@ -188,9 +183,7 @@ impl<'a> Iteration<'a> {
 
     /// The linearisation and the residual with a new contact set, whose dofs are moved to the obstacle.
     fn with_contact_changed(mut self, reactions: Vec<f64>) -> Result<Self, Failure> {
-        let Equation {
-            assembler, solver, law, ..
-        } = *self.equation;
+        let Equation { assembler, solver, law, .. } = *self.equation;
         let masked = with_contact(self.equation.constraints, self.obstacle, &self.held);
         let before = self.u.clone();
         masked.impose(&mut self.u);
@@ -199,14 +192,12 @@ impl<'a> Iteration<'a> {
                 let jump: Vec<f64> = self.u.iter().zip(&before).map(|(u, before)| u - before).collect();
                 sum(&reactions, &self.linearisation.matrix().multiply(&jump))
             });
-            self.linearisation = Seconds::time(&mut self.seconds.factorise, || {
-                self.linearisation.masked_anew(solver, masked)
-            })?;
+            self.linearisation =
+                Seconds::time(&mut self.seconds.factorise, || self.linearisation.masked_anew(solver, masked))?;
         } else {
             let mut matrix = self.linearisation.into_matrix();
-            self.residual = Seconds::time(&mut self.seconds.assemble, || {
-                assembler.tangent_and_residual(law, &self.u, &mut matrix)
-            });
+            self.residual =
+                Seconds::time(&mut self.seconds.assemble, || assembler.tangent_and_residual(law, &self.u, &mut matrix));
             self.linearisation = Seconds::time(&mut self.seconds.factorise, || solver.linearise(matrix, masked))?;
         }
         let norm = self.linearisation.constraints().free_norm(&self.residual) / self.first;
@@ -319,10 +310,7 @@ mod tests {
         while !sets.contains(&held) {
             sets.push(held);
             let wrong = solve(held).1;
-            assert!(
-                !wrong.is_empty(),
-                "block exchange alone found it: the example shows nothing"
-            );
+            assert!(!wrong.is_empty(), "block exchange alone found it: the example shows nothing");
             wrong.into_iter().for_each(|i| held[i] = !held[i]);
         }
 

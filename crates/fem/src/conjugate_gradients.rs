@@ -30,11 +30,7 @@ pub struct Enough {
 impl Enough {
     /// A Euclidean norm of the residual, whatever its sum.
     pub fn residual(residual: f64) -> Self {
-        Self {
-            residual,
-            imbalance: f64::INFINITY,
-            round_off: 0.0,
-        }
+        Self { residual, imbalance: f64::INFINITY, round_off: 0.0 }
     }
 }
 
@@ -89,9 +85,7 @@ pub(crate) fn conjugate_gradients(
         matrix.multiply_free(&direction, fixed, &mut image);
         let curvature = dot(&direction, &image);
         if !curvature.is_finite() || !product.is_finite() {
-            return Err(Error::NotFinite {
-                what: "solution of the linear system",
-            });
+            return Err(Error::NotFinite { what: "solution of the linear system" });
         }
         if curvature <= 0.0 || product <= 0.0 {
             return Err(Error::NotPositiveDefinite);

@@ -12,10 +12,7 @@ pub struct Constraints {
 impl Constraints {
     /// No dof given.
     pub fn none(dofs: usize) -> Self {
-        Self {
-            fixed: vec![false; dofs],
-            values: vec![0.0; dofs],
-        }
+        Self { fixed: vec![false; dofs], values: vec![0.0; dofs] }
     }
 
     /// Gives dof `dof` the value `value`, also if it had another.

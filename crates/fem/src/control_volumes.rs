@@ -129,10 +129,7 @@ impl ControlVolumes {
             let place = pattern.columns[row.clone()].binary_search(&j).unwrap_or(0);
             (row.start + place) as u32
         };
-        let addresses = triangles
-            .iter()
-            .map(|nodes| nodes.map(|i| nodes.map(|j| find(i, j))))
-            .collect();
+        let addresses = triangles.iter().map(|nodes| nodes.map(|i| nodes.map(|j| find(i, j)))).collect();
         Ok(Self {
             addresses,
             analysis: Arc::new(UnsymmetricAnalysis::new(pattern.clone(), elimination_order(space))?),
@@ -232,11 +229,8 @@ mod tests {
                 3 => vec![[0.0, 0.0], [1.0, 0.0], [0.4, 0.9]],
                 _ => (0..3).map(|k| corners[(k + turn) % 3]).collect(),
             };
-            let raw = oilwedge_mesh::RawMesh {
-                points,
-                triangles: vec![[0, 1, 2]],
-                ..oilwedge_mesh::RawMesh::default()
-            };
+            let raw =
+                oilwedge_mesh::RawMesh { points, triangles: vec![[0, 1, 2]], ..oilwedge_mesh::RawMesh::default() };
             let mesh = Mesh::build(raw).unwrap();
             let nodes = mesh.nodes(0);
             let doubled = |[a, b, c]: [usize; 3]| {
@@ -255,10 +249,7 @@ mod tests {
         for degree in [1, 2] {
             let space = Space::new(wavy_ring(7, 3), degree);
             let volumes = ControlVolumes::new(&space).unwrap();
-            assert_eq!(
-                volumes.triangles.len(),
-                volumes.per_triangle * space.mesh().triangles().len()
-            );
+            assert_eq!(volumes.triangles.len(), volumes.per_triangle * space.mesh().triangles().len());
             for (nodes, addresses) in volumes.triangles.iter().zip(&volumes.addresses) {
                 for i in 0..3 {
                     for j in 0..3 {

@@ -29,10 +29,7 @@ impl Dual {
 
     /// `f(self)` for a function with value `v` and slope `slope` here.
     pub fn chain(self, v: f64, slope: f64) -> Self {
-        Self {
-            v,
-            d: self.d.map(|d| slope * d),
-        }
+        Self { v, d: self.d.map(|d| slope * d) }
     }
 
     /// `exp(self)`.
@@ -73,20 +70,14 @@ impl Neg for Dual {
 impl Add for Dual {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self {
-            v: self.v + other.v,
-            d: std::array::from_fn(|k| self.d[k] + other.d[k]),
-        }
+        Self { v: self.v + other.v, d: std::array::from_fn(|k| self.d[k] + other.d[k]) }
     }
 }
 
 impl Sub for Dual {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self {
-            v: self.v - other.v,
-            d: std::array::from_fn(|k| self.d[k] - other.d[k]),
-        }
+        Self { v: self.v - other.v, d: std::array::from_fn(|k| self.d[k] - other.d[k]) }
     }
 }
 
@@ -94,10 +85,7 @@ impl Mul for Dual {
     type Output = Self;
     #[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule is a sum")]
     fn mul(self, other: Self) -> Self {
-        Self {
-            v: self.v * other.v,
-            d: std::array::from_fn(|k| self.d[k] * other.v + self.v * other.d[k]),
-        }
+        Self { v: self.v * other.v, d: std::array::from_fn(|k| self.d[k] * other.v + self.v * other.d[k]) }
     }
 }
 
@@ -106,10 +94,7 @@ impl Div for Dual {
     #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule is a difference")]
     fn div(self, other: Self) -> Self {
         let v = self.v / other.v;
-        Self {
-            v,
-            d: std::array::from_fn(|k| (self.d[k] - v * other.d[k]) / other.v),
-        }
+        Self { v, d: std::array::from_fn(|k| (self.d[k] - v * other.d[k]) / other.v) }
     }
 }
 

@@ -74,9 +74,7 @@ impl ElementKernel {
         };
         for (&point, weight) in kernel.points.iter().zip(&kernel.weights) {
             let l = lagrange::barycentric(point);
-            kernel
-                .moments
-                .push((l.map(|l| weight * l), PAIRS.map(|(i, j)| weight * l[i] * l[j])));
+            kernel.moments.push((l.map(|l| weight * l), PAIRS.map(|(i, j)| weight * l[i] * l[j])));
             let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
             lagrange::values(degree, point, &mut values[..shapes]);
             lagrange::gradients(degree, point, &mut gradients[..shapes]);
@@ -90,16 +88,9 @@ impl ElementKernel {
     }
 
     fn geometry(&self, mapping: &Mapping) -> Geometry {
-        let nowhere = Place {
-            position: [0.0; 2],
-            determinant: 0.0,
-            inverse_transposed: nalgebra::Matrix2::zeros(),
-        };
-        let mut geometry = Geometry {
-            positions: [[0.0; 2]; MOST_POINTS],
-            places: [nowhere; MOST_POINTS],
-            areas: [0.0; MOST_POINTS],
-        };
+        let nowhere = Place { position: [0.0; 2], determinant: 0.0, inverse_transposed: nalgebra::Matrix2::zeros() };
+        let mut geometry =
+            Geometry { positions: [[0.0; 2]; MOST_POINTS], places: [nowhere; MOST_POINTS], areas: [0.0; MOST_POINTS] };
         for (q, &point) in self.points.iter().enumerate() {
             let place = mapping.at(point);
             geometry.positions[q] = place.position;
@@ -316,12 +307,7 @@ impl ElementKernel {
                 gradient: [Dual::seed(gradient[0], 1), Dual::seed(gradient[1], 2)],
             };
         }
-        law.response(
-            t,
-            &geometry.positions[..count],
-            &states[..count],
-            &mut responses[..count],
-        );
+        law.response(t, &geometry.positions[..count], &states[..count], &mut responses[..count]);
         for (q, response) in responses[..count].iter().enumerate() {
             let area = geometry.areas[q];
             let gradients = self.surface_gradients(&geometry, q);

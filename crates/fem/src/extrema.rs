@@ -68,10 +68,7 @@ fn on_edge(k: usize, s: f64) -> [f64; 2] {
 
 /// Bernstein coefficients inside an edge with these values at 0, 1/3, 2/3, 1.
 fn edge_coefficients([a, first, second, b]: [f64; 4]) -> [f64; 2] {
-    [
-        (-5.0 * a + 18.0 * first - 9.0 * second + 2.0 * b) / 6.0,
-        (2.0 * a - 9.0 * first + 18.0 * second - 5.0 * b) / 6.0,
-    ]
+    [(-5.0 * a + 18.0 * first - 9.0 * second + 2.0 * b) / 6.0, (2.0 * a - 9.0 * first + 18.0 * second - 5.0 * b) / 6.0]
 }
 
 fn edge_values(nodal: &[f64; MOST_SHAPES], k: usize) -> [f64; 4] {
@@ -165,16 +162,9 @@ fn quadratic_candidates(nodal: &[f64; MOST_SHAPES]) -> Vec<[f64; 2]> {
     // Inside, grad u = g + H (xi, eta) = 0 with the constant Hessian H.
     let [u0, u1, u2, u01, u12, u20] = [nodal[0], nodal[1], nodal[2], nodal[3], nodal[4], nodal[5]];
     let g = [4.0 * u01 - 3.0 * u0 - u1, 4.0 * u20 - 3.0 * u0 - u2];
-    let h = [
-        4.0 * (u0 + u1 - 2.0 * u01),
-        4.0 * (u0 + u12 - u01 - u20),
-        4.0 * (u0 + u2 - 2.0 * u20),
-    ];
+    let h = [4.0 * (u0 + u1 - 2.0 * u01), 4.0 * (u0 + u12 - u01 - u20), 4.0 * (u0 + u2 - 2.0 * u20)];
     let determinant = h[0] * h[2] - h[1] * h[1];
-    let inside = [
-        (-g[0] * h[2] + g[1] * h[1]) / determinant,
-        (-g[1] * h[0] + g[0] * h[1]) / determinant,
-    ];
+    let inside = [(-g[0] * h[2] + g[1] * h[1]) / determinant, (-g[1] * h[0] + g[0] * h[1]) / determinant];
     if inside[0] > 0.0 && inside[1] > 0.0 && inside[0] + inside[1] < 1.0 {
         candidates.push(inside);
     }

@@ -36,10 +36,7 @@ impl Analysis {
             inverse[dof as usize] = k as u32;
         }
         let n = pattern.dimension();
-        Self::ordered(
-            pattern,
-            SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
-        )
+        Self::ordered(pattern, SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)))
     }
 
     /// Analyses a symmetric pattern of which no positions are known, in an order of minimum degree.
@@ -98,9 +95,7 @@ impl Analysis {
     pub fn factorise(self: &Arc<Self>, matrix: &Matrix, fixed: &[bool]) -> Result<Factorization, Error> {
         let masked = masked_values(matrix, fixed)?;
         let mut factor = vec![0.0; self.symbolic.len_val()];
-        let requirement = self
-            .symbolic
-            .factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let requirement = self.symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         let unknowns = self.pattern.dimension();
         let mut memory = MemBuffer::try_new(requirement).map_err(|_| Error::TooLarge { unknowns })?;
         self.symbolic
@@ -114,10 +109,7 @@ impl Analysis {
                 Default::default(),
             )
             .map_err(|_| Error::NotPositiveDefinite)?;
-        Ok(Factorization {
-            analysis: Arc::clone(self),
-            factor,
-        })
+        Ok(Factorization { analysis: Arc::clone(self), factor })
     }
 }
 
@@ -132,11 +124,7 @@ pub struct LazyAnalysis {
 impl LazyAnalysis {
     /// Of matrices with `pattern` on `space`.
     pub fn new(space: Space, pattern: Arc<Pattern>) -> Self {
-        Self {
-            space,
-            pattern,
-            made: OnceLock::new(),
-        }
+        Self { space, pattern, made: OnceLock::new() }
     }
 
     /// The analysis.
@@ -175,9 +163,7 @@ impl Factorization {
         if x.iter().all(|x| x.is_finite()) {
             Ok(())
         } else {
-            Err(Error::NotFinite {
-                what: "solution of the linear system",
-            })
+            Err(Error::NotFinite { what: "solution of the linear system" })
         }
     }
 }
@@ -226,9 +212,7 @@ impl SingleFactor {
         }
         match x.iter().all(|x| x.is_finite()) {
             true => Ok(()),
-            false => Err(Error::NotFinite {
-                what: "solution of the linear system",
-            }),
+            false => Err(Error::NotFinite { what: "solution of the linear system" }),
         }
     }
 }
@@ -251,11 +235,7 @@ pub(crate) fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>,
             }
         }
     }
-    if masked.iter().all(|value| value.is_finite()) {
-        Ok(masked)
-    } else {
-        Err(Error::NotFinite { what: "matrix" })
-    }
+    if masked.iter().all(|value| value.is_finite()) { Ok(masked) } else { Err(Error::NotFinite { what: "matrix" }) }
 }
 
 #[cfg(test)]

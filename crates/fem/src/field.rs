@@ -82,29 +82,18 @@ impl Field<'_> {
     /// The least value, likewise.
     pub fn minimum(&self) -> Extremum {
         let negative = self.extremum(-1.0, &|_| true);
-        Extremum {
-            value: -negative.value,
-            ..negative
-        }
+        Extremum { value: -negative.value, ..negative }
     }
 
     fn extremum(&self, sign: f64, smooth: &dyn Fn(usize) -> bool) -> Extremum {
-        let mut best = Extremum {
-            value: f64::NEG_INFINITY,
-            triangle: 0,
-            point: [0.0; 2],
-        };
+        let mut best = Extremum { value: f64::NEG_INFINITY, triangle: 0, point: [0.0; 2] };
         let degree = self.space.degree();
         let nodes = lagrange::nodes(degree);
         for t in 0..self.space.mesh().triangles().len() {
             let values = self.element_values(t).map(|value| sign * value);
             let mut offer = |value: f64, point: [f64; 2]| {
                 if value > best.value || value.is_nan() {
-                    best = Extremum {
-                        value,
-                        triangle: t,
-                        point,
-                    };
+                    best = Extremum { value, triangle: t, point };
                 }
             };
             for (i, &node) in nodes.iter().enumerate() {
@@ -114,11 +103,7 @@ impl Field<'_> {
                 for point in extrema::candidates(degree, &values) {
                     let value = evaluate(degree, &values, point);
                     if value > best.value {
-                        best = Extremum {
-                            value,
-                            triangle: t,
-                            point,
-                        };
+                        best = Extremum { value, triangle: t, point };
                     }
                 }
             }
@@ -155,17 +140,9 @@ mod tests {
                 3.0 - a * a - 2.0 * b * b + 0.4 * a * b - 0.3 * a * a * a + 0.2 * a * b * b
             };
             let values = space.interpolate(u);
-            let top = Field {
-                space: &space,
-                values: &values,
-            }
-            .maximum();
+            let top = Field { space: &space, values: &values }.maximum();
             assert!((top.value - 3.0).abs() < 1e-13, "{centre:?}: {}", top.value);
-            let bottom = Field {
-                space: &space,
-                values: &values,
-            }
-            .minimum();
+            let bottom = Field { space: &space, values: &values }.minimum();
             let sampled = (0..=100).flat_map(|i| (0..=100).map(move |j| u([0.01 * f64::from(i), 0.01 * f64::from(j)])));
             assert!(bottom.value <= sampled.fold(f64::INFINITY, f64::min) + 1e-13);
         }
@@ -182,10 +159,7 @@ mod tests {
         for centre in [[0.7, 0.2], [0.3, 0.0], [0.31, 0.31]] {
             let u = |x: [f64; 2]| 3.0 - (x[0] - centre[0]).powi(2) - 2.0 * (x[1] - centre[1]).powi(2);
             let values = space.interpolate(u);
-            let field = Field {
-                space: &space,
-                values: &values,
-            };
+            let field = Field { space: &space, values: &values };
             let top = field.maximum();
             assert!((top.value - 3.0).abs() < 1e-14);
             let place = Mapping::of(space.mesh(), top.triangle).at(top.point).position;

@@ -60,21 +60,13 @@ impl Extent {
             let j = j as usize;
             if j < self.own {
                 let to = &mut lower[j * rows..(j + 1) * rows];
-                places
-                    .iter()
-                    .zip(column)
-                    .for_each(|(&i, value)| to[i as usize] += value);
+                places.iter().zip(column).for_each(|(&i, value)| to[i as usize] += value);
             } else {
                 let j = j - self.own;
                 let to = &mut update[j * self.below..(j + 1) * self.below];
                 let (above, column) = column.split_at(own.len());
-                below
-                    .iter()
-                    .zip(column)
-                    .for_each(|(&i, value)| to[i as usize - self.own] += value);
-                own.iter()
-                    .zip(above)
-                    .for_each(|(&i, value)| upper[j + i as usize * self.below] += value);
+                below.iter().zip(column).for_each(|(&i, value)| to[i as usize - self.own] += value);
+                own.iter().zip(above).for_each(|(&i, value)| upper[j + i as usize * self.below] += value);
             }
         }
     }
@@ -92,11 +84,7 @@ impl Extent {
             let (done, rest) = lower.split_at_mut(to * rows);
             let done = columns(done, rows, to).subcols(from, to - from);
             let (above, below) = columns_mut(rest, rows, own - to).split_at_row_mut(to);
-            subtract(
-                below,
-                done.subrows(to, rows - to),
-                above.as_ref().subrows(from, to - from),
-            );
+            subtract(below, done.subrows(to, rows - to), above.as_ref().subrows(from, to - from));
             if self.below > 0 {
                 let (done_above, rest) = upper.split_at_mut(to * self.below);
                 let done_above = columns(done_above, self.below, to).subcols(from, to - from);

@@ -27,15 +27,8 @@ impl HarmonicAnalysis {
     /// [`Error::TooLarge`] if the factor's indices do not fit in memory.
     pub fn new(analysis: &UnsymmetricAnalysis) -> Result<Self, Error> {
         let pattern = Arc::new(doubled(analysis.pattern()));
-        let order = analysis
-            .order()
-            .iter()
-            .flat_map(|&dof| [2 * dof, 2 * dof + 1])
-            .collect();
-        Ok(Self {
-            doubled: Arc::new(UnsymmetricAnalysis::new(pattern.clone(), order)?),
-            pattern,
-        })
+        let order = analysis.order().iter().flat_map(|&dof| [2 * dof, 2 * dof + 1]).collect();
+        Ok(Self { doubled: Arc::new(UnsymmetricAnalysis::new(pattern.clone(), order)?), pattern })
     }
 
     /// Factorises `tangent + i diagonal`, the rows of given dofs left out.
@@ -57,16 +50,11 @@ impl HarmonicAnalysis {
             };
             row(0).chain(row(1))
         });
-        let matrix = Matrix {
-            pattern: self.pattern.clone(),
-            values: values.flatten().collect(),
-        };
+        let matrix = Matrix { pattern: self.pattern.clone(), values: values.flatten().collect() };
         let mut constraints = Constraints::none(2 * diagonal.len());
         constraints.fixed = fixed.iter().flat_map(|&fixed| [fixed, fixed]).collect();
         let factor = self.doubled.factorise(&matrix, &constraints.fixed, None)?;
-        Ok(HarmonicSystem {
-            linearisation: Linearisation::unsymmetric(matrix, factor, constraints),
-        })
+        Ok(HarmonicSystem { linearisation: Linearisation::unsymmetric(matrix, factor, constraints) })
     }
 }
 
@@ -91,10 +79,7 @@ fn doubled(pattern: &Pattern) -> Pattern {
             for &column in &pattern.columns[pattern.row(i)] {
                 let is_own = column as usize == i;
                 columns.extend(
-                    [0, 1]
-                        .into_iter()
-                        .filter(|&other| other == part || is_own)
-                        .map(|other| 2 * column + other),
+                    [0, 1].into_iter().filter(|&other| other == part || is_own).map(|other| 2 * column + other),
                 );
             }
             row_start.push(columns.len() as u32);
@@ -155,9 +140,7 @@ mod tests {
         let system = harmonic.factorise(&matrix, &vec![0.0; n], &vec![false; n]).unwrap();
         let [u, v] = system.solve([&b, &b]).unwrap();
         let factor = analysis.factorise(&matrix, &vec![false; n], None).unwrap();
-        let real = Linearisation::unsymmetric(matrix, factor, Constraints::none(n))
-            .solve(&b)
-            .unwrap();
+        let real = Linearisation::unsymmetric(matrix, factor, Constraints::none(n)).solve(&b).unwrap();
         assert!((0..n).all(|i| (u[i] - real[i]).abs() < 1e-14 && (v[i] - real[i]).abs() < 1e-14));
     }
 }

@@ -194,15 +194,10 @@ pub fn integrate<T: Default + AddAssign + Send>(mesh: &Mesh, share: impl Fn(usiz
         sum
     };
     // One type for all callers, so that the scheduler of tasks is compiled once for each type of sum.
-    let task: &(dyn Fn(usize) -> T + Sync) = &|first| {
-        (first..(first + CELLS_A_TASK).min(cells))
-            .map(&share)
-            .fold(T::default(), add)
-    };
+    let task: &(dyn Fn(usize) -> T + Sync) =
+        &|first| (first..(first + CELLS_A_TASK).min(cells)).map(&share).fold(T::default(), add);
     let firsts: Vec<usize> = (0..cells).step_by(CELLS_A_TASK).collect();
-    in_order(firsts.into_par_iter().map(task))
-        .into_iter()
-        .fold(T::default(), add)
+    in_order(firsts.into_par_iter().map(task)).into_iter().fold(T::default(), add)
 }
 
 /// A quadrature point of an edge.
@@ -256,10 +251,7 @@ mod tests {
         })
         .expect("a mesh");
         let area = 1.0 + 0.2 / 3.0;
-        for rule in [
-            Rule::for_degree(2),
-            Rule::new(Quadrature::for_degree(3).quartered(2), 3),
-        ] {
+        for rule in [Rule::for_degree(2), Rule::new(Quadrature::for_degree(3).quartered(2), 3)] {
             let found: f64 = integrate(&mesh, |t| {
                 rule.integrate(&mesh, t, |points, sum| {
                     (0..points.positions.len()).for_each(|q| *sum += points.area(q));

@@ -69,10 +69,7 @@ impl Iterated {
         if enough.residual == 0.0 {
             enough.residual = TOLERANCE * constraints.free_norm(b);
         }
-        let ending = Ending {
-            enough,
-            most_steps: WORTH_A_FACTOR,
-        };
+        let ending = Ending { enough, most_steps: WORTH_A_FACTOR };
         if self.factor.get().is_none() {
             let precondition = |r: &[f64]| {
                 self.steps.fetch_add(1, Ordering::Relaxed);

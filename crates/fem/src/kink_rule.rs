@@ -50,17 +50,14 @@ impl KinkRule {
     pub fn for_degree(degree: usize) -> &'static Self {
         static RULES: [OnceLock<KinkRule>; 3] = [const { OnceLock::new() }; 3];
         let degree = degree.clamp(1, RULES.len());
-        RULES[degree - 1].get_or_init(|| Self {
-            levels: (0..=QUARTERINGS).map(|times| Level::new(degree, times)).collect(),
-        })
+        RULES[degree - 1]
+            .get_or_init(|| Self { levels: (0..=QUARTERINGS).map(|times| Level::new(degree, times)).collect() })
     }
 
     /// Calls `visit` with every batch of points of triangle `t`.
     pub fn visit<const N: usize>(&self, mesh: &Mesh, t: usize, kink: Kink<N>, mut visit: impl FnMut(&Points)) {
         let mapping = Mapping::of(mesh, t);
-        self.visit_part((0, 0), &kink, &mut |rule, batch| {
-            rule.visit_batch(&mapping, t, batch, &mut visit)
-        });
+        self.visit_part((0, 0), &kink, &mut |rule, batch| rule.visit_batch(&mapping, t, batch, &mut visit));
     }
 
     /// Calls `visit` with the rule and the points of each part, from that of this level and number on, through which no kink runs, or that is not quartered further.
@@ -132,10 +129,7 @@ mod tests {
                 *value = node[0];
             }
             for level in [0.1, 0.37, 0.8] {
-                let kink = Kink {
-                    level: Some(level),
-                    functions: [&function],
-                };
+                let kink = Kink { level: Some(level), functions: [&function] };
                 let (mut raised, mut step, mut area, mut points) = (0.0, 0.0, 0.0, 0);
                 KinkRule::for_degree(degree).visit(&mesh, 0, kink, |batch| {
                     for q in 0..batch.positions.len() {
@@ -170,10 +164,7 @@ mod tests {
         };
         let everywhere = Rule::new(Quadrature::for_degree(2).quartered(QUARTERINGS), 2).integrate(&mesh, 0, raised);
         let mut here = 0.0;
-        let kink = Kink {
-            level: Some(0.0),
-            functions: [&function],
-        };
+        let kink = Kink { level: Some(0.0), functions: [&function] };
         KinkRule::for_degree(2).visit(&mesh, 0, kink, |points| raised(points, &mut here));
         assert!((here - everywhere).abs() < 1e-12, "{here} {everywhere}");
     }

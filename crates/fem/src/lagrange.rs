@@ -124,10 +124,7 @@ mod tests {
                 values(degree, node, &mut out);
                 for (j, &value) in out.iter().enumerate() {
                     let expected = if i == j { 1.0 } else { 0.0 };
-                    assert!(
-                        (value - expected).abs() < 1e-14,
-                        "P{degree} shape {j} at node {i}: {value}"
-                    );
+                    assert!((value - expected).abs() < 1e-14, "P{degree} shape {j} at node {i}: {value}");
                 }
             }
         }

@@ -30,9 +30,7 @@ impl LinearProlongation {
     /// Below the quadratic `space`, whose matrices have the pattern `quadratic`.
     pub fn new(space: &Space, quadratic: Arc<Pattern>) -> Self {
         let mesh = space.mesh();
-        let vertex_dofs: Vec<u32> = (0..mesh.points().len() as u32)
-            .map(|v| space.vertex_dof(v) as u32)
-            .collect();
+        let vertex_dofs: Vec<u32> = (0..mesh.points().len() as u32).map(|v| space.vertex_dof(v) as u32).collect();
         let mut ends = vec![[0; 2]; space.dofs()];
         for (v, &dof) in (0u32..).zip(&vertex_dofs) {
             ends[dof as usize] = [v, v];
@@ -40,12 +38,7 @@ impl LinearProlongation {
         for (e, &vertices) in (0u32..).zip(&mesh.topology().edges) {
             ends[space.edge_dof(e)] = vertices;
         }
-        Self {
-            quadratic,
-            linear: Sparsity::new(&Space::new(mesh.clone(), 1)).pattern,
-            vertex_dofs,
-            ends,
-        }
+        Self { quadratic, linear: Sparsity::new(&Space::new(mesh.clone(), 1)).pattern, vertex_dofs, ends }
     }
 
     /// Dofs of the edges at vertex `v`: they follow its neighbours in its row (see [`crate::sparsity`]).
@@ -129,9 +122,6 @@ impl LinearProlongation {
                 self.edges_at(v).iter().for_each(|&e| add(e as usize, 0.5));
             }
         });
-        Matrix {
-            pattern: self.linear.clone(),
-            values,
-        }
+        Matrix { pattern: self.linear.clone(), values }
     }
 }

@@ -62,31 +62,13 @@ impl LinearSolver {
 
     fn ends(&self) -> Ends {
         match self {
-            Self::Direct(_) => Ends {
-                enough: 0.0,
-                round_off: 0.0,
-                rough: 0.0,
-                accuracy: 1e-12,
-            },
-            Self::Multigrid(_) => Ends {
-                enough: TOLERANCE,
-                round_off: 1e-13,
-                rough: 1e-4,
-                accuracy: 1e-9,
-            },
-            Self::Nested(nested) if nested.quadratic.has_factor() => Ends {
-                enough: 1e-8,
-                round_off: 1e-8,
-                rough: 1e-4,
-                accuracy: 1e-8,
-            },
+            Self::Direct(_) => Ends { enough: 0.0, round_off: 0.0, rough: 0.0, accuracy: 1e-12 },
+            Self::Multigrid(_) => Ends { enough: TOLERANCE, round_off: 1e-13, rough: 1e-4, accuracy: 1e-9 },
+            Self::Nested(nested) if nested.quadratic.has_factor() => {
+                Ends { enough: 1e-8, round_off: 1e-8, rough: 1e-4, accuracy: 1e-8 }
+            }
             // What the quadratic elements leave is reduced to this part: far below what the bars say of it.
-            Self::Nested(_) => Ends {
-                enough: 1e-5,
-                round_off: 1e-9,
-                rough: 1e-3,
-                accuracy: 1e-8,
-            },
+            Self::Nested(_) => Ends { enough: 1e-5, round_off: 1e-9, rough: 1e-3, accuracy: 1e-8 },
         }
     }
 

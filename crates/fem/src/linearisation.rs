@@ -53,33 +53,18 @@ pub struct Linearisation {
 impl Linearisation {
     /// Joins a symmetric tangent and its Cholesky factor.
     pub fn new(matrix: Matrix, factorization: Factorization, constraints: Constraints) -> Self {
-        Self {
-            matrix,
-            factor: Factor::Cholesky(factorization),
-            constraints,
-            rough: OnceLock::new(),
-        }
+        Self { matrix, factor: Factor::Cholesky(factorization), constraints, rough: OnceLock::new() }
     }
 
     /// Joins an unsymmetric tangent and its LU factors.
     pub fn unsymmetric(matrix: Matrix, factorization: UnsymmetricFactorization, constraints: Constraints) -> Self {
-        Self {
-            matrix,
-            factor: Factor::Lu(Box::new(factorization)),
-            constraints,
-            rough: OnceLock::new(),
-        }
+        Self { matrix, factor: Factor::Lu(Box::new(factorization)), constraints, rough: OnceLock::new() }
     }
 
     /// A symmetric tangent of quadratic elements, solved by multigrid.
     pub(crate) fn multigrid(matrix: Matrix, solver: &MultigridSolver, constraints: Constraints) -> Result<Self, Error> {
         let iterated = Iterated::new(solver, &matrix, &constraints.fixed)?;
-        Ok(Self {
-            matrix,
-            factor: Factor::Multigrid(Box::new(iterated)),
-            constraints,
-            rough: OnceLock::new(),
-        })
+        Ok(Self { matrix, factor: Factor::Multigrid(Box::new(iterated)), constraints, rough: OnceLock::new() })
     }
 
     /// A symmetric tangent of cubic elements, on top of the factor of quadratic ones.
@@ -101,12 +86,7 @@ impl Linearisation {
             return solver.linearise(self.matrix, constraints);
         };
         iterated.mask(&self.matrix, &constraints.fixed)?;
-        Ok(Self {
-            matrix: self.matrix,
-            factor: Factor::Multigrid(iterated),
-            constraints,
-            rough: OnceLock::new(),
-        })
+        Ok(Self { matrix: self.matrix, factor: Factor::Multigrid(iterated), constraints, rough: OnceLock::new() })
     }
 
     /// How systems with this tangent are solved.

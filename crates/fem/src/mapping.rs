@@ -36,11 +36,7 @@ impl Place {
 impl Mapping {
     /// The map of triangle `t`.
     pub fn of(mesh: &Mesh, t: usize) -> Self {
-        if mesh.is_curved(t) {
-            Self::Curved(mesh.nodes(t))
-        } else {
-            Self::Straight(mesh.corners(t))
-        }
+        if mesh.is_curved(t) { Self::Curved(mesh.nodes(t)) } else { Self::Straight(mesh.corners(t)) }
     }
 
     /// Jacobian determinant [m2] at the reference point `(xi, eta)`.
@@ -98,11 +94,7 @@ fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
     let determinant = jacobian.determinant();
     // The cofactors are the inverse transposed times the determinant; meshes have no zero one.
     let cofactors = Matrix2::new(jacobian.m22, -jacobian.m21, -jacobian.m12, jacobian.m11);
-    Place {
-        position: position(values, nodes),
-        determinant,
-        inverse_transposed: cofactors / determinant,
-    }
+    Place { position: position(values, nodes), determinant, inverse_transposed: cofactors / determinant }
 }
 
 #[cfg(test)]
@@ -114,10 +106,7 @@ mod tests {
         let corners = [[0.1, 0.2], [1.3, 0.1], [0.4, 0.9]];
         let mid = |a: usize, b: usize| [0, 1].map(|d| 0.5 * (corners[a][d] + corners[b][d]));
         let nodes = [corners[0], corners[1], corners[2], mid(0, 1), mid(1, 2), mid(2, 0)];
-        let (straight, curved) = (
-            Mapping::Straight(corners).at([0.3, 0.2]),
-            Mapping::Curved(nodes).at([0.3, 0.2]),
-        );
+        let (straight, curved) = (Mapping::Straight(corners).at([0.3, 0.2]), Mapping::Curved(nodes).at([0.3, 0.2]));
         assert!((straight.determinant - curved.determinant).abs() < 1e-15);
         for d in 0..2 {
             assert!((straight.position[d] - curved.position[d]).abs() < 1e-15);

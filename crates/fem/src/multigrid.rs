@@ -73,13 +73,7 @@ impl Multigrid {
         quadratic.mask(fixed);
         let masked = between.masked(fixed);
         let vertices = vertices(&between, matrix, fixed, scale)?;
-        Ok(Self {
-            between,
-            quadratic,
-            vertices,
-            masked,
-            scale,
-        })
+        Ok(Self { between, quadratic, vertices, masked, scale })
     }
 
     /// The hierarchy of this matrix with other given dofs: only the levels below it are made anew.

@@ -39,10 +39,7 @@ pub(crate) struct NestedSystem {
 
 impl NestedSystem {
     pub(crate) fn new(nested: Nested) -> Self {
-        Self {
-            nested,
-            factor: OnceLock::new(),
-        }
+        Self { nested, factor: OnceLock::new() }
     }
 
     /// Solves `matrix x = b` on the dofs that are not given; `x` is zero at given ones. A residual of zero in
@@ -90,10 +87,7 @@ impl Nested {
         if enough.residual == 0.0 {
             enough.residual = TOLERANCE * constraints.free_norm(b);
         }
-        let ending = Ending {
-            enough,
-            most_steps: WORTH_A_FACTOR,
-        };
+        let ending = Ending { enough, most_steps: WORTH_A_FACTOR };
         let precondition = |r: &[f64]| self.precondition(r, &inverse);
         match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition) {
             // Perhaps only the preconditioner is not positive, in single precision: a factor can tell.

@@ -28,11 +28,7 @@ pub struct HistoryStep {
 impl HistoryStep {
     /// A full step of an active-set iteration.
     pub fn active(residual: f64, active: usize) -> Self {
-        Self {
-            residual,
-            damping: 1.0,
-            active,
-        }
+        Self { residual, damping: 1.0, active }
     }
 }
 
@@ -70,10 +66,7 @@ pub enum Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::Linear {
-            error,
-            history: Vec::new(),
-        }
+        Self::Linear { error, history: Vec::new() }
     }
 }
 
@@ -168,9 +161,7 @@ impl Equation<'_> {
         first: f64,
         seconds: &mut Seconds,
     ) -> Result<(Linearisation, Vec<f64>), Error> {
-        let Self {
-            solver, constraints, ..
-        } = *self;
+        let Self { solver, constraints, .. } = *self;
         let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()))?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let step = Seconds::time(&mut seconds.solve, || {
@@ -193,9 +184,7 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
     let mut matrix = Matrix::zero(assembler.pattern().clone());
     let mut first_norm = None;
     while history.len() < MOST_STEPS {
-        let residual = Seconds::time(&mut seconds.assemble, || {
-            assembler.tangent_and_residual(law, &u, &mut matrix)
-        });
+        let residual = Seconds::time(&mut seconds.assemble, || assembler.tangent_and_residual(law, &u, &mut matrix));
         let norm = constraints.free_norm(&residual);
         if !norm.is_finite() {
             let error = Error::NotFinite { what: "residual" };
@@ -224,19 +213,9 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
             return Err(Failure::Stagnated { history });
         };
         u = next;
-        history.push(HistoryStep {
-            residual: constraints.free_norm(&reactions) / first,
-            damping,
-            active: 0,
-        });
+        history.push(HistoryStep { residual: constraints.free_norm(&reactions) / first, damping, active: 0 });
         if converged {
-            return Ok(Solution {
-                u,
-                reactions,
-                linearisation,
-                history,
-                seconds,
-            });
+            return Ok(Solution { u, reactions, linearisation, history, seconds });
         }
         matrix = linearisation.into_matrix();
     }

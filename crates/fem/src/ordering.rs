@@ -17,10 +17,7 @@ const LEAF: usize = 16;
 pub fn elimination_order(space: &Space) -> Vec<u32> {
     let mesh = space.mesh();
     let neighbours = Neighbours::of(mesh);
-    let mut vertices: Vec<Vertex> = (0..)
-        .zip(mesh.points())
-        .map(|(number, &point)| Vertex { point, number })
-        .collect();
+    let mut vertices: Vec<Vertex> = (0..).zip(mesh.points()).map(|(number, &point)| Vertex { point, number }).collect();
     let mut dissection = Dissection {
         neighbours: &neighbours,
         stamps: vec![0; vertices.len()],

@@ -56,10 +56,7 @@ impl Prolongation {
         };
         let triangle = |t: usize| {
             let dofs = quadratic.element_dofs(t);
-            (
-                std::array::from_fn(|i| dofs[i] as u32),
-                cubic.triangle_dof(t as u32) as u32,
-            )
+            (std::array::from_fn(|i| dofs[i] as u32), cubic.triangle_dof(t as u32) as u32)
         };
         Self {
             edges: (0u32..).zip(&topology.edges).map(edge).collect(),
@@ -151,11 +148,7 @@ impl Prolongation {
                 (u[centroid] - smooth) / BUBBLE_VALUE
             })
             .collect();
-        Hierarchical {
-            quadratic,
-            edges,
-            triangles,
-        }
+        Hierarchical { quadratic, edges, triangles }
     }
 
     /// A residual tested with the functions of the hierarchical basis.
@@ -166,14 +159,9 @@ impl Prolongation {
                 EDGE_VALUE * (r[second] - r[first])
             })
             .collect();
-        let triangles = (0..self.mesh().triangles().len() as u32)
-            .map(|t| BUBBLE_VALUE * r[self.cubic.triangle_dof(t)])
-            .collect();
-        Hierarchical {
-            quadratic: self.restrict(r),
-            edges,
-            triangles,
-        }
+        let triangles =
+            (0..self.mesh().triangles().len() as u32).map(|t| BUBBLE_VALUE * r[self.cubic.triangle_dof(t)]).collect();
+        Hierarchical { quadratic: self.restrict(r), edges, triangles }
     }
 
     /// Each entry shared equally among the triangles that its function lives on: one sum a triangle.
@@ -189,9 +177,7 @@ impl Prolongation {
             let corners = self.mesh().triangles()[t].iter().zip(&dofs);
             let corners: f64 = corners.map(|(&v, entry)| entry / f64::from(around[v as usize])).sum();
             let edges = topology.triangle_edges[t].iter().zip(&dofs[3..]);
-            let edges: f64 = edges
-                .map(|(&e, entry)| (entry + entries.edges[e as usize]) / sides(e))
-                .sum();
+            let edges: f64 = edges.map(|(&e, entry)| (entry + entries.edges[e as usize]) / sides(e)).sum();
             corners + edges + entries.triangles[t]
         };
         in_order((0..self.mesh().triangles().len()).into_par_iter().map(share))
@@ -230,10 +216,7 @@ mod tests {
         let between = Prolongation::new(&space);
         let u = wave(space.dofs(), 1.3);
         let cubic = between.prolong(&u);
-        let quadratic = crate::Field {
-            space: &space,
-            values: &u,
-        };
+        let quadratic = crate::Field { space: &space, values: &u };
         for t in 0..space.mesh().triangles().len() {
             for (dof, point) in between.cubic().element_dofs(t).into_iter().zip(lagrange::nodes(3)) {
                 assert!((cubic[dof] - quadratic.value(t, point)).abs() < 1e-14);

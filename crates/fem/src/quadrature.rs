@@ -34,11 +34,7 @@ impl Quadrature {
         let parts = 4usize.pow(levels as u32);
         let share = 1.0 / parts as f64;
         let weights: Vec<f64> = self.weights.iter().map(|weight| share * weight).collect();
-        Self {
-            degree: self.degree,
-            points: in_quarters(&self.points, levels),
-            weights: weights.repeat(parts),
-        }
+        Self { degree: self.degree, points: in_quarters(&self.points, levels), weights: weights.repeat(parts) }
     }
 
     /// The rule on the part of the reference triangle with these corners.
@@ -63,11 +59,7 @@ impl Quadrature {
     /// From orbits of the triangle's symmetry: its centre (weight), three points `(a, a)`
     /// (weight, a), six points `(a, b)` (weight, a, b). Weights relative to area one.
     fn from_orbits(degree: usize, centre: Option<f64>, three: &[(f64, f64)], six: &[(f64, f64, f64)]) -> Self {
-        let mut rule = Self {
-            degree,
-            points: Vec::new(),
-            weights: Vec::new(),
-        };
+        let mut rule = Self { degree, points: Vec::new(), weights: Vec::new() };
         let mut add = |weight: f64, points: &[[f64; 2]]| {
             rule.points.extend_from_slice(points);
             rule.weights.extend(points.iter().map(|_| 0.5 * weight));
@@ -87,14 +79,10 @@ impl Quadrature {
     }
 }
 
-const DEGREE_4: [(f64, f64); 2] = [
-    (0.22338158967801147, 0.4459484909159649),
-    (0.10995174365532187, 0.09157621350977074),
-];
-const DEGREE_6: [(f64, f64); 2] = [
-    (0.11678627572637937, 0.24928674517091043),
-    (0.05084490637020682, 0.06308901449150223),
-];
+const DEGREE_4: [(f64, f64); 2] =
+    [(0.22338158967801147, 0.4459484909159649), (0.10995174365532187, 0.09157621350977074)];
+const DEGREE_6: [(f64, f64); 2] =
+    [(0.11678627572637937, 0.24928674517091043), (0.05084490637020682, 0.06308901449150223)];
 const DEGREE_6_SIX: (f64, f64, f64) = (0.08285107561837357, 0.3103524510337844, 0.053145049844816945);
 const DEGREE_8_CENTRE: f64 = 0.14431560767778717;
 const DEGREE_8: [(f64, f64); 3] = [
@@ -106,17 +94,11 @@ const DEGREE_8_SIX: (f64, f64, f64) = (0.027230314174434993, 0.00839477740995760
 
 /// Points of the reference triangle in each of its `4^levels` congruent parts, one part after the other: those of part `k` of a level lie in the parts from `4 k` on of the next.
 pub(crate) fn in_quarters(points: &[[f64; 2]], levels: usize) -> Vec<[f64; 2]> {
-    let quarters: [fn([f64; 2]) -> [f64; 2]; 4] = [
-        |[a, b]| [a, b],
-        |[a, b]| [a + 0.5, b],
-        |[a, b]| [a, b + 0.5],
-        |[a, b]| [0.5 - a, 0.5 - b],
-    ];
+    let quarters: [fn([f64; 2]) -> [f64; 2]; 4] =
+        [|[a, b]| [a, b], |[a, b]| [a + 0.5, b], |[a, b]| [a, b + 0.5], |[a, b]| [0.5 - a, 0.5 - b]];
     (0..levels).fold(points.to_vec(), |points, _| {
         let halved: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| 0.5 * x)).collect();
-        (quarters.iter())
-            .flat_map(|quarter| halved.iter().copied().map(quarter))
-            .collect()
+        (quarters.iter()).flat_map(|quarter| halved.iter().copied().map(quarter)).collect()
     })
 }
 
@@ -130,12 +112,7 @@ pub(crate) fn gauss_interval() -> [(f64, f64); 4] {
     let root = (6.0f64 / 5.0).sqrt();
     let [near, far] = [-root, root].map(|sign| ((3.0 + 2.0 * sign) / 7.0).sqrt() / 2.0);
     let weight = |sign: f64| (18.0 + sign * 30.0f64.sqrt()) / 72.0;
-    [
-        (0.5 - far, weight(-1.0)),
-        (0.5 - near, weight(1.0)),
-        (0.5 + near, weight(1.0)),
-        (0.5 + far, weight(-1.0)),
-    ]
+    [(0.5 - far, weight(-1.0)), (0.5 - near, weight(1.0)), (0.5 + near, weight(1.0)), (0.5 + far, weight(-1.0))]
 }
 
 #[cfg(test)]
@@ -166,12 +143,7 @@ mod tests {
     #[test]
     fn quartered_rule_keeps_its_degree() {
         let fine = Quadrature::for_degree(2).quartered(2);
-        let sum: f64 = fine
-            .points
-            .iter()
-            .zip(&fine.weights)
-            .map(|(p, w)| w * p[0] * p[0] * p[1])
-            .sum();
+        let sum: f64 = fine.points.iter().zip(&fine.weights).map(|(p, w)| w * p[0] * p[0] * p[1]).sum();
         assert!((sum - 2.0 / 120.0).abs() < 1e-16);
     }
 

@@ -22,10 +22,7 @@ pub struct Space {
 impl Space {
     /// The space of the given degree (1, 2 or 3; others are taken to the nearest of these).
     pub fn new(mesh: Arc<Mesh>, degree: usize) -> Self {
-        Self {
-            mesh,
-            degree: degree.clamp(1, 3),
-        }
+        Self { mesh, degree: degree.clamp(1, 3) }
     }
 
     /// The mesh.
@@ -122,9 +119,7 @@ impl Space {
     pub fn dofs_on_edge(&self, e: u32) -> impl Iterator<Item = usize> {
         let [a, b] = self.mesh.topology().edges[e as usize];
         let first = if self.per_edge() > 0 { self.edge_dof(e) } else { 0 };
-        [self.vertex_dof(a), self.vertex_dof(b)]
-            .into_iter()
-            .chain(first..first + self.per_edge())
+        [self.vertex_dof(a), self.vertex_dof(b)].into_iter().chain(first..first + self.per_edge())
     }
 
     /// Position [m] of each dof. On a ring `x` may exceed the period by half an element.

@@ -42,16 +42,9 @@ impl Sparsity {
             *count - 1
         };
         let edge_places = topology.edges.iter().map(|ends| ends.map(|v| place(v, 0))).collect();
-        let triangle_places = mesh
-            .triangles()
-            .iter()
-            .map(|corners| corners.map(|v| place(v, 1)))
-            .collect();
+        let triangle_places = mesh.triangles().iter().map(|corners| corners.map(|v| place(v, 1))).collect();
         let mut sparsity = Self {
-            pattern: Arc::new(Pattern {
-                row_start: Vec::new(),
-                columns: Vec::new(),
-            }),
+            pattern: Arc::new(Pattern { row_start: Vec::new(), columns: Vec::new() }),
             edge_places,
             triangle_places,
             valence,
@@ -223,10 +216,7 @@ mod tests {
             for i in 0..sparsity.pattern.dimension() {
                 let mut row = columns[row_start[i] as usize..row_start[i + 1] as usize].to_vec();
                 row.sort_unstable();
-                assert!(
-                    row.windows(2).all(|pair| pair[0] < pair[1]),
-                    "P{degree}: column twice in row {i}"
-                );
+                assert!(row.windows(2).all(|pair| pair[0] < pair[1]), "P{degree}: column twice in row {i}");
             }
         }
     }

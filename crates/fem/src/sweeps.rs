@@ -62,11 +62,7 @@ impl Triangle {
     fn with_room(rows: usize, entries: usize) -> Self {
         let mut row_start = Vec::with_capacity(rows + 1);
         row_start.push(0);
-        Self {
-            row_start,
-            columns: Vec::with_capacity(entries),
-            values: Vec::with_capacity(entries),
-        }
+        Self { row_start, columns: Vec::with_capacity(entries), values: Vec::with_capacity(entries) }
     }
 
     fn end_row(&mut self) {
@@ -99,11 +95,7 @@ impl Block {
                 let column = pattern.columns[k] as usize;
                 let value = (matrix.values[k] * scale) as f32;
                 if !rows.contains(&column) {
-                    block.cross.push(Cross {
-                        row: (i - rows.start) as u32,
-                        column: column as u32,
-                        value,
-                    });
+                    block.cross.push(Cross { row: (i - rows.start) as u32, column: column as u32, value });
                     continue;
                 }
                 let side = match column.cmp(&i) {
@@ -130,11 +122,7 @@ impl Sweeps {
         let blocks = in_order((0..count).into_par_iter().map(block));
         let scaled = |i| (matrix.diagonal(i) * scale) as f32;
         let diagonal: Vec<f32> = in_order((0..rows).into_par_iter().map(scaled));
-        Self {
-            blocks,
-            inverse: vec![0.0; rows],
-            diagonal,
-        }
+        Self { blocks, inverse: vec![0.0; rows], diagonal }
     }
 
     /// Masks these dofs and no others.

@@ -14,10 +14,7 @@ use crate::{Field, Space, lagrange};
 /// Nodal values on `fine` of the field `coarse`; `lineage` gives where in the mesh of `coarse` each triangle
 /// of `fine` lies ([`oilwedge_mesh::Refined`]). The degrees may differ; a lower one interpolates.
 pub fn transfer(coarse: &Field, fine: &Space, lineage: &[Child]) -> Vec<f64> {
-    let nodes: Vec<[f64; 3]> = lagrange::nodes(fine.degree())
-        .into_iter()
-        .map(lagrange::barycentric)
-        .collect();
+    let nodes: Vec<[f64; 3]> = lagrange::nodes(fine.degree()).into_iter().map(lagrange::barycentric).collect();
     let mut values = vec![0.0; fine.dofs()];
     for (t, child) in lineage.iter().enumerate() {
         let nodal = coarse.element_values(child.parent as usize);

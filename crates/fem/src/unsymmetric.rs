@@ -107,15 +107,9 @@ impl UnsymmetricAnalysis {
             updates: 0,
         };
         for s in 0..supernodes.n_supernodes() {
-            let (first, end) = (
-                supernodes.supernode_begin()[s] as usize,
-                supernodes.supernode_end()[s] as usize,
-            );
+            let (first, end) = (supernodes.supernode_begin()[s] as usize, supernodes.supernode_end()[s] as usize);
             let below = supernodes.col_ptr_for_row_idx()[s] as usize;
-            let extent = Extent {
-                own: end - first,
-                below: supernodes.col_ptr_for_row_idx()[s + 1] as usize - below,
-            };
+            let extent = Extent { own: end - first, below: supernodes.col_ptr_for_row_idx()[s + 1] as usize - below };
             analysis.fronts.push(Front {
                 extent,
                 first,
@@ -200,9 +194,7 @@ impl UnsymmetricAnalysis {
                     if j >= front.extent.own {
                         // The pattern is symmetric, so the transposed entry is there.
                         let row = self.pattern.row(other);
-                        let at = self.pattern.columns[row.clone()]
-                            .iter()
-                            .position(|&column| column as usize == dof);
+                        let at = self.pattern.columns[row.clone()].iter().position(|&column| column as usize == dof);
                         put(row.start + at.unwrap_or(0), j, i);
                     }
                 }
@@ -230,10 +222,7 @@ impl UnsymmetricAnalysis {
         for s in 0..self.fronts.len() {
             let front = &self.fronts[s];
             let end = self.fronts.get(s + 1).map_or(self.entries.len(), |next| next.entries);
-            for (value, &entry) in factor.input[front.entries..end]
-                .iter_mut()
-                .zip(&self.entries[front.entries..end])
-            {
+            for (value, &entry) in factor.input[front.entries..end].iter_mut().zip(&self.entries[front.entries..end]) {
                 stale[s] |= *value != masked[entry as usize];
                 *value = masked[entry as usize];
             }
@@ -279,10 +268,7 @@ mod tests {
             }
             row_start.push(columns.len() as u32);
         }
-        Matrix {
-            pattern: Arc::new(Pattern { row_start, columns }),
-            values,
-        }
+        Matrix { pattern: Arc::new(Pattern { row_start, columns }), values }
     }
 
     #[test]
@@ -296,10 +282,7 @@ mod tests {
         let factor = analysis.factorise(&matrix, &constraints.fixed, None).unwrap();
         let linearisation = Linearisation::unsymmetric(matrix, factor, constraints);
         let b: Vec<f64> = (0..30).map(|i| f64::from(i).sin()).collect();
-        let (x, y) = (
-            linearisation.solve(&b).unwrap(),
-            linearisation.solve_transposed(&b).unwrap(),
-        );
+        let (x, y) = (linearisation.solve(&b).unwrap(), linearisation.solve_transposed(&b).unwrap());
         assert_eq!((x[7], y[7]), (0.0, 0.0));
         let left = linearisation.matrix().multiply(&x);
         assert!((0..30).filter(|&i| i != 7).all(|i| (left[i] - b[i]).abs() < 1e-13));

@@ -5,28 +5,12 @@ use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 
 fn main() {
-    let liner = Liner {
-        radius: 0.0375,
-        length: 0.075,
-        arc: None,
-    };
+    let liner = Liner { radius: 0.0375, length: 0.075, arc: None };
     let shape = Shape::disc([0.0375 * 130f64.to_radians(), 0.0], 0.0085);
-    let hole = Feature {
-        name: "feed_hole".to_owned(),
-        shape,
-        meshed: false,
-    };
-    let blueprint = Blueprint {
-        liner,
-        features: vec![hole],
-        line: None,
-    };
+    let hole = Feature { name: "feed_hole".to_owned(), shape, meshed: false };
+    let blueprint = Blueprint { liner, features: vec![hole], line: None };
     let sizes: Vec<f64> = std::env::args().skip(1).filter_map(|text| text.parse().ok()).collect();
-    for size in if sizes.is_empty() {
-        vec![12.0, 4.0, 1.0, 0.26]
-    } else {
-        sizes
-    } {
+    for size in if sizes.is_empty() { vec![12.0, 4.0, 1.0, 0.26] } else { sizes } {
         let start = std::time::Instant::now();
         match generate(&blueprint, &|_| 1e-3 * size) {
             Ok(mesh) => {

@@ -23,11 +23,7 @@ fn main() -> Result<(), Error> {
     let (numbers, files): (Vec<_>, Vec<_>) = arguments.iter().partition(|a| a.parse::<f64>().is_ok());
     let degrees = numbers.iter().filter_map(|a| a.parse::<f64>().ok());
     let angles: Vec<f64> = degrees.map(f64::to_radians).collect();
-    let liner = Liner {
-        radius: 0.0375,
-        length: 0.075,
-        arc: (angles.len() == 2).then(|| (angles[0], angles[1])),
-    };
+    let liner = Liner { radius: 0.0375, length: 0.075, arc: (angles.len() == 2).then(|| (angles[0], angles[1])) };
     for path in files {
         let (mesh, mut best) = timed(path, &liner)?;
         for _ in 1..5 {
@@ -37,20 +33,12 @@ fn main() -> Result<(), Error> {
         let start = Instant::now();
         let locator = Locator::new(&mesh);
         let made = start.elapsed().as_secs_f64();
-        let found = mesh
-            .points()
-            .iter()
-            .filter(|&&point| locator.find(point).is_some())
-            .count();
+        let found = mesh.points().iter().filter(|&&point| locator.find(point).is_some()).count();
         let finding = start.elapsed().as_secs_f64() - made;
         println!("{path}: {:#?}", Quality::of(&mesh));
         let [read, unroll, build] = best.map(|seconds| 1e3 * seconds);
         println!("read {read:.2} ms, unroll {unroll:.2} ms, build {build:.2} ms");
-        println!(
-            "locator {:.2} ms, {found} points found in {:.2} ms",
-            1e3 * made,
-            1e3 * finding
-        );
+        println!("locator {:.2} ms, {found} points found in {:.2} ms", 1e3 * made, 1e3 * finding);
     }
     Ok(())
 }

@@ -54,9 +54,7 @@ impl Mesh {
         let name = |vertex: u32| labels[vertex as usize];
         let same = |pair: &&[[u32; 3]]| sorted(pair[0]) == sorted(pair[1]);
         let twice = triangles.windows(2).filter(same).take(MOST_DEFECTS);
-        defects.extend(twice.map(|pair| Defect::DuplicateTriangle {
-            nodes: pair[0].map(name),
-        }));
+        defects.extend(twice.map(|pair| Defect::DuplicateTriangle { nodes: pair[0].map(name) }));
         let topology = match Topology::new(points.len(), &triangles) {
             Ok(topology) => topology,
             Err(crowded) => {
@@ -74,27 +72,14 @@ impl Mesh {
         let curved = topology.triangle_edges.iter().map(is_curved).collect();
         let regions = regions(&raw, &new_of_old, &triangle_of_old, &topology, &mut defects);
         let circles = circles(&raw, &new_of_old, &topology, &mut defects);
-        let mesh = Self {
-            points,
-            labels,
-            triangles,
-            topology,
-            bulges,
-            curved,
-            circles,
-            period: raw.period,
-            regions,
-        };
+        let mesh = Self { points, labels, triangles, topology, bulges, curved, circles, period: raw.period, regions };
         defects.extend(mesh.folded_triangles());
         defects.extend(mesh.coincident_vertices());
         defects.extend(mesh.pieces());
         if !defects.is_empty() {
             return Err(defects);
         }
-        let numbering = Numbering {
-            vertex_of_listed: new_of_old,
-            listed_triangle: triangle_order,
-        };
+        let numbering = Numbering { vertex_of_listed: new_of_old, listed_triangle: triangle_order };
         Ok((mesh, numbering))
     }
 }
@@ -120,10 +105,8 @@ fn order_vertices(raw: &RawMesh) -> (Vec<u32>, Vec<u32>) {
     }
     let kept: Vec<u32> = (0..raw.points.len() as u32).filter(|&v| used[v as usize]).collect();
     let kept_points: Vec<_> = kept.iter().map(|&v| raw.points[v as usize]).collect();
-    let order: Vec<u32> = numbering::hilbert_order(&kept_points)
-        .into_iter()
-        .map(|place| kept[place as usize])
-        .collect();
+    let order: Vec<u32> =
+        numbering::hilbert_order(&kept_points).into_iter().map(|place| kept[place as usize]).collect();
     let mut new_of_old = vec![u32::MAX; raw.points.len()];
     for (new, &old) in order.iter().enumerate() {
         new_of_old[old as usize] = new as u32;
@@ -202,12 +185,7 @@ mod tests {
                 [[a, b, b + 1], [a, b + 1, a + 1]]
             })
             .collect();
-        RawMesh {
-            points,
-            triangles,
-            period: Some(f64::from(n)),
-            ..RawMesh::default()
-        }
+        RawMesh { points, triangles, period: Some(f64::from(n)), ..RawMesh::default() }
     }
 
     #[test]

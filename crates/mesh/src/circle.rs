@@ -37,10 +37,7 @@ impl Circle {
         }
         let a = 0.5 * (u_rr * vv - v_rr * uv) / determinant;
         let b = 0.5 * (v_rr * uu - u_rr * uv) / determinant;
-        Some(Self {
-            centre: [mean[0] + a, mean[1] + b],
-            radius: (a * a + b * b + (uu + vv) / count).sqrt(),
-        })
+        Some(Self { centre: [mean[0] + a, mean[1] + b], radius: (a * a + b * b + (uu + vv) / count).sqrt() })
     }
 
     /// Distance [m] of a point from the circle, positive outside.
@@ -55,10 +52,7 @@ mod tests {
 
     #[test]
     fn short_arcs_and_lines() {
-        let circle = Circle {
-            centre: [3.0, -7.0],
-            radius: 0.0375,
-        };
+        let circle = Circle { centre: [3.0, -7.0], radius: 0.0375 };
         for span in [0.2, 1.0, 6.0] {
             let on_arc = (0..20).map(|k| {
                 let angle = 0.3 + span * f64::from(k) / 19.0;

@@ -38,9 +38,7 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
 
 /// As [`coarser`], in rows along a flow in this sense, columns and rows as unlike as those of `mesh`: oil is not spread across the flow.
 pub fn coarser_in_rows(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64, sense: Sense) -> Option<Coarser> {
-    made(mesh, liner, line, |blueprint| {
-        generate_in_rows_like(blueprint, mesh, ratio, sense)
-    })
+    made(mesh, liner, line, |blueprint| generate_in_rows_like(blueprint, mesh, ratio, sense))
 }
 
 /// The mesh that `generate` makes of the liner without features.
@@ -53,23 +51,15 @@ fn made(
     if liner.arc.is_none() != mesh.period().is_some() {
         return None;
     }
-    let blueprint = Blueprint {
-        liner: *liner,
-        features: Vec::new(),
-        line,
-    };
+    let blueprint = Blueprint { liner: *liner, features: Vec::new(), line };
     let coarse = generate(&blueprint).ok()?;
     if coarse.triangles().len() < FEWEST {
         return None;
     }
     let locator = Locator::new(mesh);
-    let parents: Option<Vec<u32>> = (0..coarse.triangles().len())
-        .map(|t| Some(locator.nearest(centroid(&coarse, t))?.0 as u32))
-        .collect();
-    Some(Coarser {
-        mesh: coarse,
-        parents: parents?,
-    })
+    let parents: Option<Vec<u32>> =
+        (0..coarse.triangles().len()).map(|t| Some(locator.nearest(centroid(&coarse, t))?.0 as u32)).collect();
+    Some(Coarser { mesh: coarse, parents: parents? })
 }
 
 fn centroid(mesh: &Mesh, t: usize) -> [f64; 2] {

@@ -293,10 +293,7 @@ pub enum Error {
 impl Error {
     /// This error, with the file it arose from.
     pub fn in_file(self, path: &std::path::Path) -> Self {
-        Self::InFile {
-            path: path.to_owned(),
-            error: Box::new(self),
-        }
+        Self::InFile { path: path.to_owned(), error: Box::new(self) }
     }
 }
 

@@ -56,11 +56,7 @@ pub fn to_delaunay(mesh: &Mesh, kept: &[u32]) -> Option<Flipped> {
         return None;
     }
     let (mesh, numbering) = Mesh::build_numbered(flipper.raw()).ok()?;
-    Some(Flipped {
-        mesh,
-        parents: numbering.listed_triangle,
-        flips,
-    })
+    Some(Flipped { mesh, parents: numbering.listed_triangle, flips })
 }
 
 /// Triangles and edges between flips. Edges that stay keep their numbers; a flipped one takes its number along.
@@ -101,11 +97,7 @@ impl<'a> Flipper<'a> {
         for &edge in named.chain(on_circles).chain(mesh.bulges.keys()).chain(kept) {
             fixed[edge as usize] = true;
         }
-        let Topology {
-            triangle_edges,
-            edge_triangles,
-            ..
-        } = topology;
+        let Topology { triangle_edges, edge_triangles, .. } = topology;
         Self {
             mesh,
             triangles: mesh.triangles().to_vec(),
@@ -154,12 +146,7 @@ impl<'a> Flipper<'a> {
             triangles: [t, u],
             corners,
             places,
-            edges: [
-                edge_of(t, k + 1),
-                edge_of(t, k + 2),
-                edge_of(u, l + 1),
-                edge_of(u, l + 2),
-            ],
+            edges: [edge_of(t, k + 1), edge_of(t, k + 2), edge_of(u, l + 1), edge_of(u, l + 2)],
         }
     }
 
@@ -244,10 +231,7 @@ impl Pair {
 
 /// Sine and cosine of the angle at `apex` from `from` to `to`, times both distances [m2].
 fn facing(apex: [f64; 2], from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
-    let (a, b) = (
-        [from[0] - apex[0], from[1] - apex[1]],
-        [to[0] - apex[0], to[1] - apex[1]],
-    );
+    let (a, b) = ([from[0] - apex[0], from[1] - apex[1]], [to[0] - apex[0], to[1] - apex[1]]);
     [a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]]
 }
 

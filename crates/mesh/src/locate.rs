@@ -37,9 +37,7 @@ impl<'a> Locator<'a> {
         let mut levels = Vec::new();
         while level.len() > 1 {
             let boxes = level.chunks(IN_A_BOX);
-            let next = boxes
-                .map(|members| Bounds::around(members.iter().copied(), period))
-                .collect();
+            let next = boxes.map(|members| Bounds::around(members.iter().copied(), period)).collect();
             levels.push(std::mem::replace(&mut level, next));
         }
         levels.push(level);
@@ -196,9 +194,7 @@ fn to_parabola(half: [f64; 2], bulge: [f64; 2], point: [f64; 2]) -> (f64, f64) {
     if bulge == [0.0; 2] {
         return (distance(chord), chord);
     }
-    let mut best = [-1.0, -0.5, 0.0, 0.5, 1.0]
-        .into_iter()
-        .fold((distance(chord), chord), nearer);
+    let mut best = [-1.0, -0.5, 0.0, 0.5, 1.0].into_iter().fold((distance(chord), chord), nearer);
     for _ in 0..20 {
         let s = best.1;
         let tangent = [0, 1].map(|d| half[d] - 2.0 * s * bulge[d]);
@@ -216,10 +212,7 @@ fn to_parabola(half: [f64; 2], bulge: [f64; 2], point: [f64; 2]) -> (f64, f64) {
 /// Coefficients of `target` in the basis of two tangents.
 fn solve([u, v]: [[f64; 2]; 2], target: [f64; 2]) -> [f64; 2] {
     let determinant = u[0] * v[1] - u[1] * v[0];
-    [
-        (target[0] * v[1] - target[1] * v[0]) / determinant,
-        (u[0] * target[1] - u[1] * target[0]) / determinant,
-    ]
+    [(target[0] * v[1] - target[1] * v[0]) / determinant, (u[0] * target[1] - u[1] * target[0]) / determinant]
 }
 
 /// Image of the reference point `(xi, eta)` under the quadratic map, and the tangents along both.
@@ -249,9 +242,7 @@ mod tests {
     fn sheet(n: u32, m: u32, ring: bool) -> Mesh {
         let columns = if ring { n } else { n + 1 };
         let vertex = |i: u32, j: u32| i % columns + columns * j;
-        let points = (0..columns * (m + 1))
-            .map(|v| [0.5 + f64::from(v % columns), f64::from(v / columns)])
-            .collect();
+        let points = (0..columns * (m + 1)).map(|v| [0.5 + f64::from(v % columns), f64::from(v / columns)]).collect();
         let mut triangles = Vec::new();
         for (i, j) in (0..n).flat_map(|i| (0..m).map(move |j| (i, j))) {
             let (a, b, c, d) = (vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
@@ -290,14 +281,7 @@ mod tests {
     fn outside_is_outside_and_edges_are_inside() {
         let mesh = sheet(9, 4, false);
         let locator = Locator::new(&mesh);
-        for point in [
-            [0.4, 2.0],
-            [9.6, 2.0],
-            [3.0, -0.1],
-            [3.0, 4.1],
-            [f64::NAN, 1.0],
-            [1e300, 1.0],
-        ] {
+        for point in [[0.4, 2.0], [9.6, 2.0], [3.0, -0.1], [3.0, 4.1], [f64::NAN, 1.0], [1e300, 1.0]] {
             assert!(locator.find(point).is_none(), "{point:?}");
         }
         for &point in mesh.points() {
@@ -327,11 +311,9 @@ mod tests {
     #[test]
     fn nearest_is_nearest_in_cut_outs_and_beyond() {
         // The second window lies across the seam of the ring.
-        for (ring, low, high) in [
-            (false, [5.5, 2.0], [15.5, 8.0]),
-            (true, [-3.5, 2.0], [4.5, 8.0]),
-            (true, [5.5, 2.0], [17.5, 8.0]),
-        ] {
+        for (ring, low, high) in
+            [(false, [5.5, 2.0], [15.5, 8.0]), (true, [-3.5, 2.0], [4.5, 8.0]), (true, [5.5, 2.0], [17.5, 8.0])]
+        {
             let mesh = pierced(ring, low, high);
             let locator = Locator::new(&mesh);
             let mut outside = 0;
@@ -345,11 +327,7 @@ mod tests {
                 outside += 1;
                 assert!(at[0].min(at[1]).min(1.0 - at[0] - at[1]) >= -1e-15, "{at:?}");
                 let (place, _) = quadratic_map(&mesh.nodes(t), at);
-                let along = if ring {
-                    shorter_way(place[0] - point[0], 24.0)
-                } else {
-                    place[0] - point[0]
-                };
+                let along = if ring { shorter_way(place[0] - point[0], 24.0) } else { place[0] - point[0] };
                 let distance = along.hypot(place[1] - point[1]);
                 let least = (0..mesh.triangles().len()).map(|t| locator.to_rim(t, point).0);
                 let least = least.fold(f64::INFINITY, f64::min);

@@ -139,11 +139,7 @@ impl Mesh {
             labels: self.labels.clone(),
             triangles: self.triangles.clone(),
             bulges,
-            circles: self
-                .circles
-                .iter()
-                .map(|(circle, edges)| (*circle, pairs(edges)))
-                .collect(),
+            circles: self.circles.iter().map(|(circle, edges)| (*circle, pairs(edges))).collect(),
             curves: self
                 .regions
                 .iter()
@@ -167,9 +163,7 @@ pub(crate) fn least_jacobian(nodes: &[[f64; 2]; 6]) -> f64 {
     let corner_and_mid = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]];
     let at = corner_and_mid.map(|xi| quadratic_jacobian(nodes, xi));
     let middle = |k: usize| 2.0 * at[3 + k] - 0.5 * (at[k] + at[(k + 1) % 3]);
-    [at[0], at[1], at[2], middle(0), middle(1), middle(2)]
-        .into_iter()
-        .fold(f64::INFINITY, f64::min)
+    [at[0], at[1], at[2], middle(0), middle(1), middle(2)].into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Jacobian determinant [m2] of the quadratic map at a reference point.
@@ -181,22 +175,8 @@ fn quadratic_jacobian(nodes: &[[f64; 2]; 6], at: [f64; 2]) -> f64 {
 /// Derivatives [m] of the quadratic map by `xi` and by `eta` at the reference point `(xi, eta)`.
 pub(crate) fn quadratic_tangents(nodes: &[[f64; 2]; 6], [xi, eta]: [f64; 2]) -> [[f64; 2]; 2] {
     let zeta = 1.0 - xi - eta;
-    let by_xi = [
-        1.0 - 4.0 * zeta,
-        4.0 * xi - 1.0,
-        0.0,
-        4.0 * (zeta - xi),
-        4.0 * eta,
-        -4.0 * eta,
-    ];
-    let by_eta = [
-        1.0 - 4.0 * zeta,
-        0.0,
-        4.0 * eta - 1.0,
-        -4.0 * xi,
-        4.0 * xi,
-        4.0 * (zeta - eta),
-    ];
+    let by_xi = [1.0 - 4.0 * zeta, 4.0 * xi - 1.0, 0.0, 4.0 * (zeta - xi), 4.0 * eta, -4.0 * eta];
+    let by_eta = [1.0 - 4.0 * zeta, 0.0, 4.0 * eta - 1.0, -4.0 * xi, 4.0 * xi, 4.0 * (zeta - eta)];
     let mut tangents = [[0.0; 2]; 2];
     for (i, node) in nodes.iter().enumerate() {
         for d in 0..2 {

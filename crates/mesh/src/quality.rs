@@ -43,9 +43,7 @@ pub struct Quality {
 pub fn needle_share(mesh: &Mesh, aspect: f64) -> f64 {
     let is_needle = |t: usize| {
         let corners = mesh.corners(t);
-        let longest = (0..3)
-            .map(|k| distance(corners[k], corners[(k + 1) % 3]))
-            .fold(0.0, f64::max);
+        let longest = (0..3).map(|k| distance(corners[k], corners[(k + 1) % 3])).fold(0.0, f64::max);
         longest * longest > aspect * doubled_area(corners)
     };
     let cells = mesh.triangles().len();
@@ -100,9 +98,7 @@ impl Quality {
             area += triangle_area(mesh, t);
         }
         let named = named_edges(mesh);
-        let boundary: Vec<u32> = (0..topology.edges.len() as u32)
-            .filter(|&e| topology.is_boundary(e))
-            .collect();
+        let boundary: Vec<u32> = (0..topology.edges.len() as u32).filter(|&e| topology.is_boundary(e)).collect();
         Self {
             cells,
             vertices: mesh.points().len(),

@@ -79,11 +79,7 @@ fn closure(mesh: &Mesh, marked: &[bool]) -> Vec<bool> {
             stack.extend(sides.iter().filter(|&&t| t != NO_TRIANGLE));
         }
     };
-    let marked = topology
-        .triangle_edges
-        .iter()
-        .zip(marked)
-        .filter(|(_, marked)| **marked);
+    let marked = topology.triangle_edges.iter().zip(marked).filter(|(_, marked)| **marked);
     for &edge in marked.flat_map(|(edges, _)| edges) {
         halve(edge, &mut stack);
     }
@@ -270,11 +266,7 @@ impl<'a> Division<'a> {
     fn parts(&self, edge: u32) -> impl Iterator<Item = [u32; 2]> {
         let [a, b] = self.mesh.topology.edges[edge as usize];
         let middle = self.middle[edge as usize];
-        let (first, second) = if middle == WHOLE {
-            ([a, b], None)
-        } else {
-            ([a, middle], Some([middle, b]))
-        };
+        let (first, second) = if middle == WHOLE { ([a, b], None) } else { ([a, middle], Some([middle, b])) };
         std::iter::once(first).chain(second)
     }
 
@@ -295,10 +287,7 @@ impl<'a> Division<'a> {
                     let place = (0..3).find(|&k| numbered[k] == v).unwrap_or(0);
                     REFERENCE[usize::from(self.local[listed][place])]
                 };
-                Child {
-                    parent: self.parents[listed],
-                    corners: triangle.map(corner),
-                }
+                Child { parent: self.parents[listed], corners: triangle.map(corner) }
             })
             .collect()
     }
@@ -327,21 +316,12 @@ mod tests {
 
     #[test]
     fn every_pattern_fills_its_parent() {
-        for halved in [
-            [true, true, true],
-            [true, true, false],
-            [true, false, true],
-            [true, false, false],
-            [false; 3],
-        ] {
+        for halved in [[true, true, true], [true, true, false], [true, false, true], [true, false, false], [false; 3]] {
             let double = |[a, b, c]: [u8; 3]| doubled_area([a, b, c].map(|node| REFERENCE[usize::from(node)]));
             let areas = pattern(halved).iter().map(|&child| double(child));
             assert!(areas.clone().all(|area| area > 0.0));
             assert_eq!(areas.sum::<f64>(), 1.0);
-            assert_eq!(
-                pattern(halved).len(),
-                1 + halved.iter().filter(|halved| **halved).count()
-            );
+            assert_eq!(pattern(halved).len(), 1 + halved.iter().filter(|halved| **halved).count());
         }
     }
 
@@ -357,10 +337,7 @@ mod tests {
                 let count = halved.iter().filter(|halved| **halved).count();
                 assert_eq!(finer.triangles.len(), 1 + count);
                 assert_eq!(finer.region("pad").unwrap().cells.len(), 1 + count);
-                assert_eq!(
-                    finer.region("side").unwrap().edges.len(),
-                    1 + usize::from(halved[side as usize])
-                );
+                assert_eq!(finer.region("side").unwrap().edges.len(), 1 + usize::from(halved[side as usize]));
                 // Halves of a parabola bound the same area as the whole.
                 let area: f64 = (0..=count).map(|t| triangle_area(&finer, t)).sum();
                 assert!((area - triangle_area(&mesh, 0)).abs() < 1e-14);

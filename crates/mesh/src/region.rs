@@ -75,26 +75,16 @@ fn edges_of(
         match known.then(|| topology.edge_between(a, b)).flatten() {
             Some(edge) => edges.push(edge),
             None if defects.len() >= MOST_DEFECTS => {}
-            None => defects.push(Defect::LooseEdge {
-                group: name(),
-                nodes: pair.map(|v| raw.label(v)),
-            }),
+            None => defects.push(Defect::LooseEdge { group: name(), nodes: pair.map(|v| raw.label(v)) }),
         }
     }
     edges
 }
 
 fn region_named<'a>(regions: &'a mut Vec<Region>, name: &str) -> &'a mut Region {
-    let place = regions
-        .iter()
-        .position(|region| region.name == name)
-        .unwrap_or_else(|| {
-            regions.push(Region {
-                name: name.to_owned(),
-                edges: Vec::new(),
-                cells: Vec::new(),
-            });
-            regions.len() - 1
-        });
+    let place = regions.iter().position(|region| region.name == name).unwrap_or_else(|| {
+        regions.push(Region { name: name.to_owned(), edges: Vec::new(), cells: Vec::new() });
+        regions.len() - 1
+    });
     &mut regions[place]
 }

@@ -61,10 +61,7 @@ pub fn curve_rim(mesh: &Mesh, region: &str, circle: &Circle) -> Result<Mesh, Err
             *point = [point[0] + shift[0], point[1] + shift[1]];
         }
     }
-    raw.bulges.retain(|&(t, k, _)| {
-        rim.binary_search(&mesh.topology().triangle_edges[t as usize][k as usize])
-            .is_err()
-    });
+    raw.bulges.retain(|&(t, k, _)| rim.binary_search(&mesh.topology().triangle_edges[t as usize][k as usize]).is_err());
     for &edge in &rim {
         let [a, b] = edge_ends(edge).map(|v| raw.points[v as usize]);
         let t = mesh.topology().edge_triangles[edge as usize][0];
@@ -78,8 +75,7 @@ pub fn curve_rim(mesh: &Mesh, region: &str, circle: &Circle) -> Result<Mesh, Err
         });
     }
     raw.circles.retain(|(_, edges)| !edges.is_empty());
-    raw.circles
-        .push((*circle, rim.iter().map(|&edge| edge_ends(edge)).collect()));
+    raw.circles.push((*circle, rim.iter().map(|&edge| edge_ends(edge)).collect()));
     Ok(Mesh::build(raw)?)
 }
 
@@ -164,11 +160,7 @@ fn rim_edges(mesh: &Mesh, region: &Region) -> Vec<u32> {
     let inside = |t: u32| region.cells.binary_search(&t).is_ok();
     let sides = mesh.topology().edge_triangles.iter();
     let parts = sides.map(|&[a, b]| b != NO_TRIANGLE && inside(a) != inside(b));
-    (0..)
-        .zip(parts)
-        .filter(|(_, parts)| *parts)
-        .map(|(edge, _)| edge)
-        .collect()
+    (0..).zip(parts).filter(|(_, parts)| *parts).map(|(edge, _)| edge).collect()
 }
 
 /// Marks the vertices of boundary edges that are not in `rim` (ascending).
@@ -221,18 +213,12 @@ mod tests {
 
     /// Drops the circles that a mesh knows.
     fn forget(mesh: &Mesh) -> RawMesh {
-        RawMesh {
-            circles: Vec::new(),
-            ..mesh.to_raw()
-        }
+        RawMesh { circles: Vec::new(), ..mesh.to_raw() }
     }
 
     #[test]
     fn circles_are_remembered_and_recognised() {
-        let circle = Circle {
-            centre: [1.5, 1.5],
-            radius: 0.5f64.sqrt(),
-        };
+        let circle = Circle { centre: [1.5, 1.5], radius: 0.5f64.sqrt() };
         for start in [0.0, 1.5, 2.5] {
             let mesh = curve_rim(&ring(start), "pad", &circle).unwrap();
             let again = Mesh::build(mesh.to_raw()).unwrap();
@@ -255,18 +241,12 @@ mod tests {
 
     #[test]
     fn what_is_not_round_is_not_recognised() {
-        let circle = Circle {
-            centre: [1.5, 1.5],
-            radius: 0.5f64.sqrt(),
-        };
+        let circle = Circle { centre: [1.5, 1.5], radius: 0.5f64.sqrt() };
         let round = curve_rim(&ring(0.0), "pad", &circle).unwrap();
         let mut bent = forget(&round);
         let edge = |&(t, k, _): &(u32, u8, [f64; 2])| round.topology().triangle_edges[t as usize][usize::from(k)];
         let first = edge(&bent.bulges[0]);
-        bent.bulges
-            .iter_mut()
-            .filter(|bulge| edge(bulge) == first)
-            .for_each(|bulge| bulge.2[0] += 1e-6);
+        bent.bulges.iter_mut().filter(|bulge| edge(bulge) == first).for_each(|bulge| bulge.2[0] += 1e-6);
         let mut lone = forget(&round);
         lone.bulges.retain(|bulge| edge(bulge) == first);
         // Almost straight: no circle is meant.
@@ -281,10 +261,7 @@ mod tests {
     #[test]
     fn a_meshed_pad_becomes_round_also_across_the_seam() {
         // Through the corners of the pad, but for a little.
-        let circle = Circle {
-            centre: [1.5, 1.5],
-            radius: 0.5f64.sqrt() * (1.0 + 5e-4),
-        };
+        let circle = Circle { centre: [1.5, 1.5], radius: 0.5f64.sqrt() * (1.0 + 5e-4) };
         for start in [0.0, 1.5, 2.5] {
             let mesh = curve_rim(&ring(start), "pad", &circle).unwrap();
             let cells = &mesh.region("pad").unwrap().cells;
@@ -298,9 +275,6 @@ mod tests {
         }
         let wide = Circle { radius: 0.8, ..circle };
         let text = curve_rim(&ring(0.0), "pad", &wide).unwrap_err().to_string();
-        assert!(
-            text.contains("x = 1.500000000 m, z = 1.500000000 m, radius 0.707106781 m"),
-            "{text}"
-        );
+        assert!(text.contains("x = 1.500000000 m, z = 1.500000000 m, radius 0.707106781 m"), "{text}");
     }
 }

@@ -51,19 +51,11 @@ impl SizeTree {
                 high[k] = high[k].max(point[k]);
             }
         }
-        let mut tree = Self {
-            low,
-            extent: [period.unwrap_or(high[0] - low[0]), high[1] - low[1]],
-            period,
-            boxes: Vec::new(),
-        };
+        let mut tree =
+            Self { low, extent: [period.unwrap_or(high[0] - low[0]), high[1] - low[1]], period, boxes: Vec::new() };
         let sizes = vertex_sizes(mesh);
-        let mut vertices: Vec<([f64; 2], f64)> = mesh
-            .points()
-            .iter()
-            .zip(sizes)
-            .map(|(&point, size)| (tree.offset(point), size))
-            .collect();
+        let mut vertices: Vec<([f64; 2], f64)> =
+            mesh.points().iter().zip(sizes).map(|(&point, size)| (tree.offset(point), size)).collect();
         tree.fill(&mut vertices);
         tree
     }
@@ -77,14 +69,8 @@ impl SizeTree {
     fn fill(&mut self, vertices: &mut [([f64; 2], f64)]) {
         let whole = SizeBox { halves: 0, size: 0.0 };
         self.boxes = vec![whole];
-        let mut tasks = vec![Task {
-            index: 0,
-            from: 0,
-            to: vertices.len(),
-            low: [0.0; 2],
-            extent: self.extent,
-            depth: 0,
-        }];
+        let mut tasks =
+            vec![Task { index: 0, from: 0, to: vertices.len(), low: [0.0; 2], extent: self.extent, depth: 0 }];
         while let Some(task) = tasks.pop() {
             let members = &mut vertices[task.from..task.to];
             let longer = task.extent[0].max(task.extent[1]);
@@ -109,14 +95,7 @@ impl SizeTree {
             upper[axis] += extent[axis];
             let middle = task.from + partition(members, |(point, _)| point[axis] < upper[axis]);
             for (half, low, from, to) in [(0, task.low, task.from, middle), (1, upper, middle, task.to)] {
-                tasks.push(Task {
-                    index: halves + half,
-                    from,
-                    to,
-                    low,
-                    extent,
-                    depth: task.depth + 1,
-                });
+                tasks.push(Task { index: halves + half, from, to, low, extent, depth: task.depth + 1 });
             }
         }
     }
@@ -162,7 +141,5 @@ fn vertex_sizes(mesh: &Mesh) -> Vec<f64> {
             *count += 1.0;
         }
     }
-    sums.into_iter()
-        .map(|(area, count)| EQUILATERAL_EDGE * (area / count).sqrt())
-        .collect()
+    sums.into_iter().map(|(area, count)| EQUILATERAL_EDGE * (area / count).sqrt()).collect()
 }

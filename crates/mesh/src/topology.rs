@@ -80,13 +80,7 @@ impl Topology {
             triangle_start[triangle[0] as usize + 1] += 1;
         }
         accumulate(&mut triangle_start);
-        Ok(Self {
-            edges,
-            triangle_edges,
-            edge_triangles,
-            edge_start,
-            triangle_start,
-        })
+        Ok(Self { edges, triangle_edges, edge_triangles, edge_start, triangle_start })
     }
 
     /// The edge between two vertices, if the triangulation has it.
@@ -120,10 +114,7 @@ fn accumulate(counts: &mut [u32]) {
 fn triangles_at(edges: &[[u32; 2]], triangle_edges: &[[u32; 3]]) -> Result<Vec<[u32; 2]>, Vec<[u32; 2]>> {
     let mut at = vec![[NO_TRIANGLE; 2]; edges.len()];
     let mut crowded = Vec::new();
-    for (t, edge) in (0u32..)
-        .zip(triangle_edges)
-        .flat_map(|(t, edges)| edges.map(|edge| (t, edge as usize)))
-    {
+    for (t, edge) in (0u32..).zip(triangle_edges).flat_map(|(t, edges)| edges.map(|edge| (t, edge as usize))) {
         match at[edge].iter().position(|&side| side == NO_TRIANGLE) {
             Some(free) => at[edge][free] = t,
             None => crowded.push(edges[edge]),

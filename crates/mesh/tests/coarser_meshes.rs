@@ -12,11 +12,7 @@ use oilwedge_mesh::{Locator, Mesh, Quality, refine};
 const RADIUS: f64 = 0.0375;
 
 fn liner(arc: Option<(f64, f64)>) -> Liner {
-    Liner {
-        radius: RADIUS,
-        length: 0.075,
-        arc,
-    }
+    Liner { radius: RADIUS, length: 0.075, arc }
 }
 
 fn shell() -> Liner {
@@ -24,23 +20,13 @@ fn shell() -> Liner {
 }
 
 fn shipped(name: &str, liner: &Liner) -> Mesh {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../meshes")
-        .join(name);
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../meshes").join(name);
     read(path, liner, 1.0).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn feature(name: &str, degrees: f64, z: f64, half: [f64; 2], corner: f64, meshed: bool) -> Feature {
-    let shape = Shape {
-        centre: [RADIUS * degrees.to_radians(), z],
-        half,
-        corner,
-    };
-    Feature {
-        name: name.to_owned(),
-        shape,
-        meshed,
-    }
+    let shape = Shape { centre: [RADIUS * degrees.to_radians(), z], half, corner };
+    Feature { name: name.to_owned(), shape, meshed }
 }
 
 /// A round hole, a cut-out groove and a meshed one.
@@ -106,20 +92,12 @@ fn check_geometry(name: &str, mesh: &Mesh, coarser: &Mesh, liner: &Liner) {
 
 #[test]
 fn shipped_meshes() {
-    for name in [
-        "ring.msh",
-        "flexpde_ring.msh",
-        "flexpde_ring_straight.msh",
-        "flexpde_ring_top.msh",
-        "grooved_liner.msh",
-    ] {
+    for name in
+        ["ring.msh", "flexpde_ring.msh", "flexpde_ring_straight.msh", "flexpde_ring_top.msh", "grooved_liner.msh"]
+    {
         check(name, &shipped(name, &liner(None)), &liner(None), None);
     }
-    for name in [
-        "flexpde_shell.msh",
-        "flexpde_shell_meshed_hole.msh",
-        "flexpde_study_size.msh",
-    ] {
+    for name in ["flexpde_shell.msh", "flexpde_shell_meshed_hole.msh", "flexpde_study_size.msh"] {
         check(name, &shipped(name, &shell()), &shell(), None);
     }
 }
@@ -150,11 +128,7 @@ fn generated_meshes_even_graded_and_refined() {
     for (liner, kind) in [(liner(None), "ring"), (shell(), "arc")] {
         for features in [vec![], features()] {
             let kind = format!("{kind}, {} features", features.len());
-            let blueprint = Blueprint {
-                liner,
-                features,
-                line: None,
-            };
+            let blueprint = Blueprint { liner, features, line: None };
             for size in [0.006, 0.003, 0.0015] {
                 let mesh = generate(&blueprint, &|_| size).unwrap();
                 check(&format!("{kind}, {size}"), &mesh, &liner, None);
@@ -194,11 +168,7 @@ fn parents_hold_the_centroids_or_are_nearest() {
 
 #[test]
 fn cut_outs_are_filled_with_few_triangles() {
-    let blueprint = Blueprint {
-        liner: liner(None),
-        features: features(),
-        line: None,
-    };
+    let blueprint = Blueprint { liner: liner(None), features: features(), line: None };
     let mesh = generate(&blueprint, &|_| 0.001).unwrap();
     let coarse = coarser(&mesh, &liner(None), None, 2.0).unwrap().mesh;
     let rim = mesh.region("hole").unwrap().edges.len() as f64;
@@ -215,21 +185,14 @@ fn cut_outs_are_filled_with_few_triangles() {
 #[test]
 fn a_line_stays_a_line_of_edges() {
     let angle = 1.234;
-    let blueprint = Blueprint {
-        liner: liner(None),
-        features: features(),
-        line: Some(angle),
-    };
+    let blueprint = Blueprint { liner: liner(None), features: features(), line: Some(angle) };
     let mut mesh = generate(&blueprint, &graded(0.006)).unwrap();
     for _ in 0..2 {
         mesh = coarser(&mesh, &liner(None), Some(angle), 2.0).unwrap().mesh;
         let on = |point: [f64; 2]| (point[0] - RADIUS * angle).abs() < 1e-12;
         let edges = 0..mesh.topology().edges.len() as u32;
         let nodes = edges.map(|edge| mesh.edge_nodes(edge));
-        let length: f64 = nodes
-            .filter(|[a, b, _]| on(*a) && on(*b))
-            .map(|[a, b, _]| (b[1] - a[1]).abs())
-            .sum();
+        let length: f64 = nodes.filter(|[a, b, _]| on(*a) && on(*b)).map(|[a, b, _]| (b[1] - a[1]).abs()).sum();
         assert!((length - 0.075).abs() < 1e-12, "{length}");
     }
 }
@@ -248,32 +211,17 @@ fn no_mesh_rather_than_a_useless_one() {
 /// Thin rows at one end stay thin.
 #[test]
 fn coarser_meshes_of_rows_are_rows() {
-    let blueprint = Blueprint {
-        liner: liner(None),
-        features: features(),
-        line: None,
-    };
+    let blueprint = Blueprint { liner: liner(None), features: features(), line: None };
     let across = |z: f64| 0.0005 + 0.03 * (z + 0.0375);
-    let rows = Rows {
-        along: &|_| 0.002,
-        across: &across,
-        sense: Sense::Forwards,
-        grading: Grading::RESOLVED,
-    };
+    let rows = Rows { along: &|_| 0.002, across: &across, sense: Sense::Forwards, grading: Grading::RESOLVED };
     let fine = generate_in_rows(&blueprint, &rows).expect("a mesh");
-    let coarse = coarser_in_rows(&fine, &blueprint.liner, None, 2.0, Sense::Forwards)
-        .expect("a mesh")
-        .mesh;
+    let coarse = coarser_in_rows(&fine, &blueprint.liner, None, 2.0, Sense::Forwards).expect("a mesh").mesh;
     assert!(share_across_flow(&fine) > 0.0);
     assert_eq!(share_across_flow(&coarse), 0.0);
     let share = fine.triangles().len() as f64 / coarse.triangles().len() as f64;
     assert!((3.0..6.0).contains(&share), "{share}");
     let lowest = |mesh: &Mesh| {
-        let above = mesh
-            .points()
-            .iter()
-            .map(|point| point[1] + 0.0375)
-            .filter(|z| *z > 1e-9);
+        let above = mesh.points().iter().map(|point| point[1] + 0.0375).filter(|z| *z > 1e-9);
         above.fold(f64::INFINITY, f64::min)
     };
     let thicker = lowest(&coarse) / lowest(&fine);

@@ -24,11 +24,7 @@ fn sound(file: &MshFile) {
     assert!(file.nodes.iter().flatten().all(|x| x.is_finite()));
     assert!(!file.triangles.is_empty() && file.triangles.iter().flatten().all(exists));
     assert!(file.mid_nodes.iter().flatten().flatten().all(exists));
-    assert!(
-        file.mid_nodes
-            .as_ref()
-            .is_none_or(|mids| mids.len() == file.triangles.len())
-    );
+    assert!(file.mid_nodes.as_ref().is_none_or(|mids| mids.len() == file.triangles.len()));
     assert!(file.curves.iter().flat_map(|(_, edges)| edges).flatten().all(exists));
     assert!(file.periodic.iter().flatten().all(exists));
     let triangle = |t: &u32| (*t as usize) < file.triangles.len();
@@ -99,11 +95,7 @@ fn missing_sections_and_groups_are_named() {
     let file = gmsh::parse(without("PhysicalNames").as_bytes()).unwrap();
     assert!(file.surface("surface 1").is_some() && file.curve("curve 2").is_some());
     let file = gmsh::parse(without("Periodic").as_bytes()).unwrap();
-    let liner = Liner {
-        radius: 1.0,
-        length: 2.0,
-        arc: None,
-    };
+    let liner = Liner { radius: 1.0, length: 2.0, arc: None };
     let by_position = developed::unroll(&file, &liner, 1.0).unwrap();
     let by_pairs = developed::unroll(&gmsh::parse(good.as_bytes()).unwrap(), &liner, 1.0).unwrap();
     assert_eq!(by_position.triangles, by_pairs.triangles);
@@ -127,13 +119,7 @@ fn harmless_additions_are_accepted() {
 
 #[test]
 fn mutations_never_panic() {
-    let seeds = [
-        "plane_ring.msh",
-        "plane_ring_binary.msh",
-        "plane_ring_sparse.msh",
-        "half_x.msh",
-        "quads.msh",
-    ];
+    let seeds = ["plane_ring.msh", "plane_ring_binary.msh", "plane_ring_sparse.msh", "half_x.msh", "quads.msh"];
     let seeds = seeds.map(data);
     let words: [&[u8]; 13] = [
         b"-1",
@@ -150,11 +136,7 @@ fn mutations_never_panic() {
         b"-inf",
         b"9",
     ];
-    let liner = Liner {
-        radius: 1.0,
-        length: 2.0,
-        arc: None,
-    };
+    let liner = Liner { radius: 1.0, length: 2.0, arc: None };
     let mut random = Random(88_172_645_463_325_252);
     let mut accepted = 0;
     for round in 0..10000 {
@@ -176,10 +158,7 @@ fn mutations_never_panic() {
             match developed::unroll(&file, &liner, 1.0).and_then(|raw| Ok(Mesh::build(raw)?)) {
                 Ok(mesh) => drop(gmsh::to_text(&mesh)),
                 Err(error) => {
-                    assert!(
-                        !matches!(error, Error::Io { .. }) && error.to_string().len() < 3000,
-                        "{error}"
-                    );
+                    assert!(!matches!(error, Error::Io { .. }) && error.to_string().len() < 3000, "{error}");
                 }
             }
         }

@@ -48,11 +48,7 @@ fn jittered(n: u32, m: u32, aspect: f64, random: &mut Random) -> Mesh {
 fn generated(size: f64, arc: bool) -> Mesh {
     let feature = |name: &str, x: f64, half: [f64; 2], corner: f64, meshed: bool| Feature {
         name: name.to_owned(),
-        shape: Shape {
-            centre: [x, 0.1],
-            half,
-            corner,
-        },
+        shape: Shape { centre: [x, 0.1], half, corner },
         meshed,
     };
     let features = vec![
@@ -60,16 +56,8 @@ fn generated(size: f64, arc: bool) -> Mesh {
         feature("pocket", 4.0, [0.5, 0.4], 0.1, true),
         feature("groove", 5.5, [0.2, 0.6], 0.0, false),
     ];
-    let liner = Liner {
-        radius: 1.0,
-        length: 2.0,
-        arc: arc.then_some((0.5, 3.5)),
-    };
-    let blueprint = Blueprint {
-        liner,
-        features: if arc { Vec::new() } else { features },
-        line: None,
-    };
+    let liner = Liner { radius: 1.0, length: 2.0, arc: arc.then_some((0.5, 3.5)) };
+    let blueprint = Blueprint { liner, features: if arc { Vec::new() } else { features }, line: None };
     generate(&blueprint, &|_| size).unwrap()
 }
 
@@ -84,10 +72,7 @@ fn fixed(mesh: &Mesh) -> Vec<bool> {
     (0..topology.edges.len() as u32)
         .map(|edge| {
             let [t, u] = topology.edge_triangles[edge as usize];
-            let named = mesh
-                .regions()
-                .iter()
-                .any(|region| region.edges.binary_search(&edge).is_ok());
+            let named = mesh.regions().iter().any(|region| region.edges.binary_search(&edge).is_ok());
             let bent = mesh.circle(edge).is_some() || mesh.bulge(edge) != [0.0; 2];
             topology.is_boundary(edge) || named || bent || names(t) != names(u)
         })
@@ -134,11 +119,7 @@ fn check(mesh: &Mesh) -> (Flipped, usize) {
     let after = &flipped.mesh;
     let [straight, curved] = wrong_edges(after);
     assert_eq!(straight, 0, "of {before:?}");
-    assert!(
-        flipped.flips < 5 * mesh.topology().edges.len(),
-        "{} flips",
-        flipped.flips
-    );
+    assert!(flipped.flips < 5 * mesh.topology().edges.len(), "{} flips", flipped.flips);
     assert!(to_delaunay(after, &[]).is_none());
     // Nothing but inner edges has changed.
     assert_eq!(after.points(), mesh.points());
@@ -154,10 +135,7 @@ fn check(mesh: &Mesh) -> (Flipped, usize) {
     }
     for region in mesh.regions() {
         let other = after.region(&region.name).unwrap();
-        assert_eq!(
-            pairs(after, other.edges.iter().copied()),
-            pairs(mesh, region.edges.iter().copied())
-        );
+        assert_eq!(pairs(after, other.edges.iter().copied()), pairs(mesh, region.edges.iter().copied()));
         assert_eq!(other.cells.len(), region.cells.len());
         let (a, b) = (surface_area(after, &other.cells), surface_area(mesh, &region.cells));
         assert!((a - b).abs() <= 1e-12 * b, "{}: {a} {b}", region.name);
@@ -173,9 +151,7 @@ fn check(mesh: &Mesh) -> (Flipped, usize) {
         for &edge in others {
             let [_, _, [x, z]] = after.edge_nodes(edge);
             let along = x - circle.centre[0];
-            let along = mesh
-                .period()
-                .map_or(along, |period| along - period * (along / period).round());
+            let along = mesh.period().map_or(along, |period| along - period * (along / period).round());
             assert!((along.hypot(z - circle.centre[1]) / circle.radius - 1.0).abs() < 1e-9);
         }
     }
@@ -299,14 +275,7 @@ fn a_flip_that_would_fold_a_curved_triangle_is_left() {
     // between the second and the fifth flips anyway.
     for (depth, flips) in [(0.0, 2), (0.05, 2), (0.35, 1)] {
         let mesh = Mesh::build(RawMesh {
-            points: vec![
-                [1.0, 0.0],
-                [0.5, 3.0],
-                [-1.0, 0.0],
-                [1.2, 0.5],
-                [-4.0, 4.0],
-                [-1.6, 4.0],
-            ],
+            points: vec![[1.0, 0.0], [0.5, 3.0], [-1.0, 0.0], [1.2, 0.5], [-4.0, 4.0], [-1.6, 4.0]],
             triangles: vec![[0, 1, 2], [1, 0, 3], [2, 1, 4], [4, 1, 5]],
             bulges: vec![(0, 2, [0.0, depth])],
             ..RawMesh::default()

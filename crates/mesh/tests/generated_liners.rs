@@ -12,17 +12,9 @@ use oilwedge_mesh::{Mesh, Quality};
 /// A plain liner in rows follows the flow everywhere; the two senses are mirror images.
 #[test]
 fn plain_liners_in_rows_are_mirror_images() {
-    let plain = Blueprint {
-        features: Vec::new(),
-        ..liner_with_groove(0.075, [0.01, 0.003], 0.0)
-    };
+    let plain = Blueprint { features: Vec::new(), ..liner_with_groove(0.075, [0.01, 0.003], 0.0) };
     let [forwards, backwards] = [Sense::Forwards, Sense::Backwards].map(|sense| {
-        let rows = Rows {
-            along: &|_| 0.008,
-            across: &|_| 0.005,
-            sense,
-            grading: Grading::RESOLVED,
-        };
+        let rows = Rows { along: &|_| 0.008, across: &|_| 0.005, sense, grading: Grading::RESOLVED };
         generate_in_rows(&plain, &rows).expect("a mesh")
     });
     assert_eq!(share_across_flow(&forwards), 0.0);
@@ -32,11 +24,7 @@ fn plain_liners_in_rows_are_mirror_images() {
         let centre = |t: usize| {
             let corners = mesh.corners(t);
             let [x, z] = [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0);
-            [
-                (sign * x).rem_euclid(turn) / turn * 870.0,
-                z / plain.liner.length * 480.0,
-            ]
-            .map(|x| x.round() as i64)
+            [(sign * x).rem_euclid(turn) / turn * 870.0, z / plain.liner.length * 480.0].map(|x| x.round() as i64)
         };
         let mut centres: Vec<[i64; 2]> = (0..mesh.triangles().len()).map(centre).collect();
         centres.sort_unstable();
@@ -46,26 +34,10 @@ fn plain_liners_in_rows_are_mirror_images() {
 }
 
 fn liner_with_groove(length: f64, half: [f64; 2], corner: f64) -> Blueprint {
-    let liner = Liner {
-        radius: 0.0375,
-        length,
-        arc: None,
-    };
-    let shape = Shape {
-        centre: [0.1, 0.0],
-        half,
-        corner,
-    };
-    let groove = Feature {
-        name: "groove".to_owned(),
-        shape,
-        meshed: false,
-    };
-    Blueprint {
-        liner,
-        features: vec![groove],
-        line: None,
-    }
+    let liner = Liner { radius: 0.0375, length, arc: None };
+    let shape = Shape { centre: [0.1, 0.0], half, corner };
+    let groove = Feature { name: "groove".to_owned(), shape, meshed: false };
+    Blueprint { liner, features: vec![groove], line: None }
 }
 
 /// Small round corners, and the short sides that large ones leave, are refined where they are, not along the whole rim.
@@ -102,10 +74,7 @@ fn the_wanted_size_counts_beside_a_narrow_groove() {
 fn a_rim_too_long_for_its_width_is_refused() {
     let blueprint = liner_with_groove(1000.0, [2e-5, 450.0], 0.0);
     let faults = generate(&blueprint, &|_| 1.0).expect_err("too many triangles");
-    assert!(
-        matches!(&faults[..], [DrawingError::Failed { reason, .. }] if reason.contains("of them")),
-        "{faults:?}"
-    );
+    assert!(matches!(&faults[..], [DrawingError::Failed { reason, .. }] if reason.contains("of them")), "{faults:?}");
 }
 
 /// Features touch each other, ends, edges of an arc and the film start; sides of other lengths end amid each other.
@@ -121,10 +90,7 @@ fn features_that_touch_share_their_sides() {
         meshed,
     };
     let band = |name: &str, low: f64, high: f64| Feature {
-        shape: Shape {
-            half: [f64::INFINITY, 0.5 * (high - low)],
-            ..rectangle("", [0.0; 2], [low, high], true).shape
-        },
+        shape: Shape { half: [f64::INFINITY, 0.5 * (high - low)], ..rectangle("", [0.0; 2], [low, high], true).shape },
         ..rectangle(name, [0.0; 2], [0.0; 2], true)
     };
     let (ends, tiny) = ([-0.03, 0.03], 1e-9);
@@ -181,39 +147,21 @@ fn features_that_touch_share_their_sides() {
         ),
     ];
     for (arc, line, features) in cases {
-        let liner = Liner {
-            radius: 0.0375,
-            length: 0.06,
-            arc: arc.map(|width| (0.0, width / 0.0375)),
-        };
+        let liner = Liner { radius: 0.0375, length: 0.06, arc: arc.map(|width| (0.0, width / 0.0375)) };
         let blueprint = Blueprint { liner, features, line };
-        let rows = Rows {
-            along: &|_| 0.006,
-            across: &|_| 0.005,
-            sense: Sense::Forwards,
-            grading: Grading::RESOLVED,
-        };
+        let rows = Rows { along: &|_| 0.006, across: &|_| 0.005, sense: Sense::Forwards, grading: Grading::RESOLVED };
         let of =
             |mesh: Result<Mesh, Vec<DrawingError>>| mesh.unwrap_or_else(|faults| panic!("{faults:?}: {blueprint:?}"));
-        for (mesh, least) in [
-            (of(generate(&blueprint, &|_| 0.006)), 20.0),
-            (of(generate_in_rows(&blueprint, &rows)), 0.5),
-        ] {
+        for (mesh, least) in
+            [(of(generate(&blueprint, &|_| 0.006)), 20.0), (of(generate_in_rows(&blueprint, &rows)), 0.5)]
+        {
             let quality = Quality::of(&mesh);
-            assert!(
-                quality.least_angle >= least,
-                "{} deg: {blueprint:?}",
-                quality.least_angle
-            );
+            assert!(quality.least_angle >= least, "{} deg: {blueprint:?}", quality.least_angle);
             assert_eq!(quality.unnamed_boundary_edges, 0, "{blueprint:?}");
             let area = arc.unwrap_or(TAU * liner.radius) * liner.length;
             let cut_out = blueprint.features.iter().filter(|feature| !feature.meshed);
-            let (found, wanted) = (
-                quality.area,
-                area - cut_out
-                    .map(|feature| feature.shape.area(TAU * liner.radius))
-                    .sum::<f64>(),
-            );
+            let (found, wanted) =
+                (quality.area, area - cut_out.map(|feature| feature.shape.area(TAU * liner.radius)).sum::<f64>());
             assert!((found / wanted - 1.0).abs() < 1e-6, "{found} {wanted}: {blueprint:?}");
             for feature in blueprint.features.iter().filter(|feature| feature.meshed) {
                 let cells = &mesh.region(&feature.name).expect("a region").cells;
@@ -235,33 +183,14 @@ fn features_that_touch_share_their_sides() {
         faults[0].to_string()
     };
     let feed = || rectangle("feed", [0.0, 0.02], [-0.01, 0.01], false);
-    let hole = Feature {
-        name: "hole".to_owned(),
-        shape: Shape::disc([0.03, 0.0], 0.01),
-        meshed: false,
-    };
+    let hole = Feature { name: "hole".to_owned(), shape: Shape::disc([0.03, 0.0], 0.01), meshed: false };
     let pocket = |x: [f64; 2], z: [f64; 2]| rectangle("pocket", x, z, true);
     for (features, words) in [
-        (
-            vec![hole.clone(), pocket([0.04, 0.06], [-0.01, 0.01])],
-            "meet at 0.0 deg",
-        ),
-        (
-            vec![hole, pocket([0.035, 0.06], [-0.01, 0.01])],
-            "\"hole\" and \"pocket\" overlap",
-        ),
-        (
-            vec![feed(), pocket([0.02001, 0.06], [-0.01, 0.02])],
-            "leave 1.0e-5 m of land",
-        ),
-        (
-            vec![feed(), pocket([0.02, 0.06], [-0.01, 0.01001])],
-            "with a part of 1.0e-5 m",
-        ),
-        (
-            vec![feed(), rectangle("other", [0.02, 0.06], [-0.01, 0.01], false)],
-            "no film is between",
-        ),
+        (vec![hole.clone(), pocket([0.04, 0.06], [-0.01, 0.01])], "meet at 0.0 deg"),
+        (vec![hole, pocket([0.035, 0.06], [-0.01, 0.01])], "\"hole\" and \"pocket\" overlap"),
+        (vec![feed(), pocket([0.02001, 0.06], [-0.01, 0.02])], "leave 1.0e-5 m of land"),
+        (vec![feed(), pocket([0.02, 0.06], [-0.01, 0.01001])], "with a part of 1.0e-5 m"),
+        (vec![feed(), rectangle("other", [0.02, 0.06], [-0.01, 0.01], false)], "no film is between"),
         (vec![band("all", -0.03, 0.03)], "\"all\" is the whole liner"),
     ] {
         let told = refused(features);

@@ -11,21 +11,14 @@ fn data(name: &str) -> PathBuf {
 }
 
 fn liner(arc: Option<(f64, f64)>) -> Liner {
-    Liner {
-        radius: 1.0,
-        length: 2.0,
-        arc,
-    }
+    Liner { radius: 1.0, length: 2.0, arc }
 }
 
 fn ring(name: &str) -> Mesh {
     developed::read(data(name), &liner(None), 1.0).unwrap_or_else(|error| panic!("{error}"))
 }
 
-const HOLE: Circle = Circle {
-    centre: [3.0, 0.2],
-    radius: 0.4,
-};
+const HOLE: Circle = Circle { centre: [3.0, 0.2], radius: 0.4 };
 
 fn same(a: &Mesh, b: &Mesh, tolerance: f64) {
     assert_eq!(a.triangles(), b.triangles());
@@ -45,11 +38,7 @@ fn text_and_binary_and_any_tags_give_one_mesh() {
     let quality = Quality::of(&mesh);
     assert_eq!((quality.boundary_loops, quality.unnamed_boundary_edges), (3, 0));
     assert_eq!(mesh.region("oil hole").unwrap().edges.len(), quality.curved_cells);
-    for other in [
-        "plane_ring_binary.msh",
-        "plane_ring_shuffled.msh",
-        "plane_ring_sparse.msh",
-    ] {
+    for other in ["plane_ring_binary.msh", "plane_ring_shuffled.msh", "plane_ring_sparse.msh"] {
         same(&mesh, &ring(other), 1e-15);
     }
 }
@@ -73,16 +62,8 @@ fn a_round_rim_is_made_of_parabolas_on_the_circle() {
 
     let wrong = Circle { radius: 0.41, ..HOLE };
     let text = rim::curve_rim(&straight, "oil hole", &wrong).unwrap_err().to_string();
-    assert!(
-        text.contains("radius 0.400000000") && text.contains("\"oil hole\""),
-        "{text}"
-    );
-    assert!(
-        rim::curve_rim(&straight, "hole", &HOLE)
-            .unwrap_err()
-            .to_string()
-            .contains("oil hole")
-    );
+    assert!(text.contains("radius 0.400000000") && text.contains("\"oil hole\""), "{text}");
+    assert!(rim::curve_rim(&straight, "hole", &HOLE).unwrap_err().to_string().contains("oil hole"));
 }
 
 #[test]
@@ -115,16 +96,9 @@ fn half_a_cylinder() {
     assert!((quality.area - TAU).abs() < 1e-12);
     assert_eq!((quality.boundary_loops, quality.unnamed_boundary_edges), (1, 0));
     let turned = (PI / 6.0 + 0.1, 7.0 * PI / 6.0 + 0.1);
-    let text = developed::read(data("half_x.msh"), &liner(Some(turned)), 1.0)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        text.contains("half_x.msh") && text.contains("shift the mesh by 5.7295779"),
-        "{text}"
-    );
-    let text = developed::read(data("half_x.msh"), &liner(None), 1.0)
-        .unwrap_err()
-        .to_string();
+    let text = developed::read(data("half_x.msh"), &liner(Some(turned)), 1.0).unwrap_err().to_string();
+    assert!(text.contains("half_x.msh") && text.contains("shift the mesh by 5.7295779"), "{text}");
+    let text = developed::read(data("half_x.msh"), &liner(None), 1.0).unwrap_err().to_string();
     assert!(text.contains("open from 210."), "{text}");
 }
 
@@ -156,23 +130,13 @@ fn marks_and_parametric_coordinates_are_passed_over() {
     assert!(wide.contains("UTF-16"), "{wide}");
     let file = gmsh::read(data("parametric.msh")).unwrap();
     let corners: Vec<[f64; 3]> = file.nodes[..4].to_vec();
-    assert_eq!(
-        corners,
-        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
-    );
-    assert!(
-        file.nodes
-            .iter()
-            .all(|node| node[2] == 0.0 && node[..2].iter().all(|x| (0.0..=1.0).contains(x)))
-    );
+    assert_eq!(corners, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert!(file.nodes.iter().all(|node| node[2] == 0.0 && node[..2].iter().all(|x| (0.0..=1.0).contains(x))));
 }
 
 #[test]
 fn what_is_written_reads_back() {
-    let circle = Circle {
-        centre: [3.0 + TAU, 0.2],
-        ..HOLE
-    };
+    let circle = Circle { centre: [3.0 + TAU, 0.2], ..HOLE };
     let bent = rim::curve_rim(&ring("plane_ring_straight.msh"), "oil hole", &circle).unwrap();
     for mesh in [ring("plane_ring.msh"), bent, ring("cylinder_y.msh")] {
         let text = gmsh::to_text(&mesh);
@@ -188,9 +152,5 @@ fn what_is_written_reads_back() {
     let arc = liner(Some((PI / 6.0, 7.0 * PI / 6.0)));
     let mesh = developed::read(data("half_x.msh"), &arc, 1.0).unwrap();
     let file = gmsh::parse(gmsh::to_text(&mesh).as_bytes()).unwrap();
-    same(
-        &Mesh::build(developed::unroll(&file, &arc, 1.0).unwrap()).unwrap(),
-        &mesh,
-        0.0,
-    );
+    same(&Mesh::build(developed::unroll(&file, &arc, 1.0).unwrap()).unwrap(), &mesh, 0.0);
 }

@@ -50,12 +50,7 @@ fn names_are_short() {
     assert!(told(file(&broken, SURFACE, TRIANGLE)).contains("is not: dimension, tag and quoted name"));
     let section = format!("${long}\n$End{long}\n");
     assert!(told(file(&section, SURFACE, TRIANGLE)).contains("the name of this section is too long"));
-    let unclosed = [
-        b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$".to_vec(),
-        vec![0xff; 100],
-        b"\n".to_vec(),
-    ]
-    .concat();
+    let unclosed = [b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$".to_vec(), vec![0xff; 100], b"\n".to_vec()].concat();
     assert!(told(unclosed).contains("follows"));
     assert!(told(format!("$MeshFormat\n{long} 0 8\n$EndMeshFormat\n")).contains("the gmsh format xxx"));
     assert!(told(format!("${long}")).contains("not a gmsh mesh file"));
@@ -71,11 +66,7 @@ fn of_many_groups_some_are_told() {
         let _ = writeln!(elements, "2 {tag} 2 1\n{tag} 1 2 3");
     }
     let names = format!("$PhysicalNames\n1000\n{names}$EndPhysicalNames\n");
-    let text = file(
-        &names,
-        &format!("0 0 1000 0\n{entities}"),
-        &format!("1000 1000 1 1000\n{elements}"),
-    );
+    let text = file(&names, &format!("0 0 1000 0\n{entities}"), &format!("1000 1000 1 1000\n{elements}"));
     assert!(told(text).contains("surface \"group number 20\" and 980 more"));
 }
 
@@ -111,19 +102,8 @@ fn a_vertex_of_a_thousand_triangles_is_refused() {
     };
     assert!(Mesh::build(fan(1000)).is_ok());
     let defects = Mesh::build(fan(200_000)).unwrap_err();
-    assert!(matches!(
-        defects[..],
-        [Defect::CrowdedNode {
-            node: 1,
-            triangles: 200_000,
-            ..
-        }]
-    ));
-    assert!(
-        defects[0]
-            .to_string()
-            .contains("200000 triangles share node 1, more than 1000")
-    );
+    assert!(matches!(defects[..], [Defect::CrowdedNode { node: 1, triangles: 200_000, .. }]));
+    assert!(defects[0].to_string().contains("200000 triangles share node 1, more than 1000"));
 }
 
 #[test]
@@ -135,10 +115,7 @@ fn a_large_file_that_is_no_mesh_is_not_read() {
     // A file system without holes in files has no room for this.
     if sparse.is_ok() {
         let told = gmsh::read(&path).expect_err("no mesh").to_string();
-        assert!(
-            told.contains("sparse.msh") && told.contains("not a gmsh mesh file"),
-            "{told}"
-        );
+        assert!(told.contains("sparse.msh") && told.contains("not a gmsh mesh file"), "{told}");
         std::fs::write(&path, "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n").expect("a file");
         let grown = std::fs::OpenOptions::new().write(true).open(&path);
         grown.and_then(|file| file.set_len(1 << 50)).unwrap_or_default();

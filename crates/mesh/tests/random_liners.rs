@@ -13,42 +13,24 @@ use crate::random::Random;
 
 fn feature(random: &mut Random, liner: &Liner, index: usize) -> Feature {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
-    let centre = [
-        liner.radius * random.between(from, to),
-        liner.length * random.between(-0.4, 0.4),
-    ];
+    let centre = [liner.radius * random.between(from, to), liner.length * random.between(-0.4, 0.4)];
     let small = liner.radius.min(liner.length);
     let shape = match random.below(8) {
         0..=3 => Shape::disc(centre, small * random.between(0.02, 0.2)),
         4 | 5 => {
             let half = [small * random.between(0.02, 0.25), small * random.between(0.02, 0.4)];
-            let corner = if random.unit() < 0.5 {
-                0.0
-            } else {
-                half[0].min(half[1]) * random.between(0.1, 1.0)
-            };
+            let corner = if random.unit() < 0.5 { 0.0 } else { half[0].min(half[1]) * random.between(0.1, 1.0) };
             Shape { centre, half, corner }
         }
         6 => Shape {
             centre,
-            half: [
-                liner.radius * random.between(0.3, 1.5),
-                small * random.between(0.02, 0.1),
-            ],
+            half: [liner.radius * random.between(0.3, 1.5), small * random.between(0.02, 0.1)],
             corner: 0.0,
         },
-        _ => Shape {
-            centre,
-            half: [f64::INFINITY, small * random.between(0.02, 0.1)],
-            corner: 0.0,
-        },
+        _ => Shape { centre, half: [f64::INFINITY, small * random.between(0.02, 0.1)], corner: 0.0 },
     };
     let meshed = shape.is_full_turn() || random.unit() < 0.3;
-    Feature {
-        name: format!("feature_{index}"),
-        shape,
-        meshed,
-    }
+    Feature { name: format!("feature_{index}"), shape, meshed }
 }
 
 fn blueprint(random: &mut Random) -> Blueprint {
@@ -57,18 +39,10 @@ fn blueprint(random: &mut Random) -> Blueprint {
         let from = random.between(-1.0, 3.0);
         (from, from + random.between(0.3, 5.5))
     });
-    let liner = Liner {
-        radius,
-        length: radius * random.between(0.3, 4.0),
-        arc,
-    };
+    let liner = Liner { radius, length: radius * random.between(0.3, 4.0), arc };
     let count = random.below(5);
     let features = (0..count).map(|index| feature(random, &liner, index)).collect();
-    Blueprint {
-        liner,
-        features,
-        line: None,
-    }
+    Blueprint { liner, features, line: None }
 }
 
 /// Area [m2] of what is left of the liner, its rims as the quadratic arcs that a mesh has.
@@ -82,11 +56,7 @@ fn area(blueprint: &Blueprint) -> f64 {
 /// What quadratic arcs add to or take from the area of circles: `r^2 a^5/960` an edge of the angle `a`.
 fn arc_error(mesh: &Mesh, blueprint: &Blueprint) -> f64 {
     let mut error = 0.0;
-    for feature in blueprint
-        .features
-        .iter()
-        .filter(|feature| !feature.meshed && feature.shape.corner > 0.0)
-    {
+    for feature in blueprint.features.iter().filter(|feature| !feature.meshed && feature.shape.corner > 0.0) {
         let Some(region) = mesh.region(&feature.name) else {
             continue;
         };
@@ -107,19 +77,13 @@ fn arc_error(mesh: &Mesh, blueprint: &Blueprint) -> f64 {
 
 fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
     let quality = Quality::of(mesh);
-    assert!(
-        quality.least_angle >= least_angle,
-        "{} deg: {blueprint:?}",
-        quality.least_angle
-    );
+    assert!(quality.least_angle >= least_angle, "{} deg: {blueprint:?}", quality.least_angle);
     assert_eq!(quality.unnamed_boundary_edges, 0, "{blueprint:?}");
     let expected = area(blueprint);
     let difference = quality.area - expected - arc_error(mesh, blueprint);
     assert!(difference.abs() < 1e-9 * expected, "area {difference:e}: {blueprint:?}");
     for feature in &blueprint.features {
-        let region = mesh
-            .region(&feature.name)
-            .unwrap_or_else(|| panic!("{}: {blueprint:?}", feature.name));
+        let region = mesh.region(&feature.name).unwrap_or_else(|| panic!("{}: {blueprint:?}", feature.name));
         assert_eq!(region.cells.is_empty(), !feature.meshed);
     }
     let ends = mesh.region("end_low").zip(mesh.region("end_high"));
@@ -188,11 +152,7 @@ fn random_liners_in_rows() {
         let rows = Rows {
             along: &|_| size,
             across: &|_| spacing,
-            sense: if angles.len() % 2 == 0 {
-                Sense::Forwards
-            } else {
-                Sense::Backwards
-            },
+            sense: if angles.len() % 2 == 0 { Sense::Forwards } else { Sense::Backwards },
             grading: grading(angles.len()),
         };
         match generate_in_rows(&blueprint, &rows) {

@@ -9,21 +9,14 @@ const RADIUS: f64 = 0.025;
 
 /// A liner of `columns` by `rows` cells, an arc of 2 rad or a ring, with uneven spacing.
 fn liner_mesh(columns: u32, rows: u32, steps: &[f64], is_ring: bool) -> Mesh {
-    let width = if is_ring {
-        std::f64::consts::TAU * RADIUS
-    } else {
-        2.0 * RADIUS
-    };
+    let width = if is_ring { std::f64::consts::TAU * RADIUS } else { 2.0 * RADIUS };
     let spaced = |count: u32, extent: f64, k: u32| {
         let step = |k: u32| 1.0 + steps[k as usize % steps.len()];
         let total: f64 = (0..count).map(step).sum();
         extent * (0..k).map(step).sum::<f64>() / total
     };
     let around = if is_ring { columns } else { columns + 1 };
-    let mut raw = RawMesh {
-        period: is_ring.then_some(width),
-        ..RawMesh::default()
-    };
+    let mut raw = RawMesh { period: is_ring.then_some(width), ..RawMesh::default() };
     let vertex = |i: u32, j: u32| (i % around) * (rows + 1) + j;
     for (i, j) in (0..around).flat_map(|i| (0..=rows).map(move |j| (i, j))) {
         let z = spaced(rows, LENGTH, j) - 0.5 * LENGTH;
@@ -37,8 +30,7 @@ fn liner_mesh(columns: u32, rows: u32, steps: &[f64], is_ring: bool) -> Mesh {
     let across = |i: u32| (0..rows).map(|j| [vertex(i, j), vertex(i, j + 1)]).collect();
     raw.curves = vec![("end_low".into(), along(0)), ("end_high".into(), along(rows))];
     if !is_ring {
-        raw.curves
-            .extend([("arc_from".into(), across(0)), ("arc_to".into(), across(columns))]);
+        raw.curves.extend([("arc_from".into(), across(0)), ("arc_to".into(), across(columns))]);
     }
     raw.surfaces = vec![("film".into(), (0..2 * columns * rows).collect())];
     Mesh::build(raw).expect("a mesh")
@@ -48,11 +40,7 @@ fn liner_mesh(columns: u32, rows: u32, steps: &[f64], is_ring: bool) -> Mesh {
 fn sections(text: &str) -> Vec<(String, String)> {
     let mut sections = Vec::new();
     let mut rest = text;
-    while let Some((name, behind)) = rest
-        .trim_start()
-        .strip_prefix('$')
-        .and_then(|rest| rest.split_once('\n'))
-    {
+    while let Some((name, behind)) = rest.trim_start().strip_prefix('$').and_then(|rest| rest.split_once('\n')) {
         let (body, after) = behind.split_once(&format!("$End{name}\n")).expect("a closed section");
         sections.push((name.to_owned(), body.to_owned()));
         rest = after;
@@ -148,10 +136,7 @@ impl Binary<'_> {
 
 /// The body of a section in binary.
 fn binary(name: &str, body: &str) -> Vec<u8> {
-    let mut binary = Binary {
-        words: body.split_ascii_whitespace(),
-        bytes: Vec::new(),
-    };
+    let mut binary = Binary { words: body.split_ascii_whitespace(), bytes: Vec::new() };
     match name {
         "Entities" => binary.entities(),
         "Nodes" => binary.blocks(true),
@@ -171,12 +156,7 @@ fn rewritten(text: &str, turn: usize, is_binary: bool) -> Vec<u8> {
     let places = behind.len();
     behind.rotate_left(turn % places);
     let mut bytes = match is_binary {
-        true => [
-            b"$MeshFormat\n4.1 1 8\n".as_slice(),
-            &1i32.to_le_bytes(),
-            b"\n$EndMeshFormat\n",
-        ]
-        .concat(),
+        true => [b"$MeshFormat\n4.1 1 8\n".as_slice(), &1i32.to_le_bytes(), b"\n$EndMeshFormat\n"].concat(),
         false => b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n".to_vec(),
     };
     for (name, body) in behind {
@@ -191,11 +171,7 @@ fn rewritten(text: &str, turn: usize, is_binary: bool) -> Vec<u8> {
 }
 
 fn liner(is_ring: bool) -> Liner {
-    Liner {
-        radius: RADIUS,
-        length: LENGTH,
-        arc: (!is_ring).then_some((0.0, 2.0)),
-    }
+    Liner { radius: RADIUS, length: LENGTH, arc: (!is_ring).then_some((0.0, 2.0)) }
 }
 
 fn read(file: &MshFile, is_ring: bool) -> Mesh {

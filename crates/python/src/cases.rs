@@ -36,11 +36,7 @@ impl Cases {
         let read = Arc::clone(&own);
         let place = path.clone();
         let sweep = done(py, Some(1), move |_| sweep_of(&read, &place))?;
-        Ok(Self {
-            sweep: Arc::new(sweep),
-            scene: own,
-            path,
-        })
+        Ok(Self { sweep: Arc::new(sweep), scene: own, path })
     }
 
     /// How many there are.
@@ -105,9 +101,5 @@ fn part(number: u32, of: u32) -> Result<Part, Failure> {
 }
 
 fn options(asked: &Asked, scene: &oilwedge_scene::Scene, interrupt: Interrupt, part: Option<Part>) -> SweepOptions {
-    SweepOptions {
-        case: asked.options(scene, interrupt),
-        fresh: false,
-        part,
-    }
+    SweepOptions { case: asked.options(scene, interrupt), fresh: false, part }
 }

@@ -48,9 +48,7 @@ pub(crate) fn shown(value: f64, error: Option<f64>, unit: &str) -> String {
     let number = quantity_value(value, error, DIGITS);
     let error = error.filter(|error| *error > 0.0);
     let bar = error.map_or(String::new(), |error| format!(" \u{b1} {}", bar(error)));
-    format!("{number}{bar} {}", if unit == "1" { "" } else { unit })
-        .trim_end()
-        .to_owned()
+    format!("{number}{bar} {}", if unit == "1" { "" } else { unit }).trim_end().to_owned()
 }
 
 /// Digits of a value without a bar.
@@ -60,11 +58,7 @@ const DIGITS: usize = 6;
 #[pyfunction]
 pub(crate) fn texts(numbers: PyReadonlyArray1<'_, f64>) -> PyResult<Vec<String>> {
     let text = |number: &f64| {
-        if number.is_nan() {
-            String::new()
-        } else {
-            format!("{number:?}")
-        }
+        if number.is_nan() { String::new() } else { format!("{number:?}") }
     };
     Ok(numbers.as_slice()?.iter().map(text).collect())
 }

@@ -65,9 +65,7 @@ impl Failure {
 
 /// An exception of the package.
 fn exception<'py>(py: Python<'py>, name: &str, arguments: impl pyo3::call::PyCallArgs<'py>) -> PyErr {
-    let made = py
-        .import(ERRORS)
-        .and_then(|errors| errors.getattr(name)?.call1(arguments));
+    let made = py.import(ERRORS).and_then(|errors| errors.getattr(name)?.call1(arguments));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
@@ -77,10 +75,7 @@ type Parts = (String, String, String, String, Option<(usize, usize)>);
 fn parts(text: &str, complaint: &Complaint) -> Parts {
     // Python counts letters, not bytes.
     let letters = |byte: usize| text.get(..byte).map(|before| before.chars().count());
-    let span = complaint
-        .span
-        .as_ref()
-        .and_then(|span| Some((letters(span.start)?, letters(span.end)?)));
+    let span = complaint.span.as_ref().and_then(|span| Some((letters(span.start)?, letters(span.end)?)));
     let [key, value, message, help] =
         [&complaint.key, &complaint.value, &complaint.message, &complaint.help].map(|text| printable(text));
     (key, value, message, help, span)
@@ -134,9 +129,9 @@ fn sweep(py: Python<'_>, path: &Path, error: SweepError) -> PyErr {
         SweepError::Report(error) => report(py, path, error),
         SweepError::Campaign(error) => campaign(py, path, error),
         SweepError::Interrupted { .. } => PyKeyboardInterrupt::new_err(error.to_string()),
-        SweepError::Other { .. } | SweepError::Earlier { .. } => PyValueError::new_err(format!(
-            "{error}; give another folder as out, or replace it with fresh=True"
-        )),
+        SweepError::Other { .. } | SweepError::Earlier { .. } => {
+            PyValueError::new_err(format!("{error}; give another folder as out, or replace it with fresh=True"))
+        }
         SweepError::Busy { .. } => PyOSError::new_err(format!(
             "{error}; wait until it ends (a sweep that Ctrl-C ended still ends its last cases), or give another folder as out"
         )),

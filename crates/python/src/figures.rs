@@ -20,22 +20,12 @@ fn value(json: &str) -> Result<Value, Failure> {
 }
 
 fn unknown(Unknown { name, known }: Unknown) -> Failure {
-    Failure::Argument(format!(
-        "there is no \"{name}\" to draw; there are {}",
-        known.join(", ")
-    ))
+    Failure::Argument(format!("there is no \"{name}\" to draw; there are {}", known.join(", ")))
 }
 
 fn options(name: String, width: f64) -> Result<PlotOptions, Failure> {
-    let wanted = format!(
-        "width={width}: a number of mm from {} to {} is wanted",
-        WIDTHS.start(),
-        WIDTHS.end()
-    );
-    let options = PlotOptions {
-        selected: vec![name],
-        width,
-    };
+    let wanted = format!("width={width}: a number of mm from {} to {} is wanted", WIDTHS.start(), WIDTHS.end());
+    let options = PlotOptions { selected: vec![name], width };
     (WIDTHS.contains(&width).then_some(options)).ok_or(Failure::Argument(wanted))
 }
 
@@ -50,20 +40,12 @@ pub(crate) fn sampled<'py>(
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let picture = picture(film, Some(&field))?;
     let [angles, z] = &places;
-    let places: Vec<[f64; 2]> = angles
-        .as_slice()?
-        .iter()
-        .zip(z.as_slice()?)
-        .map(|(angle, z)| [*angle, *z])
-        .collect();
+    let places: Vec<[f64; 2]> = angles.as_slice()?.iter().zip(z.as_slice()?).map(|(angle, z)| [*angle, *z]).collect();
     let values = done(py, Some(1), move |_| {
         let result = value(&json)?;
         let radius = result["geometry"]["radius"].as_f64().unwrap_or(f64::NAN);
         let film = DrawnFilm::new(result, &picture)?;
-        let points: Vec<[f64; 2]> = places
-            .iter()
-            .map(|[angle, z]| [radius * angle.to_radians(), *z])
-            .collect();
+        let points: Vec<[f64; 2]> = places.iter().map(|[angle, z]| [radius * angle.to_radians(), *z]).collect();
         let values = field_row(&field).and_then(|row| plot::sampled(&film, row, &points));
         values.ok_or_else(|| Failure::Argument(format!("there is no field \"{field}\" to sample")))
     });
@@ -113,10 +95,7 @@ pub(crate) fn page<'py>(
         let result = value(&json)?;
         let course = orbit.map(|table| OrbitCourse::from_csv(&table)).transpose()?;
         let files = SceneFile::all(result["scene"].as_str().unwrap_or_default(), &path);
-        let extras = pages::Extras {
-            course: course.as_ref(),
-            files: &files,
-        };
+        let extras = pages::Extras { course: course.as_ref(), files: &files };
         Ok(pages::film_page_with(&result, picture.as_ref(), extras)?)
     })
 }

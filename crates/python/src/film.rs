@@ -104,11 +104,7 @@ fn picture_fields(fields: &Bound<'_, PyAny>, only: Option<&str>) -> PyResult<Vec
             }
         };
         let row = FILE_FIELDS.iter().find(|row| row.name == name);
-        found.push(PictureField {
-            unit: row.map_or("", |row| row.unit).into(),
-            name: name.into(),
-            values,
-        });
+        found.push(PictureField { unit: row.map_or("", |row| row.unit).into(), name: name.into(), values });
     }
     Ok(found)
 }

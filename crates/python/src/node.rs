@@ -54,9 +54,7 @@ impl Node {
         }
         if object.is_instance_of::<PyInt>() {
             let number = object.extract().map_err(|_| {
-                PyValueError::new_err(format!(
-                    "{key}: the whole number {object} has more digits than a scene may have"
-                ))
+                PyValueError::new_err(format!("{key}: the whole number {object} has more digits than a scene may have"))
             })?;
             return Ok(Self::Integer(number));
         }

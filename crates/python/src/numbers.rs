@@ -25,10 +25,7 @@ enum Tables {
 
 impl Numbers {
     pub(crate) fn of_run(json: String, result: RunResult, add_ons: Vec<AddOn>) -> Self {
-        Self {
-            json,
-            tables: Tables::Run(Box::new(result), add_ons),
-        }
+        Self { json, tables: Tables::Run(Box::new(result), add_ons) }
     }
 
     fn shown(&self, shown: Shown) -> String {
@@ -45,10 +42,7 @@ impl Numbers {
     /// From the texts that another process made.
     #[new]
     fn of_texts(json: String, headlines: String, whole: String) -> Self {
-        Self {
-            json,
-            tables: Tables::Texts([headlines, whole]),
-        }
+        Self { json, tables: Tables::Texts([headlines, whole]) }
     }
 
     /// The main quantities, what was simulated, balances, times and the verdict.
@@ -62,9 +56,6 @@ impl Numbers {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyType>, (String, String, String)) {
-        (
-            py.get_type::<Self>(),
-            (self.json.clone(), self.headlines(), self.whole()),
-        )
+        (py.get_type::<Self>(), (self.json.clone(), self.headlines(), self.whole()))
     }
 }

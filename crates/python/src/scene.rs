@@ -80,16 +80,13 @@ impl Scene {
     #[getter]
     fn axes(&self) -> Vec<&str> {
         let plan = self.scene.sweep.iter();
-        plan.flat_map(|plan| plan.axes.iter().map(|axis| axis.path.as_str()))
-            .collect()
+        plan.flat_map(|plan| plan.axes.iter().map(|axis| axis.path.as_str())).collect()
     }
 
     /// The files that it names, by their keys.
     #[getter]
     fn files(&self) -> Vec<(String, &Path)> {
-        (self.scene.files())
-            .map(|(key, path, _)| (key.into_owned(), path))
-            .collect()
+        (self.scene.files()).map(|(key, path, _)| (key.into_owned(), path)).collect()
     }
 
     /// Whether it gives a tolerance.

@@ -34,11 +34,7 @@ pub(crate) fn sweep<'py>(
                 temporary.path()
             }
         };
-        let options = SweepOptions {
-            case: asked.options(&own, interrupt),
-            fresh,
-            part: None,
-        };
+        let options = SweepOptions { case: asked.options(&own, interrupt), fresh, part: None };
         let report =
             run(&cases, &options, folder, &mut |_| {}).map_err(|error| Failure::Sweep(path, Box::new(error)))?;
         let table = folder.join(TABLE_FILE);

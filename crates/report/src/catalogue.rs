@@ -26,31 +26,11 @@ static WORDS: [(&str, &[&str]); 8] = [
     ("lemon", &["bore.oval"]),
     ("elliptical", &["bore.oval"]),
     ("preload", &["bore.oval", BOLT_PRELOAD.name]),
-    (
-        "oil flow",
-        &[SIDE_FLOW.name, INLET_FLOW.name, FEED_FLOW.name, CYCLE_SIDE_FLOW.name],
-    ),
+    ("oil flow", &[SIDE_FLOW.name, INLET_FLOW.name, FEED_FLOW.name, CYCLE_SIDE_FLOW.name]),
     ("power loss", &[FRICTION_POWER.name, CYCLE_POWER_LOSS.name]),
     ("leakage", &[SIDE_FLOW.name, SIDE_FLOW_LOW.name, SIDE_FLOW_HIGH.name]),
-    (
-        "whirl",
-        &[
-            "dynamics.whirl",
-            WHIRL_RATIO.name,
-            CRITICAL_MASS.name,
-            LOGARITHMIC_DECREMENT.name,
-            HALF_SPEED.code,
-        ],
-    ),
-    (
-        "stribeck",
-        &[
-            FRICTION_COEFFICIENT.name,
-            SOMMERFELD_NUMBER.name,
-            CONTACT_SHARE.name,
-            "contact",
-        ],
-    ),
+    ("whirl", &["dynamics.whirl", WHIRL_RATIO.name, CRITICAL_MASS.name, LOGARITHMIC_DECREMENT.name, HALF_SPEED.code]),
+    ("stribeck", &[FRICTION_COEFFICIENT.name, SOMMERFELD_NUMBER.name, CONTACT_SHARE.name, "contact"]),
 ];
 
 /// One row of a catalogue in words.
@@ -78,11 +58,7 @@ pub fn entries() -> Vec<Entry> {
     let effects = EFFECTS.iter().map(|effect| of_effect(effect));
     let fields = FILE_FIELDS.iter().map(|field| of_field(field));
     let warnings = KINDS.iter().map(|kind| of_warning(kind));
-    keys.chain(quantities)
-        .chain(effects)
-        .chain(fields)
-        .chain(warnings)
-        .collect()
+    keys.chain(quantities).chain(effects).chain(fields).chain(warnings).collect()
 }
 
 impl Entry {
@@ -159,10 +135,7 @@ fn of_quantity(row: &Row) -> Entry {
         ("unit", row.unit.name().to_owned()),
         ("definition", row.definition.to_owned()),
         ("error bar", row.error.sentence().to_owned()),
-        (
-            "tolerance",
-            if row.may_be_tolerance { "may be one" } else { "" }.to_owned(),
-        ),
+        ("tolerance", if row.may_be_tolerance { "may be one" } else { "" }.to_owned()),
     ];
     let region = if row.is_family() { REGION } else { "" };
     Entry::new("quantity", &format!("{}{region}", row.name), row.what, columns)
@@ -173,12 +146,7 @@ fn of_effect(effect: &Effect) -> Entry {
         "" => "another question is asked, so it is not left out for comparison",
         instead => instead,
     };
-    Entry::new(
-        "effect",
-        effect.name,
-        effect.sentence,
-        [("without it", instead.to_owned())],
-    )
+    Entry::new("effect", effect.name, effect.sentence, [("without it", instead.to_owned())])
 }
 
 fn of_field(field: &FieldRow) -> Entry {
@@ -238,8 +206,8 @@ mod tests {
         for (word, names) in &WORDS {
             let found = explain(&word.to_uppercase()).unwrap_or_else(|near| panic!("{word}: {near:?}"));
             for name in *names {
-                assert!(all.iter().any(|entry| entry.family() == name), "{name}");
-                assert!(found.iter().any(|entry| entry.family() == name), "{word}: {name}");
+                assert!(all.iter().any(|entry| entry.family() == *name), "{name}");
+                assert!(found.iter().any(|entry| entry.family() == *name), "{word}: {name}");
             }
         }
     }
@@ -248,10 +216,7 @@ mod tests {
     fn names_are_found_whole_and_by_their_last_part() {
         let found = |name: &str| {
             let entries = explain(name).unwrap_or_else(|near| panic!("{name}: {near:?}"));
-            entries
-                .iter()
-                .map(|entry| format!("{} {}", entry.kind, entry.name))
-                .collect::<Vec<_>>()
+            entries.iter().map(|entry| format!("{} {}", entry.kind, entry.name)).collect::<Vec<_>>()
         };
         assert_eq!(found("bearing.clearance"), ["key bearing.clearance"]);
         assert_eq!(found("clearance"), ["key bearing.clearance"]);

@@ -114,18 +114,14 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .map(|target| (target.quantity, target.relative))
         .collect();
     report.title = Some(scene.title.clone());
-    report.sweep = (scene.sweep.iter())
-        .flat_map(|plan| &plan.axes)
-        .map(|axis| (axis.heading(), axis.values.len()))
-        .collect();
+    report.sweep =
+        (scene.sweep.iter()).flat_map(|plan| &plan.axes).map(|axis| (axis.heading(), axis.values.len())).collect();
     report.effects = Some(Effects::of(&film.scene));
     report.warnings.extend(huge(mesh).map(|size| {
         format!("the liner is {size}, larger than any bearing: are bearing.diameter and bearing.length in millimetres, as in diameter = \"60 mm\"?")
     }));
     report.warnings.extend(
-        (mesh_warnings(&film).into_iter())
-            .chain(unusual_clearance(&film.problem.bearing))
-            .map(|warning| warning.text),
+        (mesh_warnings(&film).into_iter()).chain(unusual_clearance(&film.problem.bearing)).map(|warning| warning.text),
     );
     report.cost = Some(Cost {
         unknowns: film.unknowns(),
@@ -167,11 +163,7 @@ fn huge(mesh: &Mesh) -> Option<String> {
 pub fn write_mesh(mesh: &Mesh, path: &Path) -> Result<(), Error> {
     let text = gmsh::to_text(mesh);
     let failed = |source| {
-        let error = oilwedge_mesh::Error::Io {
-            action: "write",
-            path: path.to_owned(),
-            error: source,
-        };
+        let error = oilwedge_mesh::Error::Io { action: "write", path: path.to_owned(), error: source };
         Error::from(CompileError::from(error))
     };
     let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
@@ -207,11 +199,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
         ));
     }
     let parts = |name: &str, kind: &str, parts: usize| {
-        (parts > 0).then(|| RegionFacts {
-            name: name.to_owned(),
-            kind: kind.to_owned(),
-            parts,
-        })
+        (parts > 0).then(|| RegionFacts { name: name.to_owned(), kind: kind.to_owned(), parts })
     };
     CheckReport {
         format: CHECK_FORMAT.to_owned(),

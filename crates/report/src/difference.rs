@@ -83,11 +83,7 @@ pub fn of_results(a: &Value, b: &Value) -> Result<Difference, Error> {
     }
     let [first, second] = [a, b].map(|side| &side["effects"]["simulated"]);
     compare("effects", &less(first, second), &less(second, first), &mut facts);
-    Ok(Difference {
-        keys,
-        facts,
-        quantities: quantities(&a["quantities"], &b["quantities"]),
-    })
+    Ok(Difference { keys, facts, quantities: quantities(&a["quantities"], &b["quantities"]) })
 }
 
 /// The items of a list that are not in another one.
@@ -100,10 +96,7 @@ fn less(list: &Value, other: &Value) -> Value {
 /// Keys whose values differ between the texts of two scenes.
 fn of_scenes(a: &str, b: &str) -> Result<Vec<Changed>, Error> {
     let value = |text: &str| {
-        toml::from_str::<Value>(text).map_err(|error| Error::Unreadable {
-            format: "scene",
-            message: error.to_string(),
-        })
+        toml::from_str::<Value>(text).map_err(|error| Error::Unreadable { format: "scene", message: error.to_string() })
     };
     let mut changed = Vec::new();
     compare("", &value(a)?, &value(b)?, &mut changed);
@@ -134,11 +127,7 @@ fn compare(path: &str, a: &Value, b: &Value, changed: &mut Vec<Changed>) {
                 compare(&format!("{path}[{index}]"), a, b, changed);
             }
         }
-        _ => changed.push(Changed {
-            key: path.to_owned(),
-            a: a.clone(),
-            b: b.clone(),
-        }),
+        _ => changed.push(Changed { key: path.to_owned(), a: a.clone(), b: b.clone() }),
     }
 }
 
@@ -169,18 +158,14 @@ fn quantities(a: &Value, b: &Value) -> Vec<ChangedQuantity> {
 /// The greatest magnitude of the quantities of a unit.
 fn greatest(quantities: &Map<String, Value>, unit: &str) -> f64 {
     let of_unit = quantities.values().filter(|entry| entry["unit"] == unit);
-    of_unit
-        .filter_map(|entry| entry["value"].as_f64())
-        .fold(0.0, |greatest, value| greatest.max(value.abs()))
+    of_unit.filter_map(|entry| entry["value"].as_f64()).fold(0.0, |greatest, value| greatest.max(value.abs()))
 }
 
 fn quantity(name: &str, a: Option<&Value>, b: Option<&Value>) -> Option<ChangedQuantity> {
     let number = |entry: Option<&Value>, key: &str| entry?.get(key)?.as_f64();
     let (first, second) = (number(a, "value"), number(b, "value"));
     let row = oilwedge_study::quantities::row(name);
-    let change = first
-        .zip(second)
-        .map(|(a, b)| row.map_or(b - a, |row| row.difference(b, a)));
+    let change = first.zip(second).map(|(a, b)| row.map_or(b - a, |row| row.difference(b, a)));
     if first == second {
         return None;
     }
@@ -245,10 +230,7 @@ mod tests {
         let scene = |from: &str| format!("[bearing]\ndiameter = \"75 mm\"\narc = {{ from = \"{from}\" }}");
         let changed = of_scenes(&scene("40 deg"), &scene("50 deg"))?;
         assert_eq!(changed.len(), 1);
-        assert_eq!(
-            (changed[0].key.as_str(), &changed[0].b),
-            ("bearing.arc.from", &json!("50 deg"))
-        );
+        assert_eq!((changed[0].key.as_str(), &changed[0].b), ("bearing.arc.from", &json!("50 deg")));
         let added = of_scenes("", "load.force = '5 kN'")?;
         assert_eq!((added[0].key.as_str(), &added[0].a), ("load.force", &Value::Null));
         let feeds = of_scenes(

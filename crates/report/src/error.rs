@@ -88,9 +88,6 @@ impl Error {
 
     /// The writer of a format failed.
     pub(crate) fn format<E: ToString>(format: &'static str) -> impl Fn(E) -> Self {
-        move |error| Self::Format {
-            format,
-            message: error.to_string(),
-        }
+        move |error| Self::Format { format, message: error.to_string() }
     }
 }

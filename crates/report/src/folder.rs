@@ -40,10 +40,7 @@ pub fn replace(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), Erro
 /// # Errors
 /// As [`replace`].
 pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), Error> {
-    let beside = tempfile::Builder::new()
-        .prefix(BESIDE)
-        .tempdir_in(dir)
-        .map_err(Error::system(dir))?;
+    let beside = tempfile::Builder::new().prefix(BESIDE).tempdir_in(dir).map_err(Error::system(dir))?;
     let (new, old) = (beside.path().join("new"), beside.path().join("old"));
     for folder in [&new, &old] {
         fs::create_dir(folder).map_err(Error::system(dir))?;
@@ -91,9 +88,7 @@ pub fn alone_in(dir: &Path) -> Result<Option<File>, Error> {
             Ok(()) => break,
             Err(TryLockError::WouldBlock) if clock.elapsed() < LONGEST_WAIT => std::thread::sleep(LOOK),
             Err(TryLockError::WouldBlock) => {
-                return Err(Error::Busy {
-                    path: dir.to_path_buf(),
-                });
+                return Err(Error::Busy { path: dir.to_path_buf() });
             }
             Err(TryLockError::Error(_)) => return Ok(None),
         }
@@ -113,10 +108,7 @@ pub fn alone_in(dir: &Path) -> Result<Option<File>, Error> {
 /// [`Error`]: `dir` is no folder, or a folder stands in the place of a file.
 pub fn check<'a>(dir: &Path, mut names: impl Iterator<Item = &'a OsStr>) -> Result<(), Error> {
     if stands(dir) && !dir.is_dir() {
-        return Err(Error::System {
-            path: dir.to_path_buf(),
-            source: io::ErrorKind::NotADirectory.into(),
-        });
+        return Err(Error::System { path: dir.to_path_buf(), source: io::ErrorKind::NotADirectory.into() });
     }
     match names.find(|name| dir.join(name).is_dir()) {
         Some(name) => Err(Error::Folder { path: dir.join(name) }),
@@ -150,10 +142,7 @@ mod tests {
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
     fn put(dir: &Path, steps: &[(&str, Option<&[u8]>)]) -> Result<(), Error> {
-        let steps: Vec<_> = steps
-            .iter()
-            .map(|(name, content)| (OsStr::new(*name), *content))
-            .collect();
+        let steps: Vec<_> = steps.iter().map(|(name, content)| (OsStr::new(*name), *content)).collect();
         replace(dir, &steps)
     }
 
@@ -171,10 +160,7 @@ mod tests {
         let dir = folder.path().join("a/b");
         put(&dir, &[("one", Some(b"1")), ("two", Some(b"2"))])?;
         fs::write(dir.join("mine"), "mine")?;
-        put(
-            &dir,
-            &[("two", None), ("one", None), ("three", Some(b"4")), ("two", Some(b"3"))],
-        )?;
+        put(&dir, &[("two", None), ("one", None), ("three", Some(b"4")), ("two", Some(b"3"))])?;
         assert_eq!(names(&dir)?, ["mine", "three", "two"]);
         assert_eq!(fs::read(dir.join("two"))?, b"3");
         fs::create_dir(dir.join("one"))?;
@@ -201,10 +187,7 @@ mod tests {
         assert!(replace_alone(dir, &steps).is_err());
         drop(beside);
         assert_eq!(names(dir)?, ["one", "three", "two"]);
-        assert_eq!(
-            (fs::read(dir.join("one"))?, fs::read(dir.join("two"))?),
-            (b"1".into(), b"2".into())
-        );
+        assert_eq!((fs::read(dir.join("one"))?, fs::read(dir.join("two"))?), (b"1".into(), b"2".into()));
         Ok(())
     }
 

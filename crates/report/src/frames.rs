@@ -29,10 +29,8 @@ pub fn write_frames(dir: &Path, frames: Vec<Frame>, compression: Compression) ->
         .collect::<Result<_, Error>>()?;
     replace(dir, &[(OsStr::new(COLLECTION_FILE), None)])?;
     remove_frames(dir);
-    let steps: Vec<(&OsStr, Option<&[u8]>)> = files
-        .iter()
-        .map(|(name, bytes)| (name.as_os_str(), Some(&bytes[..])))
-        .collect();
+    let steps: Vec<(&OsStr, Option<&[u8]>)> =
+        files.iter().map(|(name, bytes)| (name.as_os_str(), Some(&bytes[..]))).collect();
     replace(&dir.join(FRAMES_FOLDER), &steps)?;
     replace(dir, &[(OsStr::new(COLLECTION_FILE), Some(collection.as_bytes()))])
 }
@@ -54,11 +52,7 @@ fn name(number: usize) -> String {
 /// The collection: a data set for each crank angle [deg], which takes the place of the time.
 fn collection(frames: &[Frame]) -> String {
     let entry = |(number, frame): (usize, &Frame)| {
-        format!(
-            "<DataSet timestep=\"{}\" part=\"0\" file=\"{FRAMES_FOLDER}/{}\"/>\n",
-            frame.crank_angle,
-            name(number)
-        )
+        format!("<DataSet timestep=\"{}\" part=\"0\" file=\"{FRAMES_FOLDER}/{}\"/>\n", frame.crank_angle, name(number))
     };
     let entries: String = frames.iter().enumerate().map(entry).collect();
     format!(

@@ -60,10 +60,7 @@ fn fault(value: &Value) -> Option<(String, Fault)> {
     };
     match value {
         Value::Float(number) => (!number.is_finite()).then(|| (String::new(), Fault::NotFinite(*number))),
-        Value::Array(values) => values
-            .iter()
-            .enumerate()
-            .find_map(|(index, value)| within(&index, value)),
+        Value::Array(values) => values.iter().enumerate().find_map(|(index, value)| within(&index, value)),
         Value::Map(entries) => entries.iter().enumerate().find_map(|(index, (key, value))| {
             let name = key.as_text().unwrap_or_default();
             match entries[..index].iter().any(|(other, _)| other == key) {

@@ -27,9 +27,7 @@ mod tests {
         for (kind, text) in KINDS {
             let scene = Scene::parse(text, Path::new("scene.toml"), &[]);
             assert!(scene.is_ok(), "{kind}: {}", scene.map(|_| ()).unwrap_err());
-            let explained = text
-                .lines()
-                .filter(|line| line.contains(" = ") && !line.starts_with('#'));
+            let explained = text.lines().filter(|line| line.contains(" = ") && !line.starts_with('#'));
             assert!(explained.clone().all(|line| line.contains("# ")), "{kind}: {text}");
             assert!(explained.count() > 6, "{kind}");
         }

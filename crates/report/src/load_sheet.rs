@@ -102,26 +102,14 @@ pub struct LoadRow {
 
 impl LoadAt {
     fn of((angle, [x, y]): (f64, [f64; 2])) -> Self {
-        Self {
-            angle_deg: angle.to_degrees(),
-            magnitude_n: x.hypot(y),
-            direction_deg: y.atan2(x).to_degrees(),
-        }
+        Self { angle_deg: angle.to_degrees(), magnitude_n: x.hypot(y), direction_deg: y.atan2(x).to_degrees() }
     }
 }
 
 impl LoadSheet {
     /// The load of a scene.
     pub fn of(scene: &Scene, cycle: &DutyCycle) -> Self {
-        let Summary {
-            peak,
-            least,
-            mean,
-            mean_magnitude,
-            greatest_moment,
-            speeds,
-            half_speed_share,
-        } = cycle.summary();
+        let Summary { peak, least, mean, mean_magnitude, greatest_moment, speeds, half_speed_share } = cycle.summary();
         let peak = LoadAt::of(peak);
         let period = cycle.period().to_degrees();
         let count = (period / 360.0 * ROWS_OF_A_TURN).round() as u32;

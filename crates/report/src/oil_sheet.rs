@@ -68,12 +68,10 @@ impl OilSheet {
     /// The grade is not known, or not a liquid at that temperature.
     pub fn of(name: &str, at: Option<f64>) -> Result<Self, NoSheet> {
         let grade = Grade::named(name);
-        let (grade, oil) = grade
-            .and_then(|grade| Some((grade, grade.oil()?)))
-            .ok_or_else(|| NoSheet::Grade {
-                name: name.to_owned(),
-                near: nearest(name, GRADES.iter().map(|grade| grade.name)),
-            })?;
+        let (grade, oil) = grade.and_then(|grade| Some((grade, grade.oil()?))).ok_or_else(|| NoSheet::Grade {
+            name: name.to_owned(),
+            near: nearest(name, GRADES.iter().map(|grade| grade.name)),
+        })?;
         let range = LEAST + ZERO_CELSIUS..=GREATEST + ZERO_CELSIUS;
         let temperatures = match at {
             None => USUAL.map(|celsius| celsius + ZERO_CELSIUS).to_vec(),
@@ -86,12 +84,7 @@ impl OilSheet {
             viscosity: oil.viscosity(temperature),
             density: oil.density.at(temperature),
         });
-        Ok(Self {
-            format: OIL_FORMAT,
-            grade: grade.name,
-            source: source(&grade),
-            at: rows.collect(),
-        })
+        Ok(Self { format: OIL_FORMAT, grade: grade.name, source: source(&grade), at: rows.collect() })
     }
 }
 
@@ -125,11 +118,7 @@ mod tests {
         let [at] = sheet.at[..] else { panic!("one row") };
         assert!((at.kinematic_viscosity - 95e-6).abs() < 1e-15 && (at.temperature - 40.0).abs() < 1e-9);
         assert!((at.viscosity - at.kinematic_viscosity * at.density).abs() < 1e-15);
-        assert!(
-            sheet.source.contains("SAE J300 is 12.5 to 16.3 mm2/s at 100 C"),
-            "{}",
-            sheet.source
-        );
+        assert!(sheet.source.contains("SAE J300 is 12.5 to 16.3 mm2/s at 100 C"), "{}", sheet.source);
         let usual = OilSheet::of("VG 46", None).expect("a sheet");
         assert!(usual.at.len() == USUAL.len() && usual.source.contains("41.4 to 50.6 mm2/s at 40 C"));
         assert!(crate::json(&usual).expect("JSON").contains("\"grade\": \"ISO VG 46\""));
@@ -143,11 +132,6 @@ mod tests {
         };
         assert_eq!((near("SAE 10W-41"), near("honey")), (Some("SAE 10W-40"), None));
         let error = OilSheet::of("VG 46", Some(80.0)).expect_err("too cold");
-        assert!(
-            error
-                .to_string()
-                .starts_with("-193.15 C is not between -40 C and 250 C"),
-            "{error}"
-        );
+        assert!(error.to_string().starts_with("-193.15 C is not between -40 C and 250 C"), "{error}");
     }
 }

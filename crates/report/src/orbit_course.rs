@@ -43,11 +43,7 @@ impl OrbitCourse {
             let value = |quantities: &Vec<_>| value(quantities, row);
             path.quantities.iter().map(value).collect()
         };
-        Self {
-            angles: path.crank_angles.clone(),
-            offsets: path.offsets.clone(),
-            numbers: DRAWN.map(of_row),
-        }
+        Self { angles: path.crank_angles.clone(), offsets: path.offsets.clone(), numbers: DRAWN.map(of_row) }
     }
 
     /// That of a table.
@@ -60,9 +56,7 @@ impl OrbitCourse {
         let headings = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
         let column = |name: &str| {
             let is_its_own = |heading: &str| {
-                heading
-                    .strip_prefix(name)
-                    .is_some_and(|rest| rest.is_empty() || rest.starts_with(" ["))
+                heading.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(" ["))
             };
             headings.iter().position(is_its_own)
         };
@@ -88,11 +82,7 @@ impl OrbitCourse {
                 }
             }
         }
-        Ok(Self {
-            angles,
-            offsets,
-            numbers,
-        })
+        Ok(Self { angles, offsets, numbers })
     }
 
     /// Crank angle of the cycle [deg].
@@ -116,9 +106,7 @@ impl OrbitCourse {
         let values = self.values(row);
         let values: Vec<[f64; 1]> = values.into_iter().flatten().map(|value| [*value]).collect();
         let spline = self.spline(&values);
-        spline.map_or(Vec::new(), |spline| {
-            self.even_angles().map(|angle| [angle, spline.at(angle)[0]]).collect()
-        })
+        spline.map_or(Vec::new(), |spline| self.even_angles().map(|angle| [angle, spline.at(angle)[0]]).collect())
     }
 
     /// Two components of a vector at crank angles [deg], on a smooth curve; nothing where the films have none.
@@ -140,9 +128,7 @@ impl OrbitCourse {
     /// Crank angles of the cycle at multiples of a `step` [deg].
     pub fn marked_angles(&self, step: f64) -> impl Iterator<Item = f64> + use<> {
         let period = self.period();
-        (0..)
-            .map(move |k| step * f64::from(k))
-            .take_while(move |mark| *mark < period - 1e-9)
+        (0..).map(move |k| step * f64::from(k)).take_while(move |mark| *mark < period - 1e-9)
     }
 
     fn values(&self, row: &Row) -> Option<&Vec<f64>> {
@@ -174,22 +160,10 @@ mod tests {
         let course = OrbitCourse::from_csv(TABLE.as_bytes()).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(course.period(), 360.0);
         let places = course.places([90.0, 360.0].into_iter());
-        assert!(
-            (places[0][1] - 0.5).abs() < 1e-12 && (places[1][0] - 0.5).abs() < 1e-12,
-            "{places:?}"
-        );
-        assert_eq!(
-            (
-                course.curve(&FILM_THICKNESS_MIN).len(),
-                course.curve(&PRESSURE_MAX).len()
-            ),
-            (721, 0)
-        );
+        assert!((places[0][1] - 0.5).abs() < 1e-12 && (places[1][0] - 0.5).abs() < 1e-12, "{places:?}");
+        assert_eq!((course.curve(&FILM_THICKNESS_MIN).len(), course.curve(&PRESSURE_MAX).len()), (721, 0));
         for (from, to) in [("crank angle", "angle"), ("-0.5,0.0", "-0.5,x")] {
-            assert!(
-                OrbitCourse::from_csv(TABLE.replacen(from, to, 1).as_bytes()).is_err(),
-                "{to}"
-            );
+            assert!(OrbitCourse::from_csv(TABLE.replacen(from, to, 1).as_bytes()).is_err(), "{to}");
         }
     }
 }

@@ -13,13 +13,10 @@ use crate::sweep::to_csv;
 /// A number is not finite.
 pub fn orbit_table(path: &OrbitPath) -> Result<Vec<u8>, Error> {
     let first = path.quantities.first().map_or(&[][..], Vec::as_slice);
-    let columns: Vec<Column> = (first.iter())
-        .map(|quantity| Column::of(quantity.name.clone(), quantity.row))
-        .collect();
+    let columns: Vec<Column> = (first.iter()).map(|quantity| Column::of(quantity.name.clone(), quantity.row)).collect();
     let has_bars = first.iter().any(|quantity| quantity.bar.is_some());
-    let mut headings: Vec<String> = ["crank angle [deg]", "time [s]", "e_x/c [1]", "e_y/c [1]"]
-        .map(str::to_owned)
-        .into();
+    let mut headings: Vec<String> =
+        ["crank angle [deg]", "time [s]", "e_x/c [1]", "e_y/c [1]"].map(str::to_owned).into();
     for column in &columns {
         headings.push(column.heading());
         headings.extend(has_bars.then(|| column.error_heading()));
@@ -51,9 +48,6 @@ pub fn orbit_table(path: &OrbitPath) -> Result<Vec<u8>, Error> {
 pub(crate) fn exact(value: f64) -> Result<String, Error> {
     match value.is_finite() {
         true => Ok(format!("{value:?}")),
-        false => Err(Error::NotFinite {
-            name: "orbit".to_owned(),
-            value,
-        }),
+        false => Err(Error::NotFinite { name: "orbit".to_owned(), value }),
     }
 }

@@ -43,10 +43,7 @@ pub struct Beside<'a> {
 pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: Beside) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
     let figure = match &result.temperature {
-        Some(_) => temperature_figure(
-            &serde_json::to_value(result).map_err(Error::format("JSON"))?,
-            PAGE_WIDTH,
-        ),
+        Some(_) => temperature_figure(&serde_json::to_value(result).map_err(Error::format("JSON"))?, PAGE_WIDTH),
         None => None,
     };
     let svg = figure.as_ref().map(Figure::to_svg);
@@ -81,10 +78,7 @@ pub fn earlier_orbit(dir: &Path, scene: &Scene) -> Option<EarlierOrbit> {
     }
     let part = |k: usize| orbit["end"][k].as_f64();
     let cycles = orbit["cycles"].as_array()?.len() as u64 + orbit["earlier_cycles"].as_u64()?;
-    Some(EarlierOrbit {
-        cycles: usize::try_from(cycles).ok()?,
-        end: [part(0)?, part(1)?, part(2)?, part(3)?],
-    })
+    Some(EarlierOrbit { cycles: usize::try_from(cycles).ok()?, end: [part(0)?, part(1)?, part(2)?, part(3)?] })
 }
 
 #[cfg(test)]
@@ -94,10 +88,7 @@ mod tests {
     use std::{fs, io};
 
     fn pictured(picture: &[u8]) -> Beside<'_> {
-        Beside {
-            picture: Some(picture),
-            ..Beside::default()
-        }
+        Beside { picture: Some(picture), ..Beside::default() }
     }
 
     fn names(dir: &Path) -> io::Result<Vec<String>> {
@@ -130,19 +121,13 @@ mod tests {
         let mut bad = example();
         bad.title = "another".into();
         bad.balances.mass = f64::NAN;
-        assert!(matches!(
-            write_results(&dir, &bad, &[], pictured(b"second")),
-            Err(Error::NotFinite { .. })
-        ));
+        assert!(matches!(write_results(&dir, &bad, &[], pictured(b"second")), Err(Error::NotFinite { .. })));
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"first");
         assert_eq!(fs::read(dir.join(RESULT_FILE))?, before);
 
         let taken = folder.path().join("taken");
         fs::create_dir_all(taken.join(RESULT_FILE))?;
-        assert!(matches!(
-            write_results(&taken, &example(), &[], pictured(b"x")),
-            Err(Error::Folder { .. })
-        ));
+        assert!(matches!(write_results(&taken, &example(), &[], pictured(b"x")), Err(Error::Folder { .. })));
         assert_eq!(names(&taken)?, ["result.json"]);
         fs::write(folder.path().join("file"), "")?;
         let error = write_results(&folder.path().join("file"), &example(), &[], Beside::default())

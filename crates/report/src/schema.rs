@@ -91,18 +91,13 @@ fn children(path: &str) -> impl Iterator<Item = (&'static Key, &'static str)> + 
 
 /// A table with its keys, and no others.
 fn table(path: &str) -> Value {
-    let required: Vec<_> = children(path)
-        .filter(|(key, _)| key.is_required())
-        .map(|(_, name)| name)
-        .collect();
+    let required: Vec<_> = children(path).filter(|(key, _)| key.is_required()).map(|(_, name)| name).collect();
     match path {
         "sweep" => return sweep(),
         "mesh.tolerance" => return tolerances(),
         _ => (),
     }
-    let properties: Map<_, _> = children(path)
-        .map(|(key, name)| (name.to_owned(), of_key(key)))
-        .collect();
+    let properties: Map<_, _> = children(path).map(|(key, name)| (name.to_owned(), of_key(key))).collect();
     let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
     if !required.is_empty() {
         table["required"] = json!(required);
@@ -170,10 +165,7 @@ fn tolerances() -> Value {
         match row.name.strip_suffix('.') {
             Some(family) => {
                 let region = json!({ "anyOf": [ratio, { "type": "object" }] });
-                properties.insert(
-                    family.to_owned(),
-                    json!({ "type": "object", "additionalProperties": region }),
-                );
+                properties.insert(family.to_owned(), json!({ "type": "object", "additionalProperties": region }));
                 patterns.insert(format!(r"^{family}\..+$"), ratio.clone());
             }
             None => drop(properties.insert(row.name.to_owned(), ratio.clone())),
@@ -210,10 +202,7 @@ fn swept_tables() -> impl Iterator<Item = &'static str> {
 /// Axes by the names of keys: short, in quotes with their tables, or below their tables.
 fn sweep() -> Value {
     let to = |path: &str| json!({ "$ref": format!("#/definitions/{path}") });
-    let mut properties: Map<_, _> = SHORT_NAMES
-        .iter()
-        .map(|(name, path)| ((*name).to_owned(), to(path)))
-        .collect();
+    let mut properties: Map<_, _> = SHORT_NAMES.iter().map(|(name, path)| ((*name).to_owned(), to(path))).collect();
     let mut patterns = Map::new();
     for key in swept().filter(|key| axis(key).is_some()) {
         match key.path.strip_prefix("feed.") {
@@ -300,25 +289,14 @@ mod tests {
         let schema = schema();
         for key in keys().filter(|key| !key.path.contains(|letter: char| letter.is_ascii_uppercase())) {
             let place = key.path.split('.').fold(&schema, |table, name| {
-                let forms = table["anyOf"]
-                    .as_array()
-                    .and_then(|forms| forms.iter().find(|form| form["type"] == "object"));
+                let forms =
+                    table["anyOf"].as_array().and_then(|forms| forms.iter().find(|form| form["type"] == "object"));
                 let table = forms.unwrap_or(table);
-                let table = if table["type"] == "array" {
-                    &table["items"]
-                } else {
-                    table
-                };
+                let table = if table["type"] == "array" { &table["items"] } else { table };
                 assert_eq!(table["additionalProperties"], false, "{}", key.path);
                 &table["properties"][name]
             });
-            assert!(
-                place["description"]
-                    .as_str()
-                    .is_some_and(|words| words.starts_with(key.what)),
-                "{}",
-                key.path
-            );
+            assert!(place["description"].as_str().is_some_and(|words| words.starts_with(key.what)), "{}", key.path);
         }
     }
 }

@@ -44,23 +44,13 @@ fn prefixed(variant: Option<Variant>, file: &str) -> String {
 pub fn write_shaft(dir: &Path, run: &ShaftRun, beside: &[ShaftBeside]) -> Result<Vec<String>, Error> {
     let others = beside.iter().map(|(variant, run)| files(Some(*variant), run));
     // The numbers of the scene come last.
-    let files: Vec<_> = others
-        .chain([files(None, run)])
-        .collect::<Result<Vec<_>, Error>>()?
-        .concat();
+    let files: Vec<_> = others.chain([files(None, run)]).collect::<Result<Vec<_>, Error>>()?.concat();
     let old = Variant::ALL.map(|variant| result_file(Some(variant)));
-    let removed = [RESULT_FILE, PAGE_FILE]
-        .into_iter()
-        .chain(old.iter().map(String::as_str));
+    let removed = [RESULT_FILE, PAGE_FILE].into_iter().chain(old.iter().map(String::as_str));
     let removed = removed.map(|name| (OsString::from(name), None));
-    let written = files
-        .iter()
-        .map(|(name, content)| (name.into(), Some(content.as_slice())));
+    let written = files.iter().map(|(name, content)| (name.into(), Some(content.as_slice())));
     let steps: Vec<(OsString, Option<&[u8]>)> = removed.chain(written).collect();
-    let steps: Vec<_> = steps
-        .iter()
-        .map(|(name, content)| (name.as_os_str(), *content))
-        .collect();
+    let steps: Vec<_> = steps.iter().map(|(name, content)| (name.as_os_str(), *content)).collect();
     replace(dir, &steps)?;
     Ok(files.into_iter().map(|(name, _)| name).collect())
 }
@@ -86,15 +76,8 @@ pub fn bearings_table(result: &ShaftResult) -> Result<Vec<u8>, Error> {
             columns.push((Column::of(quantity.name.clone(), quantity.row), result.bars));
         }
     }
-    let mut headings: Vec<String> = [
-        "bearing",
-        "z [m]",
-        "shell offset [m]",
-        "shell slope [rad]",
-        "greatest tilt [rad]",
-    ]
-    .map(str::to_owned)
-    .into();
+    let mut headings: Vec<String> =
+        ["bearing", "z [m]", "shell offset [m]", "shell slope [rad]", "greatest tilt [rad]"].map(str::to_owned).into();
     for (column, has_bar) in &columns {
         headings.push(column.heading());
         headings.extend(has_bar.then(|| column.error_heading()));
@@ -106,10 +89,7 @@ pub fn bearings_table(result: &ShaftResult) -> Result<Vec<u8>, Error> {
             row.push(exact(value)?);
         }
         for (column, has_bar) in &columns {
-            let found = bearing
-                .quantities
-                .iter()
-                .find(|quantity| quantity.name == column.quantity);
+            let found = bearing.quantities.iter().find(|quantity| quantity.name == column.quantity);
             let text = |value: Option<f64>| value.map_or(Ok(String::new()), exact);
             row.push(text(found.map(|quantity| quantity.value))?);
             if *has_bar {

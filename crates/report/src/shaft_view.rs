@@ -40,13 +40,8 @@ impl ShaftViews {
     /// # Errors
     /// A number is not finite.
     pub fn of_runs(run: &ShaftRun, beside: &[ShaftBeside]) -> Result<Self, Error> {
-        let others = beside
-            .iter()
-            .map(|(variant, run)| Ok((*variant, ShaftView::of_run(run)?)));
-        Ok(Self {
-            own: ShaftView::of_run(run)?,
-            beside: others.collect::<Result<_, Error>>()?,
-        })
+        let others = beside.iter().map(|(variant, run)| Ok((*variant, ShaftView::of_run(run)?)));
+        Ok(Self { own: ShaftView::of_run(run)?, beside: others.collect::<Result<_, Error>>()? })
     }
 
     /// Those in a folder of results.
@@ -57,10 +52,7 @@ impl ShaftViews {
         let is_there = |variant: &Variant| dir.join(result_file(Some(*variant))).is_file();
         let there = Variant::ALL.into_iter().filter(is_there);
         let beside = there.map(|variant| Ok((variant, ShaftView::read(dir, Some(variant))?)));
-        Ok(Self {
-            own: ShaftView::read(dir, None)?,
-            beside: beside.collect::<Result<_, Error>>()?,
-        })
+        Ok(Self { own: ShaftView::read(dir, None)?, beside: beside.collect::<Result<_, Error>>()? })
     }
 }
 
@@ -82,10 +74,7 @@ impl ShaftView {
         let count = result["bearings"].as_array().map_or(0, Vec::len);
         let courses = (0..count).filter(|_| is_of_cycle);
         let courses = courses.map(|number| OrbitCourse::from_csv(&bytes(path_file(variant, number))?));
-        Ok(Self {
-            courses: courses.collect::<Result<_, Error>>()?,
-            result,
-        })
+        Ok(Self { courses: courses.collect::<Result<_, Error>>()?, result })
     }
 
     /// The scene; nothing where its text is none of a crankshaft.
@@ -105,10 +94,7 @@ impl ShaftView {
 
     /// The journals over the cycle, with the names of their bearings.
     pub fn journals(&self) -> impl Iterator<Item = (&str, &OrbitCourse)> {
-        let names = self
-            .bearings()
-            .iter()
-            .map(|bearing| bearing["name"].as_str().unwrap_or_default());
+        let names = self.bearings().iter().map(|bearing| bearing["name"].as_str().unwrap_or_default());
         names.zip(&self.courses)
     }
 }

@@ -36,21 +36,14 @@ pub(crate) fn words(scene: &Scene) -> Vec<String> {
 fn inlet_in_words(scene: &Scene) -> Option<String> {
     let (arc, fraction) = (scene.bearing.arc?, scene.bearing.inlet_fraction?);
     let edge = if scene.journal.speed > 0.0 { arc.from } else { arc.to };
-    Some(format!(
-        "starved inlet: the oil brought in at {} fills {fraction} of the gap",
-        degrees(edge)
-    ))
+    Some(format!("starved inlet: the oil brought in at {} fills {fraction} of the gap", degrees(edge)))
 }
 
 fn load_in_words(journal: &Journal) -> Option<String> {
     let Position::Load { force, angle } = journal.position else {
         return None;
     };
-    Some(format!(
-        "load of {} at {}; the position of the journal is found",
-        newtons(force),
-        degrees(angle)
-    ))
+    Some(format!("load of {} at {}; the position of the journal is found", newtons(force), degrees(angle)))
 }
 
 fn feed_in_words(feed: &Feed) -> String {
@@ -60,18 +53,14 @@ fn feed_in_words(feed: &Feed) -> String {
             format!("hole of {} {place}", millimetres(hole.diameter))
         }
         (None, Some(groove)) => {
-            let arc = groove.arc.map_or("all around".to_owned(), |arc| {
-                format!("from {} to {}", degrees(arc.from), degrees(arc.to))
-            });
+            let arc = groove
+                .arc
+                .map_or("all around".to_owned(), |arc| format!("from {} to {}", degrees(arc.from), degrees(arc.to)));
             let corner = match groove.corner > 0.0 {
                 true => format!(", corners of radius {}", millimetres(groove.corner)),
                 false => String::new(),
             };
-            format!(
-                "groove {arc}, {} wide at z = {}{corner}",
-                millimetres(groove.width),
-                millimetres(groove.z)
-            )
+            format!("groove {arc}, {} wide at z = {}{corner}", millimetres(groove.width), millimetres(groove.z))
         }
         (None, None) => "region of the mesh".to_owned(),
     };
@@ -115,18 +104,14 @@ pub(crate) fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f
             _ if line == LINES - 1 => format!("z = {}", millimetres(bounds.low[1])),
             _ => String::new(),
         };
-        let row: String = (0..COLUMNS)
-            .map(|k| letter_at([bounds.at(0, (k as f64 + 0.5) / COLUMNS as f64), z]))
-            .collect();
+        let row: String =
+            (0..COLUMNS).map(|k| letter_at([bounds.at(0, (k as f64 + 0.5) / COLUMNS as f64), z])).collect();
         text += &format!("{label:>18} |{row}|\n");
     }
     let (from, to) = (degrees(bounds.low[0] / radius), degrees(bounds.high[0] / radius));
     text += &format!("{:>18}  {from}{to:>width$}\n", "phi =", width = COLUMNS - from.len());
-    let legend: Vec<String> = feeds
-        .iter()
-        .zip(&letters)
-        .map(|(region, letter)| format!("{letter} {}", region.name))
-        .collect();
+    let legend: Vec<String> =
+        feeds.iter().zip(&letters).map(|(region, letter)| format!("{letter} {}", region.name)).collect();
     if !legend.is_empty() {
         text += &format!("{:>18}  {}\n", "", legend.join(", "));
     }
@@ -141,10 +126,7 @@ struct Bounds {
 
 impl Bounds {
     fn of(mesh: &Mesh) -> Self {
-        let mut bounds = Self {
-            low: [f64::INFINITY; 2],
-            high: [f64::NEG_INFINITY; 2],
-        };
+        let mut bounds = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
         for point in mesh.points() {
             for k in 0..2 {
                 bounds.low[k] = bounds.low[k].min(point[k]);
@@ -165,11 +147,6 @@ impl Bounds {
 /// Distance [m] of a point from the nearest node on the rim of a region: a point outside of the film lies in the cut-out whose rim is nearest.
 fn from_rim(mesh: &Mesh, region: &Region, [x, z]: [f64; 2]) -> f64 {
     let nodes = region.edges.iter().flat_map(|&edge| mesh.edge_nodes(edge));
-    let apart = |along: f64| {
-        mesh.period()
-            .map_or(along, |period| along - period * (along / period).round())
-    };
-    nodes
-        .map(|node| apart(node[0] - x).hypot(node[1] - z))
-        .fold(f64::INFINITY, f64::min)
+    let apart = |along: f64| mesh.period().map_or(along, |period| along - period * (along / period).round());
+    nodes.map(|node| apart(node[0] - x).hypot(node[1] - z)).fold(f64::INFINITY, f64::min)
 }

@@ -56,15 +56,9 @@ impl Compression {
 pub fn to_vtu(picture: &FilmPicture, compression: Compression) -> Result<Vec<u8>, Error> {
     check(picture)?;
     let mut file = Writer::new(Vec::new());
-    let head = [
-        ("type", "UnstructuredGrid"),
-        ("version", "1.0"),
-        ("byte_order", "LittleEndian"),
-        ("header_type", "UInt64"),
-    ];
-    let head = head
-        .into_iter()
-        .chain(compression.compressor().map(|name| ("compressor", name)));
+    let head =
+        [("type", "UnstructuredGrid"), ("version", "1.0"), ("byte_order", "LittleEndian"), ("header_type", "UInt64")];
+    let head = head.into_iter().chain(compression.compressor().map(|name| ("compressor", name)));
     let grid = |file: &mut Writer<Vec<u8>>| {
         write_lines(file, &picture.lines)?;
         write_piece(file, picture, compression)
@@ -100,10 +94,7 @@ fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, compression: C
         ),
     ];
     let sizes = [picture.points.len(), picture.cells.len()].map(|size| size.to_string());
-    let sizes = [
-        ("NumberOfPoints", sizes[0].as_str()),
-        ("NumberOfCells", sizes[1].as_str()),
-    ];
+    let sizes = [("NumberOfPoints", sizes[0].as_str()), ("NumberOfCells", sizes[1].as_str())];
     let piece = file.create_element("Piece").with_attributes(sizes);
     piece.write_inner_content(|file| {
         for (name, arrays) in &parts {
@@ -116,15 +107,9 @@ fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, compression: C
 
 /// An element of a piece with its arrays. The first scalar and the first vector are those that a viewer shows.
 fn write_part(file: &mut Writer<Vec<u8>>, name: &str, arrays: &[Array], compression: Compression) -> Result<(), Xml> {
-    let first = |components| {
-        arrays
-            .iter()
-            .find(|array| array.components == components && array.unit.is_some())
-    };
+    let first = |components| arrays.iter().find(|array| array.components == components && array.unit.is_some());
     let shown = [("Scalars", first(1)), ("Vectors", first(3))];
-    let shown = shown
-        .iter()
-        .filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
+    let shown = shown.iter().filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
     let texts: Vec<_> = arrays.par_iter().map(|array| array.text(compression)).collect();
     let part = file.create_element(name).with_attributes(shown);
     part.write_inner_content(|file| {
@@ -141,12 +126,7 @@ fn array(field: &PictureField) -> Array<'_> {
         FieldValues::Scalars(values) => (1, values.as_slice()),
         FieldValues::Vectors(values) => (3, values.as_flattened()),
     };
-    Array {
-        name: &field.name,
-        unit: Some(&field.unit),
-        components,
-        numbers: Numbers::Float64(numbers),
-    }
+    Array { name: &field.name, unit: Some(&field.unit), components, numbers: Numbers::Float64(numbers) }
 }
 
 /// The lines as data of the whole field: of each an array of its name, in each row the two points of a piece.
@@ -189,11 +169,7 @@ fn check(picture: &FilmPicture) -> Result<(), Error> {
     let on_cells = picture.cell_data.iter().map(|field| (field, picture.cells.len()));
     on_nodes.chain(on_cells).try_for_each(|(field, wanted)| {
         if field.values.len() != wanted {
-            return Err(Error::Length {
-                name: field.name.to_string(),
-                values: field.values.len(),
-                wanted,
-            });
+            return Err(Error::Length { name: field.name.to_string(), values: field.values.len(), wanted });
         }
         all_finite(&field.name, field.values.numbers())
     })
@@ -202,10 +178,9 @@ fn check(picture: &FilmPicture) -> Result<(), Error> {
 fn all_finite(name: &str, values: &[f64]) -> Result<(), Error> {
     match values.iter().position(|value| !value.is_finite()) {
         None => Ok(()),
-        Some(place) => Err(Error::NotFinite {
-            name: format!("value {place} of the field {name}"),
-            value: values[place],
-        }),
+        Some(place) => {
+            Err(Error::NotFinite { name: format!("value {place} of the field {name}"), value: values[place] })
+        }
     }
 }
 
@@ -216,17 +191,7 @@ mod tests {
 
     /// The unit square in two quadratic triangles.
     fn square() -> FilmPicture {
-        let plane = [
-            (0., 0.),
-            (1., 0.),
-            (1., 1.),
-            (0., 1.),
-            (0.5, 0.),
-            (1., 0.5),
-            (0.5, 0.5),
-            (0.5, 1.),
-            (0., 0.5),
-        ];
+        let plane = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (0.5, 0.), (1., 0.5), (0.5, 0.5), (0.5, 1.), (0., 0.5)];
         let points: Vec<_> = plane.iter().map(|(x, z)| [*x, *z, 0.0]).collect();
         FilmPicture {
             cells: vec![[0, 1, 2, 4, 5, 6], [0, 2, 3, 6, 7, 8]],
@@ -270,10 +235,7 @@ mod tests {
             assert!(text.contains("Name=\"volume_flow [m2/s]\" NumberOfComponents=\"3\""));
             assert_eq!(from_vtu(&bytes)?, square());
         }
-        let without = FilmPicture {
-            lines: Vec::new(),
-            ..square()
-        };
+        let without = FilmPicture { lines: Vec::new(), ..square() };
         assert_eq!(from_vtu(&to_vtu(&without, Compression::None)?)?, without);
         assert!(matches!(from_vtu(b"<VTKFile"), Err(Error::Unreadable { .. })));
         Ok(())
@@ -292,26 +254,13 @@ mod tests {
     fn pictures_that_do_not_fit_together_are_refused() {
         let mut picture = square();
         picture.point_data[0].values = FieldValues::Scalars(vec![0.0; 8]);
-        assert!(matches!(
-            to_vtu(&picture, Compression::None),
-            Err(Error::Length {
-                values: 8,
-                wanted: 9,
-                ..
-            })
-        ));
+        assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::Length { values: 8, wanted: 9, .. })));
         let mut picture = square();
         picture.cells[1][5] = 9;
-        assert!(matches!(
-            to_vtu(&picture, Compression::None),
-            Err(Error::Node { cell: 1 })
-        ));
+        assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::Node { cell: 1 })));
         let mut picture = square();
         picture.cell_data[0].values = FieldValues::Scalars(vec![f64::NAN, 0.75]);
-        assert!(matches!(
-            to_vtu(&picture, Compression::None),
-            Err(Error::NotFinite { .. })
-        ));
+        assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::NotFinite { .. })));
     }
 
     /// There is no rest after the last block.

@@ -10,10 +10,7 @@ use crate::Error;
 /// # Errors
 /// [`Error::Unreadable`]: it is not a file of quadratic triangles as this program writes them.
 pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
-    let bad = |why: &str| Error::Unreadable {
-        format: "VTU file",
-        message: why.to_owned(),
-    };
+    let bad = |why: &str| Error::Unreadable { format: "VTU file", message: why.to_owned() };
     let (rest, lines) = without_lines(bytes);
     let text = String::from_utf8_lossy(bytes);
     let vtk = Vtk::parse_xml(rest.as_slice()).map_err(|error| bad(&error.to_string()))?;
@@ -23,19 +20,10 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
     let Some(Piece::Inline(piece)) = pieces.into_iter().next() else {
         return Err(bad("it has no piece"));
     };
-    let points: Vec<f64> = piece
-        .points
-        .cast_into()
-        .ok_or_else(|| bad("its points are no numbers"))?;
-    let points: Vec<[f64; 3]> = points
-        .chunks_exact(3)
-        .map(|point| [point[0], point[1], point[2]])
-        .collect();
+    let points: Vec<f64> = piece.points.cast_into().ok_or_else(|| bad("its points are no numbers"))?;
+    let points: Vec<[f64; 3]> = points.chunks_exact(3).map(|point| [point[0], point[1], point[2]]).collect();
     let (connectivity, offsets) = piece.cells.cell_verts.into_xml();
-    let are_six = offsets
-        .iter()
-        .zip(1..)
-        .all(|(offset, cell): (&u64, u64)| *offset == 6 * cell);
+    let are_six = offsets.iter().zip(1..).all(|(offset, cell): (&u64, u64)| *offset == 6 * cell);
     let are_nodes = connectivity.iter().all(|node| (*node as usize) < points.len());
     if !are_six || !are_nodes || connectivity.len() != 6 * offsets.len() {
         return Err(bad("its cells are no quadratic triangles on its nodes"));
@@ -63,11 +51,7 @@ fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureFi
                 }
                 _ => return None,
             };
-            Some(PictureField {
-                unit: unit(text, &array.name).to_owned().into(),
-                name: array.name.into(),
-                values,
-            })
+            Some(PictureField { unit: unit(text, &array.name).to_owned().into(), name: array.name.into(), values })
         }
         Attribute::Field { .. } => None,
     };
@@ -76,13 +60,9 @@ fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureFi
 
 /// The unit of the array of this name; empty where the file gives none.
 fn unit<'a>(text: &'a str, name: &str) -> &'a str {
-    let array = text
-        .split_once(&format!("Name=\"{name}\""))
-        .map_or("", |(_, rest)| rest);
+    let array = text.split_once(&format!("Name=\"{name}\"")).map_or("", |(_, rest)| rest);
     let array = array.split("</DataArray>").next().unwrap_or_default();
-    let key = array
-        .split_once("UNITS_LABEL")
-        .and_then(|(_, rest)| rest.split_once('>'));
+    let key = array.split_once("UNITS_LABEL").and_then(|(_, rest)| rest.split_once('>'));
     key.and_then(|(_, rest)| rest.split('<').next()).unwrap_or_default()
 }
 
@@ -102,11 +82,7 @@ fn without_lines(bytes: &[u8]) -> (Vec<u8>, Lines) {
     let lines = text.split("<DataArray ").skip(1).filter_map(|array| {
         let (head, rest) = array.split_once('>')?;
         let name = head.split("Name=\"").nth(1)?.split('"').next()?;
-        let numbers = rest
-            .split('<')
-            .next()?
-            .split_whitespace()
-            .map(|number| number.parse().ok());
+        let numbers = rest.split('<').next()?.split_whitespace().map(|number| number.parse().ok());
         let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
         let piece = |six: &[f64]| [[six[0], six[1], six[2]], [six[3], six[4], six[5]]];
         Some((read(name), numbers.chunks_exact(6).map(piece).collect()))

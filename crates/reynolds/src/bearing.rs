@@ -36,11 +36,7 @@ impl Bearing {
     /// Where the gap of circular surfaces is least at the axial position `z` [m].
     pub(crate) fn thinnest_at(&self, journal: &JournalState, z: f64) -> Thinnest {
         let [x, y] = journal.offset_at(z);
-        Thinnest {
-            thickness: self.clearance - x.hypot(y),
-            angle: y.atan2(x),
-            z,
-        }
+        Thinnest { thickness: self.clearance - x.hypot(y), angle: y.atan2(x), z }
     }
 
     /// Offset [m] towards `angle` [rad] at which a circular journal with this tilt touches a circular liner at one of its ends; zero where its tilt alone makes
@@ -61,26 +57,14 @@ impl Bearing {
 mod tests {
     use super::*;
 
-    const BEARING: Bearing = Bearing {
-        radius: 0.05,
-        length: 0.04,
-        clearance: 5e-5,
-        end_pressure: 0.0,
-    };
+    const BEARING: Bearing = Bearing { radius: 0.05, length: 0.04, clearance: 5e-5, end_pressure: 0.0 };
 
     #[test]
     fn a_tilted_journal_is_nearest_to_the_liner_at_an_end() {
-        let journal = JournalState {
-            offset: [1e-5, 0.0],
-            tilt: [0.0, -1e-3],
-            ..JournalState::default()
-        };
+        let journal = JournalState { offset: [1e-5, 0.0], tilt: [0.0, -1e-3], ..JournalState::default() };
         // e + z g = (1e-5, -+2e-5) at the ends: both are as far off.
         assert!((BEARING.thinnest(&journal).thickness - (5e-5 - 1e-5f64.hypot(2e-5))).abs() < 1e-20);
-        let leaning = JournalState {
-            tilt: [5e-4, 0.0],
-            ..journal
-        };
+        let leaning = JournalState { tilt: [5e-4, 0.0], ..journal };
         let thinnest = BEARING.thinnest(&leaning);
         assert!((thinnest.thickness - 3e-5).abs() < 1e-20 && thinnest.z == 0.02 && thinnest.angle == 0.0);
     }
@@ -88,20 +72,14 @@ mod tests {
     #[test]
     fn the_reach_ends_where_the_gap_does() {
         for (tilt, angle) in [([0.0; 2], 0.3), ([1e-3, 4e-4], 1.1), ([-5e-4, 2e-3], 5.0)] {
-            let journal = JournalState {
-                tilt,
-                ..JournalState::default()
-            };
+            let journal = JournalState { tilt, ..JournalState::default() };
             let reach = BEARING.reach(&journal, angle);
             let offset = [reach * angle.cos(), reach * angle.sin()];
             let gap = BEARING.thinnest(&JournalState { offset, ..journal }).thickness;
             assert!(gap.abs() < 1e-15 * 5e-5 / 1e-5, "{tilt:?}: {gap:e}");
         }
         // The tilt alone makes it touch.
-        let journal = JournalState {
-            tilt: [3e-3, 0.0],
-            ..JournalState::default()
-        };
+        let journal = JournalState { tilt: [3e-3, 0.0], ..JournalState::default() };
         assert_eq!(BEARING.reach(&journal, 0.0), 0.0);
     }
 }

@@ -29,11 +29,7 @@ impl Piecewise {
                 sum * if term == 0 { 1.0 } else { 2.0 } / TERMS as f64
             }))
         };
-        Self {
-            from,
-            length,
-            pieces: (0..pieces).map(expansion).collect(),
-        }
+        Self { from, length, pieces: (0..pieces).map(expansion).collect() }
     }
 
     /// Value and derivative at a point; of one outside of the interval those of the polynomial at its edge.
@@ -74,10 +70,7 @@ mod tests {
         for k in 0..=500 {
             let x = -1.0 + 0.01 * f64::from(k);
             let [value, slope] = sine.at(x);
-            assert!(
-                (value - x.sin()).abs() < 1e-14 && (slope - x.cos()).abs() < 1e-11,
-                "{x}"
-            );
+            assert!((value - x.sin()).abs() < 1e-14 && (slope - x.cos()).abs() < 1e-11, "{x}");
         }
     }
 }

@@ -26,10 +26,7 @@ impl FilmProblem {
         let cubic = match (self.cubic_film_unchecked(system, film, neighbour), self.form) {
             // Quadratic elements have a film.
             (Err(NoFilm::NotConverged(_)), Form::AsPrinted) => {
-                return Err(NoFilm::AtFold {
-                    asked: self.journal.speed.abs(),
-                    history: film.history.clone(),
-                });
+                return Err(NoFilm::AtFold { asked: self.journal.speed.abs(), history: film.history.clone() });
             }
             (cubic, _) => cubic?,
         };

@@ -124,11 +124,7 @@ pub enum NoFilm {
 /// Six significant digits, without an exponent where that is short.
 pub fn readable(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) { format!("{rounded}") } else { format!("{rounded:e}") }
 }
 
 impl NoFilm {
@@ -181,10 +177,7 @@ impl FilmProblem {
                 greatest_speed: None,
             });
         }
-        let field = Field {
-            space: system.space(),
-            values: &film.unknown,
-        };
+        let field = Field { space: system.space(), values: &film.unknown };
         let least = field.minimum().value;
         // Pressures that a cavitation model drops need no viscosity.
         let dropped = (self.cavitation.pressure()).is_some_and(|p| self.unknown_at(p) > floor);
@@ -219,12 +212,7 @@ impl FilmProblem {
         let known_to = SAFETY * (better - other).abs() / limit;
         match better / limit - 1.0 > known_to {
             true => plainly,
-            false => NoFilm::NearLimit {
-                limit,
-                ratio: better / limit,
-                known_to,
-                history: film.history.clone(),
-            },
+            false => NoFilm::NearLimit { limit, ratio: better / limit, known_to, history: film.history.clone() },
         }
     }
 
@@ -240,12 +228,7 @@ impl FilmProblem {
         let other = self.greatest_unknown(system.vertices_only(), coarse).value;
         let (ratio, known_to) = (reached / limit, SAFETY * (reached - other).abs() / limit);
         match limit.is_finite() && ratio + known_to > 1.0 {
-            true => Err(NoFilm::NearLimit {
-                limit,
-                ratio,
-                known_to,
-                history: film.history.clone(),
-            }),
+            true => Err(NoFilm::NearLimit { limit, ratio, known_to, history: film.history.clone() }),
             false => Ok(()),
         }
     }

@@ -30,20 +30,12 @@ pub(crate) type FilmAndFlows = (AtPoints<FilmPoint>, AtPoints<FilmFlow>);
 
 impl<'a> FilmLaw<'a> {
     pub(crate) fn new(problem: &'a FilmProblem, motion: f64) -> Self {
-        Self {
-            problem,
-            motion,
-            change: None,
-        }
+        Self { problem, motion, change: None }
     }
 
     /// The first-order change of the law: a law itself, whose residual at a field is the change of the residual.
     pub(crate) fn changed(problem: &'a FilmProblem, change: FilmChange<'a>) -> Self {
-        Self {
-            problem,
-            motion: 1.0,
-            change: Some(change),
-        }
+        Self { problem, motion: 1.0, change: Some(change) }
     }
 
     /// Velocity [m/s] of the journal's surface.
@@ -172,10 +164,7 @@ impl<'a> FilmLaw<'a> {
             FilmChange::GapRate(shape) => {
                 shape.add(&self.problem.journal, cell, positions, film);
                 for point in film {
-                    *point = FilmPoint {
-                        rate: point.thickness,
-                        ..FilmPoint::default()
-                    };
+                    *point = FilmPoint { rate: point.thickness, ..FilmPoint::default() };
                 }
             }
         }
@@ -201,11 +190,7 @@ impl ConservationLaw for FilmLaw<'_> {
     /// `div(flux - conductance grad q) + storage = 0` in the reduced pressure q.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (flow, out) in self.flows(cell, positions).iter().zip(out) {
-            *out = Conduction {
-                conductance: flow.conductance,
-                flux: flow.flux,
-                source: flow.storage,
-            };
+            *out = Conduction { conductance: flow.conductance, flux: flow.flux, source: flow.storage };
         }
     }
 

@@ -166,10 +166,9 @@ impl FilmSystem {
         });
         Ok(match between {
             None => LinearSolver::Direct(self.analysis()?.clone()),
-            Some(between) => LinearSolver::Multigrid(MultigridSolver {
-                between: between.clone(),
-                direct: self.analysis.clone(),
-            }),
+            Some(between) => {
+                LinearSolver::Multigrid(MultigridSolver { between: between.clone(), direct: self.analysis.clone() })
+            }
         })
     }
 
@@ -179,10 +178,7 @@ impl FilmSystem {
             let prolongation = Prolongation::new(self.space());
             let cubic = prolongation.cubic().clone();
             let supply = self.supply.on_space(&cubic);
-            Box::new(CubicSystem {
-                system: Self::with_supply(cubic, supply),
-                prolongation: Arc::new(prolongation),
-            })
+            Box::new(CubicSystem { system: Self::with_supply(cubic, supply), prolongation: Arc::new(prolongation) })
         })
     }
 
@@ -266,10 +262,7 @@ pub struct FilmTrace {
 impl FilmTrace {
     /// What a solve starts from.
     pub(crate) fn as_start(&self) -> InitialGuess {
-        InitialGuess {
-            u: self.unknown.clone(),
-            held: self.cavity.clone(),
-        }
+        InitialGuess { u: self.unknown.clone(), held: self.cavity.clone() }
     }
 }
 
@@ -285,10 +278,7 @@ impl FilmSolution {
 
     /// What a solve of a neighbouring film starts from.
     pub(crate) fn as_start(&self) -> InitialGuess {
-        InitialGuess {
-            u: self.unknown.clone(),
-            held: self.cavity.clone(),
-        }
+        InitialGuess { u: self.unknown.clone(), held: self.cavity.clone() }
     }
 
     /// A film without a cavity.
@@ -329,18 +319,12 @@ impl FilmProblem {
 
     /// The kink of the effective pressure in a triangle where the unknown of one or several films has these values at the nodes.
     pub(crate) fn kink<'a, const N: usize>(&self, functions: [&'a Nodal; N]) -> Kink<'a, N> {
-        Kink {
-            level: self.cavitation.kink().map(|p| self.unknown_at(p)),
-            functions,
-        }
+        Kink { level: self.cavitation.kink().map(|p| self.unknown_at(p)), functions }
     }
 
     /// This problem with its contact, if there is one, integrated so finely.
     pub fn with_contact(self, fineness: Fineness) -> Self {
-        Self {
-            contact: self.contact.map(|contact| Contact { fineness, ..contact }),
-            ..self
-        }
+        Self { contact: self.contact.map(|contact| Contact { fineness, ..contact }), ..self }
     }
 
     /// The pressure [Pa] that the film exerts where the unknown is `u`.

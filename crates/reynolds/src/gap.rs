@@ -57,11 +57,7 @@ pub struct Thinnest {
 }
 
 impl Thinnest {
-    const NONE: Self = Self {
-        thickness: f64::INFINITY,
-        angle: 0.0,
-        z: 0.0,
-    };
+    const NONE: Self = Self { thickness: f64::INFINITY, angle: 0.0, z: 0.0 };
 
     fn or(self, other: Self) -> Self {
         if other.thickness < self.thickness { other } else { self }
@@ -94,10 +90,7 @@ impl Gap {
     pub fn of(problem: &FilmProblem, system: &FilmSystem) -> Self {
         let is_circular = problem.film_thickness.iter().all(|it| it.keeps_circles());
         let shaped = (!is_circular).then(|| Arc::new(Shaped::of(problem, system.space().mesh())));
-        Self {
-            bearing: problem.bearing,
-            shaped,
-        }
+        Self { bearing: problem.bearing, shaped }
     }
 
     /// The bearing's dimensions.
@@ -137,12 +130,7 @@ impl Gap {
             return self.bearing.reach(journal, angle);
         }
         let (sin, cos) = angle.sin_cos();
-        let at = |e: f64| {
-            self.thinnest(&JournalState {
-                offset: [e * cos, e * sin],
-                ..*journal
-            })
-        };
+        let at = |e: f64| self.thinnest(&JournalState { offset: [e * cos, e * sin], ..*journal });
         if at(0.0).thickness <= 0.0 {
             return 0.0;
         }
@@ -168,9 +156,7 @@ impl Gap {
         if let Some(shaped) = &self.shaped {
             // A wall that gives way rises towards the ends within less than a triangle.
             let ends = bearing.ends().map(|z| shaped.thinnest_at(journal, bearing.radius, z));
-            return ends
-                .into_iter()
-                .fold(shaped.thinnest_of_one(journal, bearing.radius), Thinnest::or);
+            return ends.into_iter().fold(shaped.thinnest_of_one(journal, bearing.radius), Thinnest::or);
         }
         let is_covered = |place: &Thinnest| covers(mesh, bearing.radius, place.angle);
         let thinnest = bearing.thinnest(journal);
@@ -181,15 +167,9 @@ impl Gap {
             let nodes = mesh.nodes(t);
             problem.thickness_at(t, &nodes).into_iter().zip(nodes)
         });
-        let at_nodes = at_nodes.map(|(thickness, [x, z])| Thinnest {
-            thickness,
-            angle: x / bearing.radius,
-            z,
-        });
+        let at_nodes = at_nodes.map(|(thickness, [x, z])| Thinnest { thickness, angle: x / bearing.radius, z });
         let ends = bearing.ends().map(|z| bearing.thinnest_at(journal, z)).into_iter();
-        ends.filter(is_covered)
-            .chain(at_nodes)
-            .fold(Thinnest::NONE, Thinnest::or)
+        ends.filter(is_covered).chain(at_nodes).fold(Thinnest::NONE, Thinnest::or)
     }
 
     /// Where the gap at the axial position `z` [m] is least with the journal in this state.
@@ -227,11 +207,7 @@ fn covers(mesh: &Mesh, radius: f64, angle: f64) -> bool {
 
 impl Shaped {
     fn of(problem: &FilmProblem, mesh: &Arc<Mesh>) -> Self {
-        Self {
-            nodes: OnceLock::new(),
-            mesh: mesh.clone(),
-            film_thickness: problem.film_thickness.clone(),
-        }
+        Self { nodes: OnceLock::new(), mesh: mesh.clone(), film_thickness: problem.film_thickness.clone() }
     }
 
     /// The film at the nodes of triangle `t` [m]: with the journal in the middle, and what each coordinate changes.
@@ -313,11 +289,7 @@ impl Shaped {
                 least = if film.0 < least.1.0 { (point, film) } else { least };
             }
             let (point, (thickness, [x, z])) = least;
-            best = best.or(Thinnest {
-                thickness,
-                angle: x / radius,
-                z,
-            });
+            best = best.or(Thinnest { thickness, angle: x / radius, z });
             let greatest = film.iter().fold(thickness, |greatest, (film, _)| greatest.max(*film));
             if greatest - thickness <= EVEN * thickness.abs() {
                 break;
@@ -355,11 +327,7 @@ impl Shaped {
                 let xs: [f64; 5] = std::array::from_fn(|k| from + 0.25 * k as f64 * (to - from));
                 let film = thickness(&self.film_thickness, journal, t, &xs.map(|x| [x, z]));
                 let least = (0..5).fold(0, |least, k| if film[k] < film[least] { k } else { least });
-                best = best.or(Thinnest {
-                    thickness: film[least],
-                    angle: xs[least] / radius,
-                    z,
-                });
+                best = best.or(Thinnest { thickness: film[least], angle: xs[least] / radius, z });
                 (from, to) = (xs[least.saturating_sub(1)], xs[(least + 1).min(4)]);
             }
             best

@@ -54,11 +54,7 @@ impl JournalChange {
     /// The change of place of this one as a rate [1/s]: velocity and rate of the slope change by what offset and slope did, which do not change.
     #[must_use]
     pub fn as_rate(&self) -> Self {
-        Self {
-            velocity: self.offset,
-            tilt_rate: self.tilt,
-            ..Self::default()
-        }
+        Self { velocity: self.offset, tilt_rate: self.tilt, ..Self::default() }
     }
 }
 
@@ -89,11 +85,7 @@ impl CentreVelocity {
             }
             false => [0.0; 2],
         };
-        JournalChange {
-            offset: step,
-            velocity,
-            ..JournalChange::default()
-        }
+        JournalChange { offset: step, velocity, ..JournalChange::default() }
     }
 }
 
@@ -103,22 +95,14 @@ impl JournalState {
     pub fn at_eccentricity(eccentricity: f64, min_film_angle: f64, clearance: f64, speed: f64) -> Self {
         let (sin, cos) = min_film_angle.sin_cos();
         let e = eccentricity * clearance;
-        Self {
-            offset: [e * cos, e * sin],
-            velocity: [0.0; 2],
-            speed,
-            ..Self::default()
-        }
+        Self { offset: [e * cos, e * sin], velocity: [0.0; 2], speed, ..Self::default() }
     }
 
     /// This position with the centre moving at `velocity`, where the line of centres points to the angle `min_film_angle` [rad].
     pub fn with_centre_velocity(self, velocity: CentreVelocity, min_film_angle: f64) -> Self {
         let CentreVelocity { radial, tangential } = velocity;
         let (sin, cos) = min_film_angle.sin_cos();
-        Self {
-            velocity: [radial * cos - tangential * sin, radial * sin + tangential * cos],
-            ..self
-        }
+        Self { velocity: [radial * cos - tangential * sin, radial * sin + tangential * cos], ..self }
     }
 
     /// Angle [rad] of the minimum film, `atan2(e_y, e_x)`; zero for a centred journal.

@@ -80,9 +80,8 @@ impl Coarser {
         }
         let space = Space::new(Arc::new(coarse.mesh), fine.space().degree());
         let supply = fine.supply.on_coarser(fine.space(), &space, bearing)?;
-        let film_thickness: Vec<_> = (film_thickness.iter())
-            .map(|contribution| contribution.carried(&coarse.parents))
-            .collect();
+        let film_thickness: Vec<_> =
+            (film_thickness.iter()).map(|contribution| contribution.carried(&coarse.parents)).collect();
         let locator = Locator::new(space.mesh());
         let places = (fine.space().positions().into_par_iter())
             .map(|position| locator.nearest(position))
@@ -99,10 +98,7 @@ impl Coarser {
 
     /// The film on the coarser mesh.
     pub fn problem(&self, fine: &FilmProblem) -> FilmProblem {
-        let problem = FilmProblem {
-            film_thickness: self.film_thickness.clone(),
-            ..fine.clone()
-        };
+        let problem = FilmProblem { film_thickness: self.film_thickness.clone(), ..fine.clone() };
         problem.deflected(fine.deflection())
     }
 
@@ -115,14 +111,8 @@ impl Coarser {
             Some(_) if space.degree() > 1 => 3..nodes.len(),
             _ => 0..nodes.len(),
         };
-        let field = Field {
-            space,
-            values: &film.unknown,
-        };
-        let (mut u, mut held) = (
-            Vec::with_capacity(self.places.len()),
-            Vec::with_capacity(self.places.len()),
-        );
+        let field = Field { space, values: &film.unknown };
+        let (mut u, mut held) = (Vec::with_capacity(self.places.len()), Vec::with_capacity(self.places.len()));
         for &(triangle, point) in &self.places {
             u.push(field.value(triangle as usize, point));
             let dofs = space.element_dofs(triangle as usize);
@@ -144,11 +134,7 @@ fn liner(system: &FilmSystem, bearing: &Bearing) -> Liner {
             Some(xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x))))
         }
     };
-    Liner {
-        radius: bearing.radius,
-        length: bearing.length,
-        arc,
-    }
+    Liner { radius: bearing.radius, length: bearing.length, arc }
 }
 
 /// Angle [rad] of the film start of a ring.

@@ -98,9 +98,8 @@ impl FilmProblem {
         let minus = weights.iter().zip(&film.cavity);
         // In the cavity of a film that conserves oil it is the film fraction that changes.
         let changes = |in_cavity: bool| film.film_fraction.is_none() || !in_cavity;
-        let minus: Vec<f64> = minus
-            .map(|(weight, &in_cavity)| if changes(in_cavity) { -weight } else { 0.0 })
-            .collect();
+        let minus: Vec<f64> =
+            minus.map(|(weight, &in_cavity)| if changes(in_cavity) { -weight } else { 0.0 }).collect();
         film.linearisation.solve_transposed_within(&minus, part)
     }
 

@@ -67,12 +67,7 @@ impl FilmProblem {
             return Ok(Some(ReferenceFilm::Cubic(self.cubic_film(system, film, None)?)));
         }
         match self.coarse_comparison(system, film) {
-            Ok(coarse) => Ok(Some(ReferenceFilm::coarse(
-                (self, system, film),
-                coarse,
-                None,
-                following,
-            ))),
+            Ok(coarse) => Ok(Some(ReferenceFilm::coarse((self, system, film), coarse, None, following))),
             Err(reason @ NoFilm::NearLimit { .. }) => Err(reason),
             Err(_) => Ok(None),
         }
@@ -88,11 +83,7 @@ impl FilmProblem {
             true => (self.cubic_film_unchecked(system, film, None)).map(ReferenceFilm::Cubic),
             false => {
                 let coarse = self.coarse_comparison_unchecked(system, film)?;
-                Ok(ReferenceFilm::Coarse {
-                    film: coarse,
-                    error: None,
-                    hill: None,
-                })
+                Ok(ReferenceFilm::Coarse { film: coarse, error: None, hill: None })
             }
         }
     }

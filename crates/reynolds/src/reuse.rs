@@ -25,9 +25,8 @@ impl FilmSystem {
             vertices.supply.set_pressures(pressure);
         }
         if let Some(coarser) = &mut self.coarser {
-            let own: Vec<_> = (film_thickness.iter())
-                .map(|contribution| contribution.carried(&coarser.parents))
-                .collect();
+            let own: Vec<_> =
+                (film_thickness.iter()).map(|contribution| contribution.carried(&coarser.parents)).collect();
             coarser.system.renew(pressure, &own);
             coarser.film_thickness = own;
         }

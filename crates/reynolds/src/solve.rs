@@ -32,19 +32,9 @@ impl FilmProblem {
     /// [`NoFilm`]: the reason why there is none.
     pub fn solve(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
         self.solve_from(system, Neighbour::None).map_err(|reason| match reason {
-            NoFilm::AboveLimit {
-                reached,
-                limit,
-                ratio,
-                law,
-                ..
-            } => NoFilm::AboveLimit {
-                reached,
-                limit,
-                ratio,
-                law,
-                greatest_speed: self.greatest_speed(system, limit),
-            },
+            NoFilm::AboveLimit { reached, limit, ratio, law, .. } => {
+                NoFilm::AboveLimit { reached, limit, ratio, law, greatest_speed: self.greatest_speed(system, limit) }
+            }
             other => other,
         })
     }
@@ -93,14 +83,8 @@ impl FilmProblem {
         neighbour: Neighbour,
     ) -> Result<FilmSolution, NoFilm> {
         let choice = match neighbour {
-            Neighbour::Kept(FilmSolution {
-                film_fraction: Some(kept),
-                ..
-            }) => Choice::Kept(kept),
-            Neighbour::Found(FilmTrace {
-                film_fraction: Some(kept),
-                ..
-            }) => Choice::Kept(kept),
+            Neighbour::Kept(FilmSolution { film_fraction: Some(kept), .. }) => Choice::Kept(kept),
+            Neighbour::Found(FilmTrace { film_fraction: Some(kept), .. }) => Choice::Kept(kept),
             _ => Choice::Anew,
         };
         self.film_by(system, motion, neighbour, choice)
@@ -128,9 +112,8 @@ impl FilmProblem {
     /// The film of the next coarser mesh, if there is one, and on how many meshes it was solved; else nothing.
     fn start(&self, system: &FilmSystem, motion: f64) -> (InitialGuess, usize) {
         let coarse = system.coarser.as_ref().and_then(|coarser| {
-            let film = (coarser.problem(self))
-                .film_by(&coarser.system, motion, Neighbour::None, Choice::Roughly)
-                .ok()?;
+            let film =
+                (coarser.problem(self)).film_by(&coarser.system, motion, Neighbour::None, Choice::Roughly).ok()?;
             Some((coarser.carried(&film, self.cavitation), film.levels + 1))
         });
         coarse.unwrap_or_else(|| (full_film(system), 0))
@@ -176,10 +159,7 @@ impl FilmProblem {
             _ => Obstacle::at_nodes(system.space(), floor),
         };
         let contact = complementarity::solve(&equation, &obstacle, start)?;
-        Ok(FilmSolution {
-            cavity: contact.held,
-            ..FilmSolution::full(contact.solution)
-        })
+        Ok(FilmSolution { cavity: contact.held, ..FilmSolution::full(contact.solution) })
     }
 
     /// Raises the speed from rest in steps, each started from the last solution. The least steps
@@ -213,35 +193,20 @@ impl FilmProblem {
             NoFilm::NotConverged(
                 Failure::Stagnated { .. }
                 | Failure::TooManySteps { .. }
-                | Failure::Linear {
-                    error: Error::NotPositiveDefinite,
-                    ..
-                },
+                | Failure::Linear { error: Error::NotPositiveDefinite, .. },
             ) if reached > 0.0 => reached,
             // At rest it is there, and after the least step it is not: the fold lies between.
-            NoFilm::NotConverged(Failure::Linear {
-                error: Error::NotPositiveDefinite,
-                ..
-            }) => next,
+            NoFilm::NotConverged(Failure::Linear { error: Error::NotPositiveDefinite, .. }) => next,
             _ => return failure,
         };
-        NoFilm::Fold {
-            last: part * asked,
-            asked,
-        }
+        NoFilm::Fold { last: part * asked, asked }
     }
 
     /// The greatest value of the unknown, between nodes too where the film is full.
     pub fn greatest_unknown(&self, system: &FilmSystem, film: &FilmSolution) -> Extremum {
-        let field = Field {
-            space: system.space(),
-            values: &film.unknown,
-        };
-        let full = |t: usize| {
-            system.space().element_dofs(t)[..system.space().shapes()]
-                .iter()
-                .all(|&dof| !film.cavity[dof])
-        };
+        let field = Field { space: system.space(), values: &film.unknown };
+        let full =
+            |t: usize| system.space().element_dofs(t)[..system.space().shapes()].iter().all(|&dof| !film.cavity[dof]);
         match film.film_fraction {
             Some(_) => field.maximum_where(&full),
             None => field.maximum(),

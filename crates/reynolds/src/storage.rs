@@ -37,9 +37,7 @@ impl FilmProblem {
             return Ok(None);
         };
         let mut held = cavitation::cell_volumes(self, system)?;
-        held.iter_mut()
-            .zip(&fraction.values)
-            .for_each(|(held, theta)| *held *= theta);
+        held.iter_mut().zip(&fraction.values).for_each(|(held, theta)| *held *= theta);
         Ok(Some(held))
     }
 

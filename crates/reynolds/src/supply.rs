@@ -124,19 +124,12 @@ impl Supply {
                 owner[dof] = Some(index);
             }
             if let Some(other) = conflict {
-                errors.push(SupplyError::Conflict {
-                    first: other.name.clone(),
-                    second: region.name.clone(),
-                });
+                errors.push(SupplyError::Conflict { first: other.name.clone(), second: region.name.clone() });
             }
             errors.extend(open_rim(space.mesh(), &regions, region));
         }
         errors.extend(unassigned(space, &regions, &owner));
-        if errors.is_empty() {
-            Ok(Self { regions, owner })
-        } else {
-            Err(errors)
-        }
+        if errors.is_empty() { Ok(Self { regions, owner }) } else { Err(errors) }
     }
 
     /// These given pressures on another space of their mesh.
@@ -147,10 +140,7 @@ impl Supply {
                 owner[dof] = Some(index);
             }
         }
-        Self {
-            regions: self.regions.clone(),
-            owner,
-        }
+        Self { regions: self.regions.clone(), owner }
     }
 
     /// These given pressures on a coarser mesh of the liner, which has ends and lines of its own but no
@@ -191,20 +181,13 @@ impl Supply {
             let mut owners = fine.element_dofs(triangle).into_iter().take(fine.shapes()).map(feed_at);
             let feed = match inside {
                 // In a meshed feed all nodes of the triangle are its own.
-                Some(_) => owners
-                    .clone()
-                    .all(|feed| feed.is_some())
-                    .then(|| owners.next().flatten())
-                    .flatten(),
+                Some(_) => owners.clone().all(|feed| feed.is_some()).then(|| owners.next().flatten()).flatten(),
                 None => owners.flatten().next(),
             };
             owner[dof] = feed.or(owner[dof]);
         }
         let fine_positions = fine.positions();
-        for index in (0u16..)
-            .zip(&self.regions)
-            .filter(|(_, region)| region.kind == BoundaryKind::Feed)
-            .map(|(k, _)| k)
+        for index in (0u16..).zip(&self.regions).filter(|(_, region)| region.kind == BoundaryKind::Feed).map(|(k, _)| k)
         {
             let first = (0..fine.dofs()).find(|&dof| self.owner[dof] == Some(index));
             let Some(first) = first.filter(|_| !owner.contains(&Some(index))) else {
@@ -326,10 +309,7 @@ fn open_rim(mesh: &Mesh, regions: &[SupplyRegion], region: &SupplyRegion) -> Opt
         .filter(|(vertex, n)| n % 2 == 1 && !at_ends.contains(vertex))
         .map(|(vertex, _)| vertex)
         .min()?;
-    Some(SupplyError::OpenRim {
-        name: region.name.clone(),
-        node: mesh.label(loose),
-    })
+    Some(SupplyError::OpenRim { name: region.name.clone(), node: mesh.label(loose) })
 }
 
 fn unassigned(space: &Space, regions: &[SupplyRegion], owner: &[Option<u16>]) -> Option<SupplyError> {
@@ -341,11 +321,7 @@ fn unassigned(space: &Space, regions: &[SupplyRegion], owner: &[Option<u16>]) ->
         .filter(|&edge| space.dofs_on_edge(edge).any(|dof| owner[dof].is_none()))
         .collect();
     let [x, z] = mesh.edge_nodes(*bare.first()?)[2];
-    Some(SupplyError::Unassigned {
-        count: bare.len(),
-        x,
-        z,
-    })
+    Some(SupplyError::Unassigned { count: bare.len(), x, z })
 }
 
 /// Edges that run along `x = R phi` at the angle `angle` [rad], from end to end. Where the line meets a
@@ -354,9 +330,7 @@ fn unassigned(space: &Space, regions: &[SupplyRegion], owner: &[Option<u16>]) ->
 /// # Errors
 /// [`SupplyError::NoLine`] if they do not make up the length of the bearing.
 pub fn line_at_angle(mesh: &Mesh, radius: f64, length: f64, angle: f64) -> Result<Vec<u32>, SupplyError> {
-    let missing = SupplyError::NoLine {
-        degrees: angle.to_degrees(),
-    };
+    let missing = SupplyError::NoLine { degrees: angle.to_degrees() };
     let topology = mesh.topology();
     let on_line = |v: u32| {
         let turns = (mesh.points()[v as usize][0] / radius - angle) / std::f64::consts::TAU;

@@ -70,17 +70,8 @@ impl<'a> Whirl<'a> {
                 }
             }
         };
-        let taking_up = FilmProblem {
-            terms: terms::of_rates(),
-            ..problem.clone()
-        };
-        Ok(Self {
-            problem,
-            system,
-            film,
-            taking_up,
-            cavity,
-        })
+        let taking_up = FilmProblem { terms: terms::of_rates(), ..problem.clone() };
+        Ok(Self { problem, system, film, taking_up, cavity })
     }
 
     /// First-order change of the unknown at each dof with the place of the journal, `place`, and with the same motion as a rate [1/s].
@@ -88,11 +79,7 @@ impl<'a> Whirl<'a> {
     /// # Errors
     /// The linear systems could not be solved.
     pub fn response(&self, offset: [f64; 2], tilt: [f64; 2]) -> Result<[Vec<f64>; 2], Error> {
-        let place = JournalChange {
-            offset,
-            tilt,
-            ..JournalChange::default()
-        };
+        let place = JournalChange { offset, tilt, ..JournalChange::default() };
         let rate = place.as_rate();
         self.response_to(FilmChange::Journal(place), FilmChange::Journal(rate))
     }

@@ -118,11 +118,7 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
     let radius = 0.5 * diameter;
     table.refuse_if(
         clearance >= radius,
-        if diametral.is_some() {
-            "diametral_clearance"
-        } else {
-            "clearance"
-        },
+        if diametral.is_some() { "diametral_clearance" } else { "clearance" },
         format!("is not smaller than the radius, {}", millimetres(radius)),
         "give the radial clearance, about a thousandth of half the bearing.diameter; is it in um?",
     );
@@ -154,21 +150,13 @@ fn arc(mut table: TableReader<'_>) -> (Option<Arc>, Option<f64>) {
     table.refuse_if(
         to <= from,
         "to",
-        format!(
-            "ends at {}, which is not behind its beginning, {}",
-            degrees(to),
-            degrees(from)
-        ),
+        format!("ends at {}, which is not behind its beginning, {}", degrees(to), degrees(from)),
         "count up from one to the other: from = \"320 deg\", to = \"400 deg\" crosses zero",
     );
     table.refuse_if(
         to - from >= TAU * (1.0 - 1e-12),
         "to",
-        format!(
-            "makes the arc {} wide from {} on, but an arc is less than 360 deg",
-            degrees(to - from),
-            degrees(from)
-        ),
+        format!("makes the arc {} wide from {} on, but an arc is less than 360 deg", degrees(to - from), degrees(from)),
         "for a full ring remove arc; bearing.film_start then holds a line at the end pressure",
     );
     let fraction = table.number("inlet_fraction", "0.6").within_or(
@@ -266,21 +254,12 @@ viscosity = "0.4 Pa.s"
         for (bad, wanted) in [
             (theory("short", ARC), "is \"short\", but bearing.arc is given"),
             (theory("short", "") + FEED, "is \"short\", but there is a feed"),
-            (
-                theory("short", "") + jfo,
-                "is \"short\", but cavitation.model is \"jfo\"",
-            ),
-            (
-                theory("long", ""),
-                "is \"long\", but no line of the bearing has a pressure",
-            ),
+            (theory("short", "") + jfo, "is \"short\", but cavitation.model is \"jfo\""),
+            (theory("long", ""), "is \"long\", but no line of the bearing has a pressure"),
             (theory("long", start) + FEED, "is \"long\", but there is a feed"),
         ] {
             let told = told(&bad);
-            assert!(
-                told.len() == 1 && told[0].contains(&format!("bearing.theory: {wanted}")),
-                "{told:?}"
-            );
+            assert!(told.len() == 1 && told[0].contains(&format!("bearing.theory: {wanted}")), "{told:?}");
         }
         assert!(told(&theory("middling", ""))[0].contains("bearing.theory"));
     }

@@ -93,11 +93,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Bore {
     let envelope = table.table_if_given("envelope").map(|mut envelope| Bore::Envelope {
         path: in_folder(envelope.text("file", "bores/positions.csv")),
         film: (envelope.quantity("film", Dimension::Length, "2 um"))
-            .within(
-                |film| film >= 0.0,
-                "is negative",
-                "give the film that is left in every position",
-            )
+            .within(|film| film >= 0.0, "is negative", "give the film that is left in every position")
             .required(),
     });
     let file = table.text_if_given("file", "bores/measured.csv");
@@ -111,19 +107,10 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Bore {
     }
     for key in given.iter().skip(1) {
         let message = format!("stands beside {}", given[0]);
-        table.complain(
-            key,
-            message,
-            "give each shape a [[bore]] of its own: their depths add up",
-        );
+        table.complain(key, message, "give each shape a [[bore]] of its own: their depths add up");
     }
     let crown = crown.map(Bore::Crown);
-    crown
-        .or(oval)
-        .or(worn)
-        .or(envelope)
-        .or(measured)
-        .unwrap_or(Bore::Crown(f64::NAN))
+    crown.or(oval).or(worn).or(envelope).or(measured).unwrap_or(Bore::Crown(f64::NAN))
 }
 
 fn worn(mut table: TableReader<'_>) -> Bore {
@@ -138,11 +125,7 @@ fn worn(mut table: TableReader<'_>) -> Bore {
         "is no half of a pit",
         "give the angle from the middle of the pit to one of its edges, more than 0 and less than 180 deg",
     );
-    Bore::Worn {
-        depth,
-        half_width: half_width.required(),
-        angle: table.required("angle", Dimension::Angle, "250 deg"),
-    }
+    Bore::Worn { depth, half_width: half_width.required(), angle: table.required("angle", Dimension::Angle, "250 deg") }
 }
 
 impl Scene {
@@ -180,36 +163,22 @@ mod tests {
     #[test]
     fn the_shapes_are_read() {
         assert_eq!(bores("crown = \"-3 um\""), [Bore::Crown(-3e-6)]);
-        let oval = Bore::Oval {
-            depth: 5.0 * 1e-6,
-            angle: 0.5 * PI,
-        };
+        let oval = Bore::Oval { depth: 5.0 * 1e-6, angle: 0.5 * PI };
         assert_eq!(bores("oval = { depth = \"5 um\", angle = \"90 deg\" }"), [oval]);
         let keys =
             "worn = { depth = \"10 um\", angle = \"0 deg\", half_width = \"45 deg\" }\n[[bore]]\nfile = \"a/b.csv\"";
-        let worn = Bore::Worn {
-            depth: 10.0 * 1e-6,
-            angle: 0.0,
-            half_width: 0.25 * PI,
-        };
+        let worn = Bore::Worn { depth: 10.0 * 1e-6, angle: 0.0, half_width: 0.25 * PI };
         let found = bores(keys);
         assert_eq!(found[0], worn);
         assert!(matches!(&found[1], Bore::Measured(path) if path.ends_with("a/b.csv")));
-        assert!(
-            !read(&format!("{STUDY}\n[shaft]\ncrown = \"0 um\"\n"))
-                .expect("a scene")
-                .is_circular()
-        );
+        assert!(!read(&format!("{STUDY}\n[shaft]\ncrown = \"0 um\"\n")).expect("a scene").is_circular());
     }
 
     #[test]
     fn what_is_no_shape_is_refused() {
         for (keys, wanted) in [
             ("", "bore[0]: has no shape"),
-            (
-                "crown = \"1 um\"\noval = { depth = \"5 um\", angle = \"90 deg\" }",
-                "bore[0].oval: stands beside crown",
-            ),
+            ("crown = \"1 um\"\noval = { depth = \"5 um\", angle = \"90 deg\" }", "bore[0].oval: stands beside crown"),
             (
                 "worn = { depth = \"-1 um\", angle = \"0 deg\", half_width = \"45 deg\" }",
                 "bore[0].worn.depth: is negative",
@@ -221,9 +190,7 @@ mod tests {
             ("crown = 5", "bore[0].crown: a bare number"),
             ("barrel = \"5 um\"", "bore[0].barrel: this key is not known"),
         ] {
-            let error = read(&format!("{STUDY}\n[[bore]]\n{keys}\n"))
-                .expect_err(keys)
-                .to_string();
+            let error = read(&format!("{STUDY}\n[[bore]]\n{keys}\n")).expect_err(keys).to_string();
             assert!(error.contains(wanted), "{error}");
         }
         let long = told("clearance =", "theory = \"long\", clearance =");

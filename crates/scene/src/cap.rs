@@ -198,10 +198,7 @@ shell = { protrusion = "25 um", modulus = "190 GPa", section = "1.32 cm2", radiu
     #[test]
     fn a_cap_is_read_in_si() {
         let cap = read(&with_cap("[cap]", "[cap]")).expect("a scene").cap.expect("a cap");
-        assert_eq!(
-            (cap.bolts.count, cap.bolts.load_share, cap.bolts.tightness),
-            (2, 0.18, 3.0)
-        );
+        assert_eq!((cap.bolts.count, cap.bolts.load_share, cap.bolts.tightness), (2, 0.18, 3.0));
         assert!((cap.cap_mass - 0.405).abs() < 1e-15 && (cap.bolts.stress_area - 56.7e-6).abs() < 1e-18);
         assert_eq!(cap.shell.map(|shell| shell.section), Some(1.32 * 1e-4));
         assert_eq!(read(STUDY).expect("a scene").cap, None);
@@ -218,51 +215,23 @@ shell = { protrusion = "25 um", modulus = "190 GPa", section = "1.32 cm2", radiu
         };
         one("count = 2, ", "", "cap.bolts.count: is missing");
         for count in ["3", "0", "-2", "2.5", "1e9"] {
-            one(
-                "count = 2",
-                &format!("count = {count}"),
-                "cap.bolts.count: is no even number",
-            );
+            one("count = 2", &format!("count = {count}"), "cap.bolts.count: is no even number");
         }
-        one(
-            "count = 2",
-            "count = \"2\"",
-            "cap.bolts.count: a plain number is wanted",
-        );
+        one("count = 2", "count = \"2\"", "cap.bolts.count: a plain number is wanted");
         one("angle = \"270 deg\"\n", "", "cap.angle: is missing");
-        one(
-            "\"3.43 kg\"",
-            "3.43",
-            "cap.reciprocating_mass: a bare number has no unit; a mass is wanted",
-        );
-        one(
-            "\"56.7 mm2\"",
-            "\"56.7 mm\"",
-            "cap.bolts.stress_area: \"mm\" is a unit of length, but an area is wanted",
-        );
+        one("\"3.43 kg\"", "3.43", "cap.reciprocating_mass: a bare number has no unit; a mass is wanted");
+        one("\"56.7 mm2\"", "\"56.7 mm\"", "cap.bolts.stress_area: \"mm\" is a unit of length, but an area is wanted");
         one("protrusion", "protusion", "cap.shell.protusion: this key is not known");
         let told = told("title = ", "cap = {}\ntitle = ");
-        assert!(
-            told.iter()
-                .any(|it| it.key == "cap.bolts" && it.help.contains("count = 2")),
-            "{told:?}"
-        );
+        assert!(told.iter().any(|it| it.key == "cap.bolts" && it.help.contains("count = 2")), "{told:?}");
     }
 
     #[test]
     fn caps_are_checked() {
         for (from, to, wanted) in [
             ("\"3.43 kg\"", "\"0 kg\"", "cap.reciprocating_mass: is not positive"),
-            (
-                "\"405 g\"",
-                "\"2.1 kg\"",
-                "cap.cap_mass: is not less than rotating_mass",
-            ),
-            (
-                "\"62.5 mm\"",
-                "\"230 mm\"",
-                "cap.crank_radius: is not less than rod_length",
-            ),
+            ("\"405 g\"", "\"2.1 kg\"", "cap.cap_mass: is not less than rotating_mass"),
+            ("\"62.5 mm\"", "\"230 mm\"", "cap.crank_radius: is not less than rod_length"),
             (
                 "\"56.7 mm2\"",
                 "\"80 mm2\"",

@@ -100,11 +100,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         complaints.refuse_if(
             cavity - given > SAME * cavity.abs(),
             "cavitation.pressure",
-            format!(
-                "is {}, above the {} of {key}: the oil there would be vapour",
-                bars(cavity),
-                bars(given)
-            ),
+            format!("is {}, above the {} of {key}: the oil there would be vapour", bars(cavity), bars(given)),
             format!("give the gauge pressure of the cavity, at most that of ends and feeds, or raise {key}"),
         );
     }
@@ -177,10 +173,7 @@ mod tests {
             let error = good::with(&at_rest).expect_err("nothing moves").to_string();
             let message =
                 "cavitation.model: is \"jfo\", but journal.speed is 0: without rotation nothing carries the oil";
-            assert!(
-                error.contains(message) && error.contains("(take cavitation.model = \"reynolds\","),
-                "{error}"
-            );
+            assert!(error.contains(message) && error.contains("(take cavitation.model = \"reynolds\","), "{error}");
         }
     }
 
@@ -189,23 +182,17 @@ mod tests {
         let starved = |fraction: &str| format!("to = \"220 deg\", inlet_fraction = {fraction} }}");
         let to = "to = \"220 deg\" }";
         for model in ["none", "guembel", "reynolds"] {
-            let error = good::with(&[(to, &starved("0.6")), ("guembel", model)])
-                .expect_err("no film fraction")
-                .to_string();
+            let error =
+                good::with(&[(to, &starved("0.6")), ("guembel", model)]).expect_err("no film fraction").to_string();
             let wanted = "bearing.arc.inlet_fraction: has a meaning with cavitation.model = \"jfo\" only";
             assert!(error.contains(wanted) && !error.contains("outside"), "{error}");
         }
         for good in ["0.6", "1", "1e-3"] {
             let scene = good::with(&[(to, &starved(good)), ("guembel", "jfo")]);
-            assert_eq!(
-                scene.map(|scene| scene.bearing.inlet_fraction).ok(),
-                Some(good.parse().ok())
-            );
+            assert_eq!(scene.map(|scene| scene.bearing.inlet_fraction).ok(), Some(good.parse().ok()));
         }
         for bad in ["0", "-0.1", "1.01"] {
-            let error = good::with(&[(to, &starved(bad)), ("guembel", "jfo")])
-                .expect_err("out of range")
-                .to_string();
+            let error = good::with(&[(to, &starved(bad)), ("guembel", "jfo")]).expect_err("out of range").to_string();
             let wanted = format!("bearing.arc.inlet_fraction: is {bad}, outside 0 < inlet_fraction <= 1");
             assert!(error.contains(&wanted), "{error}");
         }

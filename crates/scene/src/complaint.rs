@@ -52,10 +52,7 @@ pub struct Complaints {
 impl Complaints {
     /// None yet, about a scene with this text.
     pub(crate) fn new(text: &str) -> Self {
-        Self {
-            text: text.to_owned(),
-            ..Self::default()
-        }
+        Self { text: text.to_owned(), ..Self::default() }
     }
 
     /// Whether the key is written in the text.
@@ -66,9 +63,7 @@ impl Complaints {
     /// Whether there is a complaint about `key` or, where that is a table, about a key of it.
     pub fn concern(&self, key: &str) -> bool {
         let is_below = |rest: &str| rest.is_empty() || rest.starts_with(['.', '[']);
-        self.list
-            .iter()
-            .any(|it| it.key.strip_prefix(key).is_some_and(is_below))
+        self.list.iter().any(|it| it.key.strip_prefix(key).is_some_and(is_below))
     }
 
     /// Whether there are so many complaints that no more are collected.

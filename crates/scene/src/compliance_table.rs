@@ -61,11 +61,7 @@ fn table(text: &str, length: f64) -> Result<ComplianceTable, TableFault> {
         };
         let size = unit_of(text, name, dimension).map_err(|message| TableFault::at(line, message, help))?;
         let rest = text.split_once('=').map_or("", |(_, rest)| rest.trim());
-        let values = if rest.is_empty() {
-            Vec::new()
-        } else {
-            numbers(line, rest, size)?
-        };
+        let values = if rest.is_empty() { Vec::new() } else { numbers(line, rest, size)? };
         Ok((line, values, size))
     };
     let (line_of_angles, angles, _) = header("phi", Dimension::Angle, "phi [deg] = 0, 15, 30 and so on to 345")?;
@@ -84,11 +80,7 @@ fn table(text: &str, length: f64) -> Result<ComplianceTable, TableFault> {
         let row = numbers(line, text, size)?;
         if row.len() != points {
             let message = format!("there are {} numbers, and the matrix has {points} columns", row.len());
-            return Err(TableFault::at(
-                line,
-                message,
-                "write a number for each point in each row",
-            ));
+            return Err(TableFault::at(line, message, "write a number for each point in each row"));
         }
         displacements.extend(row);
         rows += 1;
@@ -99,12 +91,7 @@ fn table(text: &str, length: f64) -> Result<ComplianceTable, TableFault> {
     }
     check_symmetry(&mut displacements, points)?;
     check_definiteness(&displacements, points)?;
-    Ok(ComplianceTable {
-        first_angle: angles[0],
-        angles: angles.len(),
-        axial,
-        displacements,
-    })
+    Ok(ComplianceTable { first_angle: angles[0], angles: angles.len(), axial, displacements })
 }
 
 /// Size in SI of the unit in the brackets of a line of this name.
@@ -126,11 +113,7 @@ fn numbers(line: usize, text: &str, size: f64) -> Result<Vec<f64>, TableFault> {
         let value = cell.trim().parse::<f64>().ok().map(|value| value * size);
         value.filter(|value| value.is_finite()).ok_or_else(|| {
             let message = format!("\"{}\" is not a finite number", cell.trim());
-            TableFault::at(
-                line,
-                message,
-                "write numbers like 12.5 or 1.25e1, with commas between them",
-            )
+            TableFault::at(line, message, "write numbers like 12.5 or 1.25e1, with commas between them")
         })
     };
     text.trim_end_matches(',').split(',').map(number).collect()
@@ -145,11 +128,7 @@ fn check_angles(line: usize, angles: &[f64]) -> Result<(), TableFault> {
     let step = std::f64::consts::TAU / angles.len() as f64;
     let off = |(k, angle): (usize, &f64)| (angle - angles[0] - step * k as f64).abs() > EQUAL * step;
     match angles.iter().enumerate().any(off) {
-        true => Err(TableFault::at(
-            line,
-            "the angles are not equally spaced over one turn",
-            help,
-        )),
+        true => Err(TableFault::at(line, "the angles are not equally spaced over one turn", help)),
         false => Ok(()),
     }
 }
@@ -157,29 +136,17 @@ fn check_angles(line: usize, angles: &[f64]) -> Result<(), TableFault> {
 fn check_axial(line: usize, axial: &[f64], length: f64) -> Result<(), TableFault> {
     if axial.len() < LEAST[1] {
         let message = format!("there are {} axial positions, fewer than {}", axial.len(), LEAST[1]);
-        return Err(TableFault::at(
-            line,
-            message,
-            "give at least one at the middle and one near each end",
-        ));
+        return Err(TableFault::at(line, message, "give at least one at the middle and one near each end"));
     }
     if axial.windows(2).any(|pair| pair[1] <= pair[0]) {
-        return Err(TableFault::at(
-            line,
-            "the axial positions do not grow",
-            "sort the points along the axis",
-        ));
+        return Err(TableFault::at(line, "the axial positions do not grow", "sort the points along the axis"));
     }
     let beyond = axial.iter().find(|z| z.abs() > 0.5 * length * (1.0 + EQUAL));
     match beyond {
         Some(z) => {
             let (z, half) = (millimetres(*z), millimetres(0.5 * length));
             let message = format!("the axial position {z} lies beyond the ends of the liner, -{half} and {half}");
-            Err(TableFault::at(
-                line,
-                message,
-                "z = 0 is the middle of the liner; correct z, or bearing.length",
-            ))
+            Err(TableFault::at(line, message, "z = 0 is the middle of the liner; correct z, or bearing.length"))
         }
         None => Ok(()),
     }
@@ -226,10 +193,8 @@ fn check_definiteness(matrix: &[f64], points: usize) -> Result<(), TableFault> {
             }
             let left = left + INDEFINITE * greatest;
             if left <= 0.0 || left.is_nan() {
-                let message = format!(
-                    "the matrix is not positive definite: forces on points 1 to {} would gain work",
-                    i + 1
-                );
+                let message =
+                    format!("the matrix is not positive definite: forces on points 1 to {} would gain work", i + 1);
                 return Err(TableFault::of_all(
                     message,
                     "write displacements outwards for forces outwards; the sign of one of them may be wrong",
@@ -259,11 +224,7 @@ mod tests {
     }
 
     fn good(i: usize, j: usize) -> f64 {
-        if i == j {
-            2.0
-        } else {
-            0.5 / (1.0 + i.abs_diff(j) as f64)
-        }
+        if i == j { 2.0 } else { 0.5 / (1.0 + i.abs_diff(j) as f64) }
     }
 
     #[test]
@@ -282,36 +243,15 @@ mod tests {
         };
         let wall = text(good);
         refused("", "ends before the line of phi");
-        refused(
-            &wall.replace("[deg]", ""),
-            "line 2: the line of phi with its unit in brackets is missing here",
-        );
-        refused(
-            &wall.replace("[deg]", "[mm]"),
-            "the unit of phi: \"mm\" is a unit of length",
-        );
-        refused(
-            &wall.replace("135", "140"),
-            "the angles are not equally spaced over one turn",
-        );
-        refused(
-            &wall.replace("phi [deg] = 0, 45, 90, 135, 180, 225, 270, 315", "phi [deg] = 0, 180"),
-            "2 angles",
-        );
+        refused(&wall.replace("[deg]", ""), "line 2: the line of phi with its unit in brackets is missing here");
+        refused(&wall.replace("[deg]", "[mm]"), "the unit of phi: \"mm\" is a unit of length");
+        refused(&wall.replace("135", "140"), "the angles are not equally spaced over one turn");
+        refused(&wall.replace("phi [deg] = 0, 45, 90, 135, 180, 225, 270, 315", "phi [deg] = 0, 180"), "2 angles");
         refused(&wall.replace("-8, 0, 8", "-8, 8"), "2 axial positions");
         refused(&wall.replace("-8, 0, 8", "8, 0, -8"), "do not grow");
-        refused(
-            &wall.replace("-8, 0, 8", "-18, 0, 8"),
-            "lies beyond the ends of the liner",
-        );
-        refused(
-            &wall.replacen("2.000000e0", "NaN", 1),
-            "line 5: \"NaN\" is not a finite number",
-        );
-        refused(
-            &wall.replacen("2.000000e0, ", "", 1),
-            "line 5: there are 23 numbers, and the matrix has 24 columns",
-        );
+        refused(&wall.replace("-8, 0, 8", "-18, 0, 8"), "lies beyond the ends of the liner");
+        refused(&wall.replacen("2.000000e0", "NaN", 1), "line 5: \"NaN\" is not a finite number");
+        refused(&wall.replacen("2.000000e0, ", "", 1), "line 5: there are 23 numbers, and the matrix has 24 columns");
         let cut: Vec<&str> = wall.lines().take(20).collect();
         refused(&cut.join("\n"), "the matrix has 16 rows and 24 columns");
         let skew = |i: usize, j: usize| if (i, j) == (3, 1) { 1.0 } else { good(i, j) };

@@ -93,14 +93,8 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Contact> {
     let friction = friction.required();
     is_of_asperities.map(|is_of_asperities| Contact {
         model: match is_of_asperities {
-            true => ContactModel::GreenwoodTripp {
-                density,
-                sharpness,
-                modulus: modulus.unwrap_or(f64::NAN),
-            },
-            false => ContactModel::BearingCurve {
-                depth: depth.unwrap_or(f64::NAN),
-            },
+            true => ContactModel::GreenwoodTripp { density, sharpness, modulus: modulus.unwrap_or(f64::NAN) },
+            false => ContactModel::BearingCurve { depth: depth.unwrap_or(f64::NAN) },
         },
         hardness,
         friction,
@@ -143,20 +137,12 @@ mod tests {
     fn both_models_are_read() {
         assert_eq!(
             asked("", CURVE),
-            Ok(Contact {
-                model: ContactModel::BearingCurve { depth: 1.2e-6 },
-                hardness: 900.0 * 1e6,
-                friction: 0.1,
-            })
+            Ok(Contact { model: ContactModel::BearingCurve { depth: 1.2e-6 }, hardness: 900.0 * 1e6, friction: 0.1 })
         );
         assert_eq!(
             asked("roughness = \"0.6 um\",", ASPERITIES),
             Ok(Contact {
-                model: ContactModel::GreenwoodTripp {
-                    density: 0.05,
-                    sharpness: 0.01,
-                    modulus: 115.0 * 1e9,
-                },
+                model: ContactModel::GreenwoodTripp { density: 0.05, sharpness: 0.01, modulus: 115.0 * 1e9 },
                 hardness: 1e9,
                 friction: 0.0,
             })

@@ -148,11 +148,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadC
         gas,
         throws,
     });
-    Crank {
-        radius,
-        rod_length,
-        drive,
-    }
+    Crank { radius, rod_length, drive }
 }
 
 /// A main bearing has throws beside it, a big end has none.

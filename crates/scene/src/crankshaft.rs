@@ -138,18 +138,10 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Crankshaft {
     );
     let period = period.or(2.0 * std::f64::consts::TAU);
     for (key, example) in [
-        (
-            "piece",
-            "[[crankshaft.piece]] with length and diameter, or with fires_at",
-        ),
+        ("piece", "[[crankshaft.piece]] with length and diameter, or with fires_at"),
         ("bearing", "[[crankshaft.bearing]] with scene and at"),
     ] {
-        table.refuse_if(
-            !table.has(key) && table.is_readable(),
-            key,
-            "is missing",
-            format!("write {example}"),
-        );
+        table.refuse_if(!table.has(key) && table.is_readable(), key, "is missing", format!("write {example}"));
     }
     Crankshaft {
         speed,

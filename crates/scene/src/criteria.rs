@@ -97,11 +97,7 @@ impl Scene {
     /// Deviation [m] that halves the equivalent film, where a scene asks for the film at mid-length, the deviation or the equivalent film.
     pub fn deviation_scale(&self) -> Option<f64> {
         let criteria = &self.criteria;
-        let asked = [
-            criteria.middle_film_min,
-            criteria.deviation_max,
-            criteria.equivalent_film_min,
-        ];
+        let asked = [criteria.middle_film_min, criteria.deviation_max, criteria.equivalent_film_min];
         (asked.iter().any(Option::is_some)).then_some(criteria.deviation_scale)
     }
 }
@@ -150,10 +146,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
         ..shared
     };
     if table.is_readable() && table.keys().iter().all(|key| *key == "deviation_scale") {
-        table.complain_here(
-            "has no criteria",
-            "give a limit, for example film_min = \"2 um\", or remove the table",
-        );
+        table.complain_here("has no criteria", "give a limit, for example film_min = \"2 um\", or remove the table");
     }
     criteria
 }
@@ -162,9 +155,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
 pub(crate) fn refuse_beside(complaints: &mut Complaints, table: &str, others: &[&str], key: &str) {
     let own = format!("{table}.{key}");
     let other = others.iter().map(|other| format!("{other}.{key}"));
-    let given: Vec<String> = other
-        .filter(|other| complaints.has(&own) && complaints.has(other))
-        .collect();
+    let given: Vec<String> = other.filter(|other| complaints.has(&own) && complaints.has(other)).collect();
     if let Some(other) = given.first() {
         let help = "keep one of them; [criteria] works with [heat] and without";
         complaints.add(&own, format!("stands beside {other}"), help);
@@ -220,29 +211,17 @@ mod tests {
         let scene = |keys: &str| read(&format!("{STUDY}\n[criteria]\n{keys}\n"));
         let found = scene("film_min = \"2 um\"\ndeviation_max = \"5 um\"").expect("a scene");
         let criteria = found.criteria;
-        assert_eq!(
-            (criteria.film_min, criteria.deviation_max),
-            (Some(2.0 * 1e-6), Some(5.0 * 1e-6))
-        );
+        assert_eq!((criteria.film_min, criteria.deviation_max), (Some(2.0 * 1e-6), Some(5.0 * 1e-6)));
         assert_eq!((criteria.deviation_scale, found.deviation_scale()), (1e-5, Some(1e-5)));
         assert_eq!(scene("film_min = \"2 um\"").expect("a scene").deviation_scale(), None);
         for (keys, wanted) in [
             ("", "criteria: has no criteria"),
             ("deviation_scale = \"5 um\"", "criteria: has no criteria"),
             ("film_min = \"0 um\"", "criteria.film_min"),
-            (
-                "decrement_min = 0.1",
-                "criteria.decrement_min: has nothing to be compared with",
-            ),
+            ("decrement_min = 0.1", "criteria.decrement_min: has nothing to be compared with"),
             ("contact = 1", "criteria.contact: this key is not known"),
-            (
-                "contact_share_max = 0.1",
-                "criteria.contact_share_max: has nothing to be compared with",
-            ),
-            (
-                "contact_share_max = 2",
-                "criteria.contact_share_max: is no part of the load",
-            ),
+            ("contact_share_max = 0.1", "criteria.contact_share_max: has nothing to be compared with"),
+            ("contact_share_max = 2", "criteria.contact_share_max: is no part of the load"),
         ] {
             let error = scene(keys).expect_err(keys).to_string();
             assert!(error.contains(wanted), "{error}");

@@ -150,15 +150,9 @@ impl Dimension {
 
     /// The least and the greatest size in SI of a quantity of this kind that is not zero: their products, quotients and cubes are numbers.
     pub fn range(self) -> [f64; 2] {
-        let example = crate::unit::split(self.example());
-        let units = self.units();
-        let size = |unit: &str| {
-            units
-                .iter()
-                .find(|(name, _)| *name == unit)
-                .map_or(1.0, |(_, size)| *size)
-        };
-        let usual = example.map_or(1.0, |(number, unit)| number * size(unit));
+        let (number, unit) = self.example().split_once(' ').unwrap_or((self.example(), ""));
+        let size = self.units().iter().find(|(name, _)| *name == unit).map_or(1.0, |(_, size)| *size);
+        let usual = number.parse::<f64>().map_or(size, |number| number * size);
         [LEAST * usual, MOST * usual]
     }
 

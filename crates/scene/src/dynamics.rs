@@ -37,12 +37,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
         );
     }
     let number = ratios.as_ref().map_or(1, Vec::len);
-    table.refuse_if(
-        number > MOST,
-        "whirl",
-        format!("has {number} ratios, more than {MOST}"),
-        "give fewer",
-    );
+    table.refuse_if(number > MOST, "whirl", format!("has {number} ratios, more than {MOST}"), "give fewer");
     Dynamics {
         whirl: ratios.unwrap_or_else(|| vec![0.0]),
         mass: table.positive_if_given("mass", Dimension::Mass, "200 kg"),
@@ -62,16 +57,10 @@ mod tests {
 
     #[test]
     fn what_is_asked_is_read() {
-        let of = |whirl: &[f64], mass| Dynamics {
-            whirl: whirl.to_vec(),
-            mass,
-        };
+        let of = |whirl: &[f64], mass| Dynamics { whirl: whirl.to_vec(), mass };
         assert_eq!(asked(""), Ok(of(&[0.0], None)));
         assert_eq!(asked("whirl = 1"), Ok(of(&[1.0], None)));
-        assert_eq!(
-            asked("whirl = [0, 0.5, 1]\nmass = \"0.2 t\""),
-            Ok(of(&[0.0, 0.5, 1.0], Some(0.2 * 1e3)))
-        );
+        assert_eq!(asked("whirl = [0, 0.5, 1]\nmass = \"0.2 t\""), Ok(of(&[0.0, 0.5, 1.0], Some(0.2 * 1e3))));
         assert_eq!(read(STUDY).expect("a scene").dynamics, None);
     }
 
@@ -82,22 +71,10 @@ mod tests {
             assert!(error.contains(wanted), "{error}");
         };
         refused("whirl = [0.5, -1]", "dynamics.whirl: -1 lies outside of 0 to 10");
-        refused(
-            "whirl = \"0.5\"",
-            "dynamics.whirl: a plain number or a list of them is wanted, not a text in quotes",
-        );
-        refused(
-            "whirl = [0, \"1\"]",
-            "dynamics.whirl: a plain number or a list of them is wanted",
-        );
-        refused(
-            "whirl = []",
-            "dynamics.whirl: a plain number or a list of them is wanted",
-        );
-        refused(
-            &format!("whirl = {:?}", [0.5; 17]),
-            "dynamics.whirl: has 17 ratios, more than 16",
-        );
+        refused("whirl = \"0.5\"", "dynamics.whirl: a plain number or a list of them is wanted, not a text in quotes");
+        refused("whirl = [0, \"1\"]", "dynamics.whirl: a plain number or a list of them is wanted");
+        refused("whirl = []", "dynamics.whirl: a plain number or a list of them is wanted");
+        refused(&format!("whirl = {:?}", [0.5; 17]), "dynamics.whirl: has 17 ratios, more than 16");
         refused("mass = \"0 kg\"", "dynamics.mass: is not positive");
         refused("mass = 200", "dynamics.mass: a bare number has no unit");
         refused("speed = 3", "dynamics.speed: this key is not known");

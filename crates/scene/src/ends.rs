@@ -18,7 +18,5 @@ pub struct Ends {
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Ends {
-    Ends {
-        pressure: table.required("pressure", Dimension::Pressure, "0 bar"),
-    }
+    Ends { pressure: table.required("pressure", Dimension::Pressure, "0 bar") }
 }

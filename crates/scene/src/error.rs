@@ -75,8 +75,5 @@ pub enum SceneError {
 }
 
 fn list(complaints: &[Complaint]) -> String {
-    complaints
-        .iter()
-        .map(|complaint| format!("\n  {complaint} ({})", complaint.help))
-        .collect()
+    complaints.iter().map(|complaint| format!("\n  {complaint} ({})", complaint.help)).collect()
 }

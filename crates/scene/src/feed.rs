@@ -22,16 +22,8 @@ keys! {
 }
 
 /// Names of a mesh's groups that have a meaning of their own, so that no feed may have them.
-const RESERVED_GROUPS: [&str; 8] = [
-    "film",
-    "film_start",
-    "end_low",
-    "end_high",
-    "arc_from",
-    "arc_to",
-    "seam_low",
-    "seam_high",
-];
+const RESERVED_GROUPS: [&str; 8] =
+    ["film", "film_start", "end_low", "end_high", "arc_from", "arc_to", "seam_low", "seam_high"];
 
 /// A hole, groove or pocket: a region of given pressure, or one where the film is deeper.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,13 +77,7 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_pressure: Option<f64>) -> F
         "has neither a pressure nor a depth",
         "give pressure = \"1.96 bar\", or depth = \"20 um\" for a pocket whose pressure is found",
     );
-    Feed {
-        group,
-        hole,
-        groove,
-        pressure,
-        depth,
-    }
+    Feed { group, hole, groove, pressure, depth }
 }
 
 /// Shapes that fit the liner and each other, and one table a region.
@@ -132,10 +118,7 @@ mod tests {
         let read_back = scene.feeds[0].groove.expect("a groove");
         assert_eq!((read_back.width, read_back.z, read_back.corner), (0.02, 0.0, 0.002));
         for (broken, wanted) in [
-            (
-                "groove = { from = \"80 deg\", width = \"20 mm\" }",
-                "feed \"feed_hole\".groove.from: stands without to",
-            ),
+            ("groove = { from = \"80 deg\", width = \"20 mm\" }", "feed \"feed_hole\".groove.from: stands without to"),
             (
                 "groove = { from = \"80 deg\", to = \"70 deg\", width = \"20 mm\" }",
                 "feed \"feed_hole\".groove.to: is not behind",
@@ -148,10 +131,7 @@ mod tests {
                 "groove = { from = \"80 deg\", to = \"90 deg\", width = \"20 mm\" }, depth = \"1 mm\"",
                 "feed \"feed_hole\".depth: stands beside",
             ),
-            (
-                "groove = { width = \"20 mm\" }",
-                "feed \"feed_hole\".groove.width: belongs to a groove all around",
-            ),
+            ("groove = { width = \"20 mm\" }", "feed \"feed_hole\".groove.width: belongs to a groove all around"),
         ] {
             told_one(hole, broken, wanted);
         }

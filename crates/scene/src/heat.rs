@@ -157,13 +157,11 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
     }
     let usual = engine.map_or(f64::NAN, |engine| Engine::middle(engine.inlet()));
     let [least, most] = CAPACITIES;
-    let heat_capacity = table
-        .quantity("heat_capacity", Dimension::HeatCapacity, "1.8 MJ/(m3.K)")
-        .within(
-            |capacity| capacity >= least && capacity <= most,
-            &format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
-            "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
-        );
+    let heat_capacity = table.quantity("heat_capacity", Dimension::HeatCapacity, "1.8 MJ/(m3.K)").within(
+        |capacity| capacity >= least && capacity <= most,
+        &format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
+        "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
+    );
     let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
     let limits = read_shared(&mut table);
     let heat = Heat {
@@ -275,17 +273,11 @@ mod tests {
             "preset = \"diesel\", heat_capacity = \"1800 kJ/(m3 K)\", film_min = \"2 um\", temperature_max = \"130 C\", \
              housing = { transfer = \"20 W/(m2 K)\", area = \"0.1 m2\", ambient = \"30 C\" }, mixing = { share = 0.5 }",
         );
-        assert_eq!(
-            (full.inlet, full.engine, full.mixing),
-            (350.65, Some(Engine::Diesel), Some(Mixing::Share(0.5)))
-        );
+        assert_eq!((full.inlet, full.engine, full.mixing), (350.65, Some(Engine::Diesel), Some(Mixing::Share(0.5))));
         let housing = full.housing.expect("a housing");
         assert!((housing.conductance - 2.0).abs() < 1e-12 && (housing.ambient - 303.15).abs() < 1e-9);
         assert_eq!(heat("inlet = \"60 C\", preset = \"petrol\"").inlet, 333.15);
-        assert_eq!(
-            heat("inlet = \"60 C\", mixing = { ratio = 0.1 }").mixing,
-            Some(Mixing::Ratio(0.1))
-        );
+        assert_eq!(heat("inlet = \"60 C\", mixing = { ratio = 0.1 }").mixing, Some(Mixing::Ratio(0.1)));
     }
 
     /// What an engine usually has fills what the scene leaves out, and nothing else.
@@ -299,9 +291,7 @@ mod tests {
         assert!((scene.feeds[0].pressure.expect("a pressure") / 0.35e6 - 1.0).abs() < 1e-12);
         let scene = read(&with("preset = \"petrol\"")).expect("a scene");
         assert_eq!(scene.bearing.clearance, 37.5e-6);
-        let error = read(&text.replace("preset", "inlet = \"75 C\", zzz"))
-            .expect_err("no clearance")
-            .to_string();
+        let error = read(&text.replace("preset", "inlet = \"75 C\", zzz")).expect_err("no clearance").to_string();
         assert!(error.contains("bearing.clearance: is missing"), "{error}");
     }
 
@@ -309,23 +299,11 @@ mod tests {
     fn what_is_wrong_with_a_balance_is_told() {
         for (keys, wanted) in [
             ("", "heat.inlet: is missing"),
-            (
-                "inlet = 75",
-                "heat.inlet: a bare number has no unit; a temperature is wanted",
-            ),
+            ("inlet = 75", "heat.inlet: a bare number has no unit; a temperature is wanted"),
             ("preset = \"steam\"", "heat.preset: \"steam\" is not known"),
-            (
-                "inlet = \"75 C\", heat_capacity = \"1.8 kJ/K\"",
-                "heat.heat_capacity: \"kJ/K\" is not a unit",
-            ),
-            (
-                "inlet = \"75 C\", housing = { ambient = \"30 C\" }",
-                "heat.housing.conductance: is missing",
-            ),
-            (
-                "inlet = \"75 C\", housing = { conductance = \"5 W/K\" }",
-                "heat.housing.ambient: is missing",
-            ),
+            ("inlet = \"75 C\", heat_capacity = \"1.8 kJ/K\"", "heat.heat_capacity: \"kJ/K\" is not a unit"),
+            ("inlet = \"75 C\", housing = { ambient = \"30 C\" }", "heat.housing.conductance: is missing"),
+            ("inlet = \"75 C\", housing = { conductance = \"5 W/K\" }", "heat.housing.ambient: is missing"),
             (
                 "inlet = \"75 C\", housing = { transfer = \"20 W/(m2.K)\", ambient = \"30 C\" }",
                 "heat.housing.area: is missing",
@@ -335,25 +313,16 @@ mod tests {
                 "heat.housing.conductance: stands beside transfer and area",
             ),
             ("inlet = \"75 C\", mixing = {}", "heat.mixing: does not say how much"),
-            (
-                "inlet = \"75 C\", mixing = { ratio = 0.1, share = 0.1 }",
-                "heat.mixing: has ratio and share",
-            ),
+            ("inlet = \"75 C\", mixing = { ratio = 0.1, share = 0.1 }", "heat.mixing: has ratio and share"),
             ("inlet = \"75 C\", mixing = 0.1", "heat.mixing: a table is wanted"),
-            (
-                "inlet = \"75 C\", ambient = \"30 C\"",
-                "heat.ambient: this key is not known",
-            ),
+            ("inlet = \"75 C\", ambient = \"30 C\"", "heat.ambient: this key is not known"),
         ] {
             let error = read(&with(keys)).expect_err(wanted).to_string();
             assert!(error.contains(wanted) && error.lines().count() == 2, "{keys}: {error}");
         }
         let told = told("title = ", "heat = { inlet = \"75 C\" }\ntitle = ");
         assert_eq!(told.len(), 1);
-        assert!(
-            told[0].to_string().starts_with("oil.viscosity: is one viscosity"),
-            "{told:?}"
-        );
+        assert!(told[0].to_string().starts_with("oil.viscosity: is one viscosity"), "{told:?}");
         let text = with("inlet = \"75 C\"").replace("\"SAE 30\"", "\"SAE 30\", temperature = \"80 C\"");
         let error = read(&text).expect_err("two temperatures").to_string();
         assert!(error.contains("oil.temperature: stands beside [heat]"), "{error}");
@@ -370,18 +339,9 @@ mod tests {
         assert!(good::told(VISCOSITY, &beside("inlet = \"75 C\"")).is_empty());
         for (heat, wanted) in [
             ("inlet = \"75 K\"", "heat.inlet: is -198.15 C, but oil films are liquid"),
-            (
-                "inlet = \"75 C\"\nheat_capacity = \"1.8 kJ/(m3.K)\"",
-                "heat.heat_capacity: is not the heat capacity",
-            ),
-            (
-                "inlet = \"75 C\"\nfilm_min = \"0 um\"",
-                "heat.film_min: is not positive",
-            ),
-            (
-                "inlet = \"75 C\"\ntemperature_max = \"500 C\"",
-                "heat.temperature_max: is 500 C",
-            ),
+            ("inlet = \"75 C\"\nheat_capacity = \"1.8 kJ/(m3.K)\"", "heat.heat_capacity: is not the heat capacity"),
+            ("inlet = \"75 C\"\nfilm_min = \"0 um\"", "heat.film_min: is not positive"),
+            ("inlet = \"75 C\"\ntemperature_max = \"500 C\"", "heat.temperature_max: is 500 C"),
             (
                 "inlet = \"75 C\"\nhousing = { conductance = \"0 W/K\", ambient = \"40 C\" }",
                 "heat.housing.conductance: is not positive",
@@ -390,14 +350,8 @@ mod tests {
                 "inlet = \"75 C\"\nhousing = { transfer = \"-1 W/(m2.K)\", area = \"1 m2\", ambient = \"40 C\" }",
                 "heat.housing.transfer: is not positive",
             ),
-            (
-                "inlet = \"75 C\"\nmixing = { ratio = -0.1 }",
-                "heat.mixing.ratio: is negative",
-            ),
-            (
-                "inlet = \"75 C\"\nmixing = { share = 1.1 }",
-                "heat.mixing.share: is not between",
-            ),
+            ("inlet = \"75 C\"\nmixing = { ratio = -0.1 }", "heat.mixing.ratio: is negative"),
+            ("inlet = \"75 C\"\nmixing = { share = 1.1 }", "heat.mixing.share: is not between"),
         ] {
             good::told_one(VISCOSITY, &beside(heat), wanted);
         }

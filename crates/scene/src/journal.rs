@@ -61,11 +61,7 @@ pub enum Position {
 impl Journal {
     /// A journal that turns at `speed` [rad/s] under no load, without tilt or motion of its own.
     pub fn without_load(speed: f64) -> Self {
-        Self {
-            speed,
-            position: Position::Load { force: 0.0, angle: 0.0 },
-            ..Self::default()
-        }
+        Self { speed, position: Position::Load { force: 0.0, angle: 0.0 }, ..Self::default() }
     }
 
     /// The force on the journal `(F cos, F sin)` [N]; `None` at a given position and under a load that changes.
@@ -140,10 +136,7 @@ fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
     if eccentricity.is_some_and(|eccentricity| eccentricity != 0.0) {
         table.require("min_film_angle", "\"180 deg\"");
     }
-    Position::Given {
-        eccentricity: eccentricity.unwrap_or(f64::NAN),
-        min_film_angle: angle.unwrap_or(0.0),
-    }
+    Position::Given { eccentricity: eccentricity.unwrap_or(f64::NAN), min_film_angle: angle.unwrap_or(0.0) }
 }
 
 #[cfg(test)]
@@ -168,9 +161,7 @@ pub(crate) mod tests {
         assert_eq!(found, Position::Load { force, angle });
         journal("", "load = { force = \"0 N\", angle = \"0 deg\" }\n");
         let one = |position: &str, load: &str, wanted: &str| {
-            let text = STUDY
-                .replacen(POSITION, position, 1)
-                .replace("\njournal", &format!("\n{load}journal"));
+            let text = STUDY.replacen(POSITION, position, 1).replace("\njournal", &format!("\n{load}journal"));
             let error = read(&text).expect_err(wanted).to_string();
             assert!(error.contains(wanted) && error.lines().count() == 2, "{error}");
         };
@@ -204,16 +195,9 @@ pub(crate) mod tests {
         }
         told_one(&format!(", {POSITION}"), "", "journal.eccentricity: is missing");
         let help = &told(&format!(", {POSITION}"), "")[0].help;
-        assert!(
-            help.contains("eccentricity = 0.6 and min_film_angle = \"180 deg\", or [load] with force"),
-            "{help}"
-        );
+        assert!(help.contains("eccentricity = 0.6 and min_film_angle = \"180 deg\", or [load] with force"), "{help}");
         told_one("eccentricity = 0.6, ", "", "journal.eccentricity: is missing");
-        told_one(
-            "eccentricity =",
-            "eccentrcity =",
-            "journal.eccentrcity: this key is not known",
-        );
+        told_one("eccentricity =", "eccentrcity =", "journal.eccentrcity: this key is not known");
     }
 
     #[test]

@@ -84,13 +84,9 @@ impl Key {
     /// Which values are accepted, in words; those of a choice in quotes.
     pub fn range_in_words(&self) -> String {
         let quoted = |form: &Form<'_>| match form {
-            Form::Choice(words) => Some(
-                words
-                    .iter()
-                    .map(|word| format!("`\"{word}\"`"))
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            ),
+            Form::Choice(words) => {
+                Some(words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", "))
+            }
             _ => None,
         };
         let parts = self.forms.iter().filter_map(quoted).chain(Some(self.range.to_owned()));

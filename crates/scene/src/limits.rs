@@ -17,8 +17,5 @@ keys! {
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
-    Criteria {
-        pressure_max: read_pressure(&mut table),
-        ..read_shared(&mut table)
-    }
+    Criteria { pressure_max: read_pressure(&mut table), ..read_shared(&mut table) }
 }

@@ -100,11 +100,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Option<Liner> {
     if given.len() != 1 && table.is_readable() {
         let message = match given[..] {
             [] => "says not how the wall gives way".to_owned(),
-            _ => format!(
-                "has {} keys that say how the wall gives way: {}",
-                given.len(),
-                given.join(", ")
-            ),
+            _ => format!("has {} keys that say how the wall gives way: {}", given.len(), given.join(", ")),
         };
         table.complain_here(
             message,
@@ -125,10 +121,7 @@ fn wall(mut table: TableReader<'_>) -> Liner {
     Liner::Wall {
         of: material(&mut table, ["10 mm", "210 GPa", "0.3"]),
         outer: table
-            .word(
-                "outer",
-                &[("clamped", OuterSurface::Clamped), ("free", OuterSurface::Free)],
-            )
+            .word("outer", &[("clamped", OuterSurface::Clamped), ("free", OuterSurface::Free)])
             .unwrap_or(OuterSurface::Clamped),
     }
 }
@@ -151,9 +144,7 @@ fn material<'a>(table: &mut TableReader<'a>, [thickness, modulus, poisson]: [&st
 
 fn matrix(mut table: TableReader<'_>, scene: &Path) -> Liner {
     let file = table.text("file", "../walls/eye.csv");
-    Liner::Compliance {
-        file: scene.parent().unwrap_or(Path::new("")).join(file),
-    }
+    Liner::Compliance { file: scene.parent().unwrap_or(Path::new("")).join(file) }
 }
 
 #[cfg(test)]
@@ -173,22 +164,11 @@ mod tests {
         };
         assert!((per_pressure / 2e-14 - 1.0).abs() < 1e-14);
         let ring = "wall = { thickness = \"10 mm\", modulus = \"210 GPa\", poisson = 0.3";
-        for (more, outer) in [
-            (" }", OuterSurface::Clamped),
-            (", outer = \"free\" }", OuterSurface::Free),
-        ] {
-            let of = Material {
-                thickness: 10.0 * 1e-3,
-                modulus: 210.0 * 1e9,
-                poisson: 0.3,
-            };
+        for (more, outer) in [(" }", OuterSurface::Clamped), (", outer = \"free\" }", OuterSurface::Free)] {
+            let of = Material { thickness: 10.0 * 1e-3, modulus: 210.0 * 1e9, poisson: 0.3 };
             assert_eq!(asked(&format!("{ring}{more}")), Ok(Liner::Wall { of, outer }));
         }
-        let metal = Material {
-            thickness: 0.3 * 1e-3,
-            modulus: 50.0 * 1e9,
-            poisson: 0.35,
-        };
+        let metal = Material { thickness: 0.3 * 1e-3, modulus: 50.0 * 1e9, poisson: 0.35 };
         assert_eq!(
             asked("winkler = { thickness = \"0.3 mm\", modulus = \"50 GPa\", poisson = 0.35 }"),
             Ok(Liner::Winkler(Layer::Of(metal)))
@@ -213,16 +193,10 @@ mod tests {
         );
         refused("winkler = \"0 um/MPa\"", "liner.winkler: is not positive");
         refused("winkler = 0.02", "liner.winkler: a bare number has no unit");
-        refused(
-            "winkler = \"1 um\"",
-            "is a unit of length, but a deflection by pressure is wanted",
-        );
+        refused("winkler = \"1 um\"", "is a unit of length, but a deflection by pressure is wanted");
         let ring = |keys: &str| format!("wall = {{ thickness = \"1 mm\", modulus = \"3 GPa\", {keys} }}");
         refused(&ring("poisson = 0.5"), "liner.wall.poisson: lies outside of 0 to 0.499");
-        refused(
-            &ring("poisson = -0.1"),
-            "liner.wall.poisson: lies outside of 0 to 0.499",
-        );
+        refused(&ring("poisson = -0.1"), "liner.wall.poisson: lies outside of 0 to 0.499");
         refused(&ring("poisson = 0.3, outer = \"fixed\""), "\"fixed\" is not known");
         refused("wall = {}", "liner.wall.thickness: is missing");
         refused("compliance = {}", "liner.compliance.file: is missing");

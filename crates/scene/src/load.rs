@@ -68,10 +68,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Load {
     Load {
         position: match cycle {
             Some(_) => Position::Cycle,
-            None => Position::Load {
-                force: force.unwrap_or(f64::NAN),
-                angle: angle.unwrap_or(f64::NAN),
-            },
+            None => Position::Load { force: force.unwrap_or(f64::NAN), angle: angle.unwrap_or(f64::NAN) },
         },
         cycle,
         at: table.given("at", Dimension::Length, "4 mm"),

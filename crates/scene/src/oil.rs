@@ -81,10 +81,9 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
     let law = temperature::read(&mut table);
     let temperature = table.oil_temperature("temperature", "80 C").given();
     match (constant, &law) {
-        (None, None) => table.require(
-            "viscosity",
-            "\"40 mPa.s\", or grade = \"SAE 10W-40\" with temperature = \"80 C\"",
-        ),
+        (None, None) => {
+            table.require("viscosity", "\"40 mPa.s\", or grade = \"SAE 10W-40\" with temperature = \"80 C\"")
+        }
         (Some(_), Some(_)) => table.complain(
             "viscosity",
             "stands beside a law by which viscosity depends on temperature",
@@ -107,9 +106,7 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
         "has a meaning only beside a law by which viscosity depends on temperature",
         "remove it, and give the viscosity of the sheared oil",
     );
-    let laws = PRESSURE_LAWS
-        .iter()
-        .filter_map(|(key, read)| Some((*key, read(table.table_if_given(key)?))));
+    let laws = PRESSURE_LAWS.iter().filter_map(|(key, read)| Some((*key, read(table.table_if_given(key)?))));
     let laws: Vec<_> = laws.collect();
     if let [(first, _), (second, _), ..] = laws[..] {
         let message = format!("stands beside {first}, but viscosity follows one law of pressure");
@@ -131,10 +128,6 @@ mod tests {
 
     #[test]
     fn there_is_one_law_of_pressure() {
-        told_one(
-            "1/Pa\" }",
-            "1/Pa\" }, roelands = { z = 0.6 }",
-            "oil.roelands: stands beside barus",
-        );
+        told_one("1/Pa\" }", "1/Pa\" }, roelands = { z = 0.6 }", "oil.roelands: stands beside barus");
     }
 }

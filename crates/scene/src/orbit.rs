@@ -50,13 +50,7 @@ pub struct Orbit {
 impl Orbit {
     /// The one of an empty table.
     pub fn usual() -> Self {
-        Self {
-            tolerance: TOLERANCE,
-            cycles: CYCLES as usize,
-            closure: CLOSURE * TOLERANCE,
-            mass: 0.0,
-            start: None,
-        }
+        Self { tolerance: TOLERANCE, cycles: CYCLES as usize, closure: CLOSURE * TOLERANCE, mass: 0.0, start: None }
     }
 }
 
@@ -76,22 +70,14 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
         )
         .or(f64::from(CYCLES));
     let closure = (table.number("closure", "1e-4"))
-        .within(
-            |closure| (1e-12..=0.1).contains(&closure),
-            "is not between 1e-12 and 0.1",
-            "give 1e-4, or less",
-        )
+        .within(|closure| (1e-12..=0.1).contains(&closure), "is not between 1e-12 and 0.1", "give 1e-4, or less")
         .or(CLOSURE * tolerance);
     let mass = (table.quantity("mass", Dimension::Mass, "20 kg"))
         .within(|mass| mass >= 0.0, "is negative", "give mass >= 0")
         .or(0.0);
     Orbit {
         tolerance,
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "checked above; NaN becomes 0"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above; NaN becomes 0")]
         cycles: cycles as usize,
         closure,
         mass,

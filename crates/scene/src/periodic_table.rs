@@ -66,11 +66,7 @@ fn loads(text: &str, period: f64) -> Result<Vec<LoadRow>, TableFault> {
     let rows = one_period(Columns::read(text, &COLUMNS)?, period)?;
     let load = |row: &Row<5>| {
         let [angle, f_x, f_y, m_x, m_y] = row.values;
-        LoadRow {
-            angle,
-            force: [f_x, f_y],
-            moment: [m_x, m_y],
-        }
+        LoadRow { angle, force: [f_x, f_y], moment: [m_x, m_y] }
     };
     Ok(rows.iter().map(load).collect())
 }
@@ -196,17 +192,11 @@ pub fn read_text(path: &Path) -> Result<String, TableError> {
     let mut bytes = Vec::new();
     file.take(LIMIT + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > LIMIT {
-        return Err(fail(format!(
-            "it is larger than {LIMIT} bytes, so it is no table of one period"
-        )));
+        return Err(fail(format!("it is larger than {LIMIT} bytes, so it is no table of one period")));
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        TableFault::of_all(
-            format!("it is not UTF-8 text (first wrong byte: {at})"),
-            "save it as UTF-8",
-        )
-        .in_file(path)
+        TableFault::of_all(format!("it is not UTF-8 text (first wrong byte: {at})"), "save it as UTF-8").in_file(path)
     })
 }
 

@@ -42,13 +42,7 @@ impl<'a> TableReader<'a> {
     }
 
     fn at(complaints: &'a RefCell<Complaints>, table: Option<&'a DeTable<'a>>, path: String) -> Self {
-        Self {
-            complaints,
-            table,
-            path,
-            known: Vec::new(),
-            missing: Vec::new(),
-        }
+        Self { complaints, table, path, known: Vec::new(), missing: Vec::new() }
     }
 
     /// Path of a key of this table.
@@ -86,9 +80,7 @@ impl<'a> TableReader<'a> {
     /// The keys in the order of the text.
     pub(crate) fn keys(&self) -> Vec<&'a str> {
         let keys = self.table.into_iter().flat_map(|table| table.iter());
-        let mut keys: Vec<_> = keys
-            .map(|(key, _)| (key.span().start, key.get_ref().as_ref()))
-            .collect();
+        let mut keys: Vec<_> = keys.map(|(key, _)| (key.span().start, key.get_ref().as_ref())).collect();
         keys.sort_unstable();
         keys.into_iter().map(|(_, key)| key).collect()
     }
@@ -152,13 +144,8 @@ impl<'a> TableReader<'a> {
         let path = self.key(key);
         let items = self.take(key)?.as_array();
         let text = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
-            self.complaints
-                .borrow_mut()
-                .mark(&format!("{path}[{index}]"), item.span());
-            Some((
-                item.get_ref().as_str().filter(|text| !text.trim().is_empty())?,
-                item.span(),
-            ))
+            self.complaints.borrow_mut().mark(&format!("{path}[{index}]"), item.span());
+            Some((item.get_ref().as_str().filter(|text| !text.trim().is_empty())?, item.span()))
         };
         let texts = items.and_then(|items| items.iter().enumerate().map(text).collect::<Option<Vec<_>>>());
         let texts = texts.filter(|texts| !texts.is_empty());
@@ -190,8 +177,7 @@ impl<'a> TableReader<'a> {
         if !self.has(key) && self.is_readable() {
             self.complain(key, "this table is missing", format!("write {example}"));
         }
-        self.table_if_given(key)
-            .unwrap_or_else(|| Self::at(self.complaints, None, self.key(key)))
+        self.table_if_given(key).unwrap_or_else(|| Self::at(self.complaints, None, self.key(key)))
     }
 
     /// A table, if it is written.

@@ -43,22 +43,12 @@ mod tests {
     fn flow_factors_need_a_roughness() {
         let text = format!("{STUDY}\n[roughness]\nmodel = \"patir-cheng\"\n");
         let error = read(&text).expect_err("no roughness").to_string();
-        assert!(
-            error.contains("roughness.model: is \"patir-cheng\", but the bearing has no roughness"),
-            "{error}"
-        );
+        assert!(error.contains("roughness.model: is \"patir-cheng\", but the bearing has no roughness"), "{error}");
         let rough = text.replacen("bearing = {", "bearing = { roughness = \"0.6 um\",", 1);
-        assert_eq!(
-            read(&rough).map(|scene| scene.roughness).ok(),
-            Some(Some(Roughness::PatirCheng))
-        );
-        let error = read(&rough.replace("model = \"patir", "model = \"tripp"))
-            .expect_err("no such model")
-            .to_string();
+        assert_eq!(read(&rough).map(|scene| scene.roughness).ok(), Some(Some(Roughness::PatirCheng)));
+        let error = read(&rough.replace("model = \"patir", "model = \"tripp")).expect_err("no such model").to_string();
         assert!(error.contains("roughness.model"), "{error}");
-        let error = read(&rough.replace("model = \"patir-cheng\"", ""))
-            .expect_err("no model")
-            .to_string();
+        let error = read(&rough.replace("model = \"patir-cheng\"", "")).expect_err("no model").to_string();
         assert!(error.contains("roughness.model: is missing"), "{error}");
     }
 }

@@ -187,10 +187,7 @@ impl Scene {
             ("shaft.file", shaft, TABLE),
             ("liner.compliance.file", wall, MATRIX),
         ];
-        files
-            .into_iter()
-            .filter_map(|(key, path, help)| Some((Cow::Borrowed(key), path?, help)))
-            .chain(bores)
+        files.into_iter().filter_map(|(key, path, help)| Some((Cow::Borrowed(key), path?, help))).chain(bores)
     }
 
     /// What is wrong with a scene that was made of another one.
@@ -215,9 +212,7 @@ impl Scene {
     ) -> Result<Self, SceneError> {
         let document = parsed(text, path)?;
         if ShaftScene::is_meant(document.get_ref()) {
-            return Err(SceneError::Crankshaft {
-                path: path.to_path_buf(),
-            });
+            return Err(SceneError::Crankshaft { path: path.to_path_buf() });
         }
         match Self::of_document(document.get_ref(), text, path, no_file, checks) {
             Ok(scene) => Ok(Self {
@@ -225,11 +220,9 @@ impl Scene {
                 sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
                 ..scene
             }),
-            Err(complaints) => Err(SceneError::Complaints {
-                path: path.to_path_buf(),
-                text: text.to_owned(),
-                complaints,
-            }),
+            Err(complaints) => {
+                Err(SceneError::Complaints { path: path.to_path_buf(), text: text.to_owned(), complaints })
+            }
         }
     }
 
@@ -264,10 +257,7 @@ impl Scene {
 /// [`SceneError`]: the file cannot be read, or is no text.
 pub(crate) fn text_of(path: &Path) -> Result<String, SceneError> {
     let path_buf = || path.to_path_buf();
-    let fail = |source| SceneError::Read {
-        path: path_buf(),
-        source,
-    };
+    let fail = |source| SceneError::Read { path: path_buf(), source };
     if !std::fs::metadata(path).map_err(fail)?.is_file() {
         return Err(SceneError::NotAFile { path: path_buf() });
     }
@@ -275,18 +265,13 @@ pub(crate) fn text_of(path: &Path) -> Result<String, SceneError> {
     let file = std::fs::File::open(path).map_err(fail)?;
     file.take(SCENE_LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
     if bytes.len() as u64 > SCENE_LIMIT {
-        return Err(SceneError::TooLarge {
-            path: path_buf(),
-            limit: SCENE_LIMIT,
-        });
+        return Err(SceneError::TooLarge { path: path_buf(), limit: SCENE_LIMIT });
     }
     if bytes.starts_with(MESH_OPENING) {
         return Err(SceneError::Mesh { path: path_buf() });
     }
-    String::from_utf8(bytes).map_err(|error| SceneError::NotText {
-        path: path_buf(),
-        offset: error.utf8_error().valid_up_to(),
-    })
+    String::from_utf8(bytes)
+        .map_err(|error| SceneError::NotText { path: path_buf(), offset: error.utf8_error().valid_up_to() })
 }
 
 /// The TOML document that a text is.
@@ -327,15 +312,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let feeds = root.tables("feed").into_iter();
     let bores = root.tables("bore").into_iter();
     Scene {
-        title: wording::title(
-            &root
-                .text_if_given("title", "Plain journal bearing")
-                .unwrap_or_else(stem),
-        ),
-        bearing: bearing::read(
-            root.table("bearing", "[bearing] with diameter, length and clearance"),
-            usual_ratio,
-        ),
+        title: wording::title(&root.text_if_given("title", "Plain journal bearing").unwrap_or_else(stem)),
+        bearing: bearing::read(root.table("bearing", "[bearing] with diameter, length and clearance"), usual_ratio),
         bores: bores.map(|table| bore::read(table, path)).collect(),
         shaft: root.table_if_given("shaft").map(|table| shaft::read(table, path)),
         mesh,
@@ -360,9 +338,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         liner: root.table_if_given("liner").and_then(|table| liner::read(table, path)),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
-        sweep: root
-            .table_if_given("sweep")
-            .map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
+        sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
         text: String::new(),
         sha256: String::new(),
     }

@@ -17,9 +17,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             ((folded, osa_distance(word, candidate), difference), candidate)
         })
     });
-    meant
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, candidate)| candidate)
+    meant.min_by_key(|(distance, _)| *distance).map(|(_, candidate)| candidate)
 }
 
 #[cfg(test)]

@@ -82,9 +82,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "give [load] with force and angle in place of journal.eccentricity, or remove [support] and give journal.tilt",
     );
     let Some(tilting) = scene.tilting() else { return };
-    let key = ["load.at", "load.moment", "support"]
-        .into_iter()
-        .find(|key| complaints.has(key));
+    let key = ["load.at", "load.moment", "support"].into_iter().find(|key| complaints.has(key));
     complaints.refuse_if(
         scene.journal.tilt.is_some(),
         "journal.tilt",
@@ -123,10 +121,7 @@ mod tests {
         assert_eq!((plain.tilting(), plain.can_tilt()), (None, false));
         let off = loaded("", ", at = \"4 mm\"", "").expect("a scene");
         let tilting = off.tilting().expect("it tilts");
-        assert_eq!(
-            (tilting.at, tilting.moment, tilting.support),
-            (4.0 * 1e-3, [0.0; 2], None)
-        );
+        assert_eq!((tilting.at, tilting.moment, tilting.support), (4.0 * 1e-3, [0.0; 2], None));
         let held = "support = { tilt_stiffness = \"2 kN.m/rad\", tilt = { y = \"-0.1 mrad\" } }\n";
         let both = loaded("", ", moment = { x = \"3 N.m\" }", held).expect("a scene");
         let tilting = both.tilting().expect("it tilts");
@@ -142,31 +137,11 @@ mod tests {
             assert!(error.contains(wanted) && error.lines().count() == 2, "{error}");
         };
         let support = "support.tilt_stiffness = \"2 kN.m/rad\"\n";
-        refused(
-            "tilt = { x = \"1e-5 rad\" }",
-            ", at = \"4 mm\"",
-            "",
-            "journal.tilt: stands beside load.at",
-        );
-        refused(
-            "tilt = { x = \"1e-5 rad\" }",
-            "",
-            support,
-            "journal.tilt: stands beside support",
-        );
-        refused(
-            "",
-            ", at = \"40 mm\"",
-            "",
-            "load.at: lies beyond the ends, which are at 37.5 mm",
-        );
+        refused("tilt = { x = \"1e-5 rad\" }", ", at = \"4 mm\"", "", "journal.tilt: stands beside load.at");
+        refused("tilt = { x = \"1e-5 rad\" }", "", support, "journal.tilt: stands beside support");
+        refused("", ", at = \"40 mm\"", "", "load.at: lies beyond the ends, which are at 37.5 mm");
         refused("", "", "support = {}\n", "support.tilt_stiffness: is missing");
-        refused(
-            "",
-            ", moment = 5",
-            "",
-            "load.moment: a table is wanted, not a bare number",
-        );
+        refused("", ", moment = 5", "", "load.moment: a table is wanted, not a bare number");
         assert!(loaded("", ", at = \"40 mm\"", support).is_ok());
         let text = support.to_owned() + STUDY;
         let error = read(&text).expect_err("no load").to_string();

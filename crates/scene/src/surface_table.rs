@@ -59,21 +59,10 @@ pub fn read_bore(path: &Path, covered: Covered) -> Result<SurfacePoints, TableEr
 /// # Errors
 /// As [`read_bore`].
 pub fn read_shaft(path: &Path, covered: Covered) -> Result<SurfacePoints, TableError> {
-    const COLUMNS: [Column; 2] = [
-        Column::needed("z", Dimension::Length),
-        Column::needed("depth", Dimension::Length),
-    ];
+    const COLUMNS: [Column; 2] = [Column::needed("z", Dimension::Length), Column::needed("depth", Dimension::Length)];
     let read = |text: &str| {
         let rows = Columns::read(text, &COLUMNS)?.into_iter();
-        let rows = rows.map(
-            |Row {
-                 line,
-                 values: [z, depth],
-             }| Row {
-                line,
-                values: [0.0, z, depth],
-            },
-        );
+        let rows = rows.map(|Row { line, values: [z, depth] }| Row { line, values: [0.0, z, depth] });
         grid(rows.collect(), covered)
     };
     read(&read_text(path)?).map_err(|fault| fault.in_file(path))
@@ -115,17 +104,11 @@ fn positions(text: &str, clearance: f64) -> Result<Vec<WearingPosition>, TableFa
         false => (Columns::read(text, &GIVEN)?, 1.0),
     };
     if rows.is_empty() {
-        return Err(TableFault::of_all(
-            "has no positions",
-            "write a row for each position below the header",
-        ));
+        return Err(TableFault::of_all("has no positions", "write a row for each position below the header"));
     }
     let position = |row: &Row<4>| {
         let [x, y, g_x, g_y] = row.values;
-        WearingPosition {
-            offset: [x, y].map(|part| unit * part),
-            tilt: [g_x, g_y],
-        }
+        WearingPosition { offset: [x, y].map(|part| unit * part), tilt: [g_x, g_y] }
     };
     Ok(rows.iter().map(position).collect())
 }
@@ -175,9 +158,7 @@ fn grid(mut rows: Vec<Row<3>>, covered: Covered) -> Result<SurfacePoints, TableF
     check_turn(&angles, covered)?;
     let depth = |i: usize, j: usize| found[&(i, j)].values[2];
     Ok(SurfacePoints {
-        depths: (0..angles.len())
-            .map(|i| (0..zs.len()).map(|j| depth(i, j)).collect())
-            .collect(),
+        depths: (0..angles.len()).map(|i| (0..zs.len()).map(|j| depth(i, j)).collect()).collect(),
         angles,
         zs,
     })
@@ -200,15 +181,8 @@ fn closed(rows: &[Row<3>], first: f64, last: f64, same: f64) -> Result<(), Table
             |other: &&Row<3>| (other.values[0] - first).abs() < SAME && (other.values[1] - row.values[1]).abs() < same;
         let twin = rows.iter().find(is_twin);
         if let Some(twin) = twin.filter(|twin| (twin.values[2] - row.values[2]).abs() > 1e-3 * (high - low)) {
-            let message = format!(
-                "the point stands a turn after that of line {}, but has another depth",
-                twin.line
-            );
-            return Err(TableFault::at(
-                row.line,
-                message,
-                "correct one of them, or leave the rows of this angle out",
-            ));
+            let message = format!("the point stands a turn after that of line {}, but has another depth", twin.line);
+            return Err(TableFault::at(row.line, message, "correct one of them, or leave the rows of this angle out"));
         }
     }
     Ok(())
@@ -217,10 +191,7 @@ fn closed(rows: &[Row<3>], first: f64, last: f64, same: f64) -> Result<(), Table
 /// The grid reaches both ends.
 fn check_axis(zs: &[f64], covered: Covered) -> Result<(), TableFault> {
     let [Some(&first), Some(&last)] = [zs.first(), zs.last()] else {
-        return Err(TableFault::of_all(
-            "has no points",
-            "write a row for each point below the header",
-        ));
+        return Err(TableFault::of_all("has no points", "write a row for each point below the header"));
     };
     if zs.len() < 2 {
         return Err(TableFault::of_all(
@@ -254,11 +225,9 @@ fn check_turn(angles: &[f64], covered: Covered) -> Result<(), TableFault> {
     let (first, last) = (angles[0], angles[angles.len() - 1]);
     let longest = angles.array_windows().map(|[a, b]| b - a).fold(0.0, f64::max);
     let (wanted, gap, help) = match covered.arc {
-        None => (
-            "all around".to_owned(),
-            first + TAU - last,
-            "add the missing angles: a full ring needs them all around",
-        ),
+        None => {
+            ("all around".to_owned(), first + TAU - last, "add the missing angles: a full ring needs them all around")
+        }
         Some(Arc { from, to }) => (
             format!("from {} to {}", degrees(from), degrees(to)),
             (first - from).max(to - last),
@@ -272,11 +241,7 @@ fn check_turn(angles: &[f64], covered: Covered) -> Result<(), TableFault> {
     match gap > LONGEST_GAP * longest {
         false => Ok(()),
         true => Err(TableFault::of_all(
-            format!(
-                "its angles reach from {} to {}, and the liner {wanted}",
-                degrees(first),
-                degrees(last)
-            ),
+            format!("its angles reach from {} to {}, and the liner {wanted}", degrees(first), degrees(last)),
             help,
         )),
     }

@@ -64,13 +64,7 @@ fn ratio<'a>(table: &mut TableReader<'a>, key: &'a str) -> Option<f64> {
     let help = "give a tolerance within 1e-8 % and 50 %, for example \"0.1 %\"";
     let ratio = ratio.within_or(
         |ratio| ratio >= LEAST,
-        |ratio| {
-            format!(
-                "is {}, but round-off hides errors below {}",
-                percent(ratio),
-                percent(LEAST)
-            )
-        },
+        |ratio| format!("is {}, but round-off hides errors below {}", percent(ratio), percent(LEAST)),
         help,
     );
     let ratio = ratio.within_or(
@@ -116,22 +110,10 @@ mod tests {
         for good in ["\"50 %\"", "\"1e-8 %\"", "{ load = \"0.1 %\", side_flow = \"1 %\" }"] {
             assert!(good::told(FILE, &with(good)).is_empty(), "{good}");
         }
-        good::told_one(
-            FILE,
-            &with("\"51 %\""),
-            "mesh.tolerance: is 51 %, and a number with such an error",
-        );
-        good::told_one(
-            FILE,
-            &with("\"0 %\""),
-            "mesh.tolerance: is 0 %, but round-off hides errors below 1e-8 %",
-        );
+        good::told_one(FILE, &with("\"51 %\""), "mesh.tolerance: is 51 %, and a number with such an error");
+        good::told_one(FILE, &with("\"0 %\""), "mesh.tolerance: is 0 %, but round-off hides errors below 1e-8 %");
         good::told_one(FILE, &with("\"-1 %\""), "mesh.tolerance: is -1 %");
-        good::told_one(
-            FILE,
-            &with("{ side_flow = \"60 %\" }"),
-            "mesh.tolerance.side_flow: is 60 %",
-        );
+        good::told_one(FILE, &with("{ side_flow = \"60 %\" }"), "mesh.tolerance.side_flow: is 60 %");
         let twice = "{ feed_flow.feed_hole = \"1 %\", \"feed_flow.feed_hole\" = \"1 %\" }";
         good::told_one(FILE, &with(twice), "mesh.tolerance.feed_flow.feed_hole: is given twice");
     }
@@ -140,26 +122,17 @@ mod tests {
     fn a_tolerance_is_a_ratio_or_goes_by_name() {
         let tolerance = |mesh: &str| good::with(&[(FILE, mesh)]).expect("a scene").tolerance;
         let by_name = |list: &[(&str, f64)]| {
-            let target = |(name, relative): &(&str, f64)| Target {
-                quantity: (*name).to_owned(),
-                relative: *relative,
-            };
+            let target = |(name, relative): &(&str, f64)| Target { quantity: (*name).to_owned(), relative: *relative };
             Some(Tolerance::ByName(list.iter().map(target).collect()))
         };
-        assert_eq!(
-            tolerance("size = \"3 mm\"\ntolerance = \"1 %\""),
-            Some(Tolerance::Main(0.01))
-        );
+        assert_eq!(tolerance("size = \"3 mm\"\ntolerance = \"1 %\""), Some(Tolerance::Main(0.01)));
         assert_eq!(tolerance(&with("\"20 ppm\"")), Some(Tolerance::Main(20.0 * 1e-6)));
         assert_eq!(tolerance(""), Some(Tolerance::Usual));
         assert_eq!((tolerance("size = \"3 mm\""), tolerance(FILE)), (None, None));
         let several = tolerance(&with("{ pressure_max = \"1 %\", load = \"2 %\" }"));
         assert_eq!(several, by_name(&[("pressure_max", 0.01), ("load", 0.02)]));
         for flow in ["feed_flow.feed_hole = \"2 %\"", "\"feed_flow.feed_hole\" = \"2 %\""] {
-            assert_eq!(
-                tolerance(&with(&format!("{{ {flow} }}"))),
-                by_name(&[("feed_flow.feed_hole", 0.02)])
-            );
+            assert_eq!(tolerance(&with(&format!("{{ {flow} }}"))), by_name(&[("feed_flow.feed_hole", 0.02)]));
         }
         let mut scene = good::with(&[(FILE, &with("{ load = \"2 %\" }"))]).expect("a scene");
         scene.remove_tolerance("load");

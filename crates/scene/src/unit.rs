@@ -59,10 +59,9 @@ impl std::fmt::Display for UnitError {
             UnitFault::UnknownUnit(_) | UnitFault::Told(_) => {
                 write!(formatter, "\"{text}\" is not a unit of {}", bare(wanted))
             }
-            UnitFault::RadiansOrTurns => write!(
-                formatter,
-                "\"{text}\" may mean radians or turns in a second, which differ by 2 pi"
-            ),
+            UnitFault::RadiansOrTurns => {
+                write!(formatter, "\"{text}\" may mean radians or turns in a second, which differ by 2 pi")
+            }
             UnitFault::OutOfRange => {
                 let ([least, most], (unit, _)) = (self.expected.range(), self.expected.units()[0]);
                 write!(
@@ -112,11 +111,7 @@ const LONG: usize = 3;
 /// [`UnitError`] where the text is no number and unit of this kind.
 pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     let trimmed = text.trim();
-    let fail = |fault| UnitError {
-        text: trimmed.to_owned(),
-        expected,
-        fault,
-    };
+    let fail = |fault| UnitError { text: trimmed.to_owned(), expected, fault };
     let (number, rest) = trimmed.split_at(number_length(trimmed));
     let Ok(number) = number.parse::<f64>() else {
         return Err(fail(UnitFault::NotANumber));
@@ -158,13 +153,8 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     let is_bare_rate = expected == Dimension::Speed && canonical == "1/s";
     let told = told(&canonical);
     let own = composed(&canonical).filter(|_| told.is_none());
-    let powers = |dimension: Dimension| {
-        dimension
-            .units()
-            .iter()
-            .find_map(|(name, _)| composed(name))
-            .map(|unit| unit.powers)
-    };
+    let powers =
+        |dimension: Dimension| dimension.units().iter().find_map(|(name, _)| composed(name)).map(|unit| unit.powers);
     if let Some(own) = own.filter(|own| powers(expected) == Some(own.powers)) {
         return Ok(own.size);
     }
@@ -175,11 +165,7 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
         (None, Some(found)) => UnitFault::OtherDimension(found),
         (None, None) => UnitFault::UnknownUnit(alike(&canonical, expected).filter(|_| own.is_none())),
     };
-    Err(UnitError {
-        text: unit.to_owned(),
-        expected,
-        fault,
-    })
+    Err(UnitError { text: unit.to_owned(), expected, fault })
 }
 
 /// The unit of this kind that is meant by a misspelt one. A short word is meant only where it differs by letter case or by repeated letters, and
@@ -232,12 +218,7 @@ fn canonical(unit: &str) -> String {
             other => plain.push(other),
         }
     }
-    let joined = plain
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(".")
-        .replace("./", "/")
-        .replace("/.", "/");
+    let joined = plain.split_whitespace().collect::<Vec<_>>().join(".").replace("./", "/").replace("/.", "/");
     match joined.strip_suffix("-1") {
         Some(base) if base.contains('.') => {
             let (front, last) = base.rsplit_once('.').unwrap_or(("1", base));
@@ -256,10 +237,7 @@ mod tests {
 
     fn close(text: &str, dimension: Dimension, value: f64) {
         let got = parse(text, dimension).unwrap_or_else(|error| panic!("{text}: {error}"));
-        assert!(
-            (got - value).abs() <= 1e-14 * value.abs(),
-            "{text}: {got} is not {value}"
-        );
+        assert!((got - value).abs() <= 1e-14 * value.abs(), "{text}: {got} is not {value}");
     }
 
     #[test]
@@ -391,19 +369,13 @@ mod tests {
             "\"1e305 kN\" is out of range: a force is zero, or from 5e-22 to 5e18 N"
         );
         let other = refused("25 mm", Pressure);
-        assert_eq!(
-            other.to_string(),
-            "\"mm\" is a unit of length, but a pressure is wanted"
-        );
+        assert_eq!(other.to_string(), "\"mm\" is a unit of length, but a pressure is wanted");
         assert!(other.help("0.98 bar").contains("0.98 bar"));
         let help = |text: &str, dimension: Dimension| refused(text, dimension).help(dimension.example());
         assert!(help("25 mmm", Length).contains("did you mean \"mm\""));
         assert!(help("1 Bar", Pressure).contains("did you mean \"bar\""));
         assert!(help("1 furlong", Length).contains("for example \"25 mm\""));
-        assert!(matches!(
-            refused("20 C", TemperatureDifference).fault,
-            UnitFault::OtherDimension(_)
-        ));
+        assert!(matches!(refused("20 C", TemperatureDifference).fault, UnitFault::OtherDimension(_)));
         assert!(help("80 Celsius", Temperature).contains("\"80 C\""));
         assert!(help("1 mpa", Pressure).contains("did you mean"));
     }

@@ -64,11 +64,7 @@ pub fn factor(value: f64) -> String {
 /// Six digits; with an exponent where there would be a row of zeros.
 fn rounded(value: f64) -> String {
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
-    if value == 0.0 || (1e-6..1e15).contains(&value.abs()) {
-        value.to_string()
-    } else {
-        format!("{value:e}")
-    }
+    if value == 0.0 || (1e-6..1e15).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
 #[cfg(test)]
@@ -77,10 +73,7 @@ mod tests {
 
     #[test]
     fn titles_are_one_line_that_can_be_shown() {
-        assert_eq!(
-            title("a\u{202e}b\nc\u{1b}[31m\u{2028}d"),
-            "a\u{fffd}b c\u{fffd}[31m\u{fffd}d"
-        );
+        assert_eq!(title("a\u{202e}b\nc\u{1b}[31m\u{2028}d"), "a\u{fffd}b c\u{fffd}[31m\u{fffd}d");
         assert_eq!(printable("a\n\u{7}"), "a\n\u{fffd}");
     }
 

@@ -78,9 +78,7 @@ struct Chain {
 
 /// The lines that pieces form: from end to end, or closed.
 fn chains(pieces: &[CavityPiece], radius: f64) -> Vec<Chain> {
-    let ends: Vec<[[i64; 2]; 2]> = (pieces.iter())
-        .map(|it| it.piece.map(|point| place(point, radius)))
-        .collect();
+    let ends: Vec<[[i64; 2]; 2]> = (pieces.iter()).map(|it| it.piece.map(|point| place(point, radius))).collect();
     let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
     for (k, ends) in ends.iter().enumerate() {
         ends.iter().for_each(|end| at.entry(*end).or_default().push(k));
@@ -153,11 +151,7 @@ impl CavityPath {
                 bounds[k] = [if slides { bounds[k][0] } else { 0.0 }, 0.0];
             }
         }
-        Self {
-            points,
-            bounds,
-            is_closed: chain.is_closed,
-        }
+        Self { points, bounds, is_closed: chain.is_closed }
     }
 
     /// What each point is moved by [m].
@@ -177,22 +171,13 @@ impl CavityPath {
             true => (OVERLAP as isize, n - 1),
             false => (0, n),
         };
-        let rise = if self.is_closed {
-            self.points[n - 1][d] - self.points[0][d]
-        } else {
-            0.0
-        };
+        let rise = if self.is_closed { self.points[n - 1][d] - self.points[0][d] } else { 0.0 };
         let numbers = -beyond..n as isize + beyond;
         let index = |k: isize| k.rem_euclid(around as isize) as usize;
         let turn = |k: isize| k.div_euclid(around as isize) as f64;
-        let places: Vec<f64> = (numbers.clone())
-            .map(|k| self.points[index(k)][d] + rise * turn(k))
-            .collect();
+        let places: Vec<f64> = (numbers.clone()).map(|k| self.points[index(k)][d] + rise * turn(k)).collect();
         let bounds: Vec<f64> = numbers.map(|k| self.bounds[index(k)][d]).collect();
-        let mut weights: Vec<f64> = bounds
-            .iter()
-            .map(|bound| if *bound > 0.0 { 1.0 } else { FIXED })
-            .collect();
+        let mut weights: Vec<f64> = bounds.iter().map(|bound| if *bound > 0.0 { 1.0 } else { FIXED }).collect();
         let mut found = vec![0.0; places.len()];
         for _ in 0..ROUNDS {
             found = smoothest(&places, &weights);
@@ -208,9 +193,7 @@ impl CavityPath {
             }
         }
         let from = beyond as usize;
-        let mut own: Vec<f64> = (from..from + n)
-            .map(|k| found[k].clamp(-bounds[k], bounds[k]))
-            .collect();
+        let mut own: Vec<f64> = (from..from + n).map(|k| found[k].clamp(-bounds[k], bounds[k])).collect();
         if self.is_closed {
             own[n - 1] = own[0];
         }
@@ -333,16 +316,10 @@ mod tests {
                 if is_in(i, j) != is_in(i + di, j + dj) {
                     let middle = [f64::from(2 * i + di), f64::from(2 * j + dj)].map(|x| 0.5e-3 * x);
                     let half = [f64::from(dj), f64::from(di)].map(|x| 0.5e-3 * x);
-                    let piece = [
-                        [middle[0] - half[0], middle[1] - half[1]],
-                        [middle[0] + half[0], middle[1] + half[1]],
-                    ];
+                    let piece =
+                        [[middle[0] - half[0], middle[1] - half[1]], [middle[0] + half[0], middle[1] + half[1]]];
                     let normal = [f64::from(di), f64::from(dj)].map(|x| if is_in(i, j) { x } else { -x });
-                    pieces.push(CavityPiece {
-                        piece,
-                        normal,
-                        extent: [1e-3; 2],
-                    });
+                    pieces.push(CavityPiece { piece, normal, extent: [1e-3; 2] });
                 }
             }
         }

@@ -16,14 +16,8 @@ pub use columns::check_columns;
 pub use tolerance::{Targets, targets};
 
 /// All checks.
-pub const CHECKS: [Check; 6] = [
-    oil::check,
-    feed::check,
-    journal::check,
-    liner::check,
-    tolerance::check,
-    columns::check,
-];
+pub const CHECKS: [Check; 6] =
+    [oil::check, feed::check, journal::check, liner::check, tolerance::check, columns::check];
 
 /// Reads the scene in the file `path` with all checks.
 ///

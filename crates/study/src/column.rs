@@ -30,13 +30,7 @@ pub type Fault = (String, String);
 impl Column {
     /// The quantity in its own unit.
     pub fn of(quantity: Cow<'static, str>, row: &'static Row) -> Self {
-        Self {
-            name: quantity.clone(),
-            quantity,
-            row,
-            unit: row.unit.name().to_owned(),
-            scale: [1.0, 0.0],
-        }
+        Self { name: quantity.clone(), quantity, row, unit: row.unit.name().to_owned(), scale: [1.0, 0.0] }
     }
 
     /// The column that a scene asks for.
@@ -49,10 +43,7 @@ impl Column {
             "" => Self::of(quantity, row),
             unit => Self::in_unit(quantity, row, unit)?,
         };
-        Ok(Self {
-            name: wanted.name.clone().into(),
-            ..own
-        })
+        Ok(Self { name: wanted.name.clone().into(), ..own })
     }
 
     /// The column that a sweep asks for: that of the first scene that has it, else why the first one has not. `None` without a scene.
@@ -67,11 +58,7 @@ impl Column {
     /// # Errors
     /// It has no such unit.
     pub fn in_unit(quantity: Cow<'static, str>, row: &'static Row, unit: &str) -> Result<Self, Fault> {
-        Ok(Self {
-            scale: scale(unit, row.unit)?,
-            unit: unit.to_owned(),
-            ..Self::of(quantity, row)
-        })
+        Ok(Self { scale: scale(unit, row.unit)?, unit: unit.to_owned(), ..Self::of(quantity, row) })
     }
 
     /// A value of the quantity in the unit of the column.
@@ -104,11 +91,7 @@ impl Column {
 
 /// The quantity of this name or symbol.
 fn named(name: &str, scene: &Scene) -> Result<(Cow<'static, str>, &'static Row), Fault> {
-    let single = || {
-        CATALOGUE
-            .into_iter()
-            .filter(|row| !row.is_family() && row.is_of_cycle() == scene.orbit.is_some())
-    };
+    let single = || CATALOGUE.into_iter().filter(|row| !row.is_family() && row.is_of_cycle() == scene.orbit.is_some());
     if let Some(row) = row(name) {
         let region = &name[row.name.len()..];
         if !row.is_family() || scene.feeds.iter().any(|feed| feed.group == region) {

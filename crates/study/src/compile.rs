@@ -42,11 +42,7 @@ pub fn compile(scene: &Scene) -> Result<Film, CompileError> {
 /// As [`compile`].
 pub fn compile_near(scene: &Scene, position: Position) -> Result<Film, CompileError> {
     let clock = Instant::now();
-    let LinerMesh {
-        mesh,
-        sha256,
-        is_laid_anew,
-    } = liner_mesh(scene, position)?;
+    let LinerMesh { mesh, sha256, is_laid_anew } = liner_mesh(scene, position)?;
     let read = clock.elapsed().as_secs_f64();
     let mut film = compile_on(scene, mesh, position, DEGREE)?;
     let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
@@ -92,10 +88,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
         thermal,
         dynamics,
         centre_velocity,
-        origin: MeshOrigin {
-            flips,
-            ..MeshOrigin::default()
-        },
+        origin: MeshOrigin { flips, ..MeshOrigin::default() },
         seconds: vec![("order", clock.elapsed().as_secs_f64())],
     })
 }
@@ -109,40 +102,24 @@ fn problem(
     position: Position,
 ) -> Result<FilmProblem, CompileError> {
     let bearing = bearing(scene);
-    let Position {
-        eccentricity,
-        min_film_angle,
-        tilt,
-    } = position;
+    let Position { eccentricity, min_film_angle, tilt } = position;
     let journal = JournalState {
         tilt,
         tilt_rate: sockets.tilt_rate,
         ..JournalState::at_eccentricity(eccentricity, min_film_angle, bearing.clearance, scene.journal.speed)
     };
-    let eccentric: Arc<dyn FilmContribution> = Arc::new(Eccentricity {
-        radius: bearing.radius,
-        clearance: bearing.clearance,
-    });
+    let eccentric: Arc<dyn FilmContribution> =
+        Arc::new(Eccentricity { radius: bearing.radius, clearance: bearing.clearance });
     let deeper = sockets.film_thickness.iter().map(|contribution| contribution(mesh));
-    let shapes = sockets
-        .profiles()?
-        .into_iter()
-        .map(|profile| Arc::new(Shape(profile)) as _);
+    let shapes = sockets.profiles()?.into_iter().map(|profile| Arc::new(Shape(profile)) as _);
     let wall = sockets.liner.as_ref().map(|liner| wall(liner, &bearing)).transpose()?;
     let deflection = wall.map(|wall| Arc::new(Deflection::none(Arc::new(wall))) as Arc<dyn FilmContribution>);
     Ok(FilmProblem {
         theory: sockets.theory,
         bearing,
         journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
-        film_thickness: std::iter::once(eccentric)
-            .chain(deeper)
-            .chain(shapes)
-            .chain(deflection)
-            .collect(),
-        lubricant: Lubricant {
-            viscosity: oil.viscosity,
-            pressure_law: sockets.pressure_law,
-        },
+        film_thickness: std::iter::once(eccentric).chain(deeper).chain(shapes).chain(deflection).collect(),
+        lubricant: Lubricant { viscosity: oil.viscosity, pressure_law: sockets.pressure_law },
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
@@ -175,9 +152,7 @@ fn check_gap(
     if !matches!(scene.journal.position, scene::Position::Given { .. }) {
         // A journal that tilts, or a wall that gives way, may make room.
         let is_stiff = problem.deflection().is_none() && load.is_none_or(|load| load.tilting.is_none());
-        let lack = is_stiff
-            .then(|| Gap::of(problem, system).lack_of_room(&problem.journal))
-            .flatten();
+        let lack = is_stiff.then(|| Gap::of(problem, system).lack_of_room(&problem.journal)).flatten();
         return lack.map_or(Ok(()), |gap| Err(CompileError::NoRoom { overlap: -gap }));
     }
     let Thinnest { thickness, angle, z } = Gap::of(problem, system).thinnest_film(problem, system);
@@ -192,34 +167,19 @@ pub fn at_temperature(film: &Film, temperature: f64) -> Film {
     let scene = oil::at_temperature(&film.scene, temperature);
     let oil = film.oil.at(temperature);
     let mut problem = film.problem.clone();
-    problem.lubricant = Lubricant {
-        viscosity: oil.viscosity,
-        pressure_law: Sockets::of(&scene).pressure_law,
-    };
-    Film {
-        scene: Arc::new(scene),
-        oil,
-        problem,
-        ..film.clone()
-    }
+    problem.lubricant = Lubricant { viscosity: oil.viscosity, pressure_law: Sockets::of(&scene).pressure_law };
+    Film { scene: Arc::new(scene), oil, problem, ..film.clone() }
 }
 
 /// What messages call the mesh.
 fn mesh_name(scene: &Scene) -> PathBuf {
-    scene
-        .mesh
-        .path()
-        .unwrap_or(Path::new("of the liner described"))
-        .to_owned()
+    scene.mesh.path().unwrap_or(Path::new("of the liner described")).to_owned()
 }
 
 /// The exact shape of a region that is one hole.
 fn disc(scene: &Scene, region: &FeedRegion<'_>) -> Option<Disc> {
     let [feed] = region.feeds[..] else { return None };
-    feed.hole.map(|hole| Disc {
-        centre: [scene.bearing.radius() * hole.angle, hole.z],
-        radius: 0.5 * hole.diameter,
-    })
+    feed.hole.map(|hole| Disc { centre: [scene.bearing.radius() * hole.angle, hole.z], radius: 0.5 * hole.diameter })
 }
 
 /// Every feed must be a group of the mesh.
@@ -240,9 +200,7 @@ fn check_feed_groups(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
         feed.pressure.is_none() && cells == 0
     };
     match scene.feeds.iter().find(is_cut_out) {
-        Some(feed) => Err(CompileError::NoPocket {
-            group: feed.group.clone(),
-        }),
+        Some(feed) => Err(CompileError::NoPocket { group: feed.group.clone() }),
         None => Ok(()),
     }
 }
@@ -276,32 +234,18 @@ fn supply(scene: &Scene, sockets: &Sockets, mesh: &Mesh) -> Result<Vec<SupplyReg
     }
     // The lines of a short film stand by themselves: none can be held at another pressure.
     if let Some(angle) = (scene.bearing.film_start).filter(|_| sockets.theory != Theory::Short) {
-        let edges =
-            given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle).map_err(|fault| {
-                CompileError::FilmStart {
-                    mesh: mesh_name(scene),
-                    fault,
-                }
-            })?;
-        regions.push(SupplyRegion {
-            edges,
-            ..region("film_start", BoundaryKind::Line, p_e)
-        });
+        let edges = given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle)
+            .map_err(|fault| CompileError::FilmStart { mesh: mesh_name(scene), fault })?;
+        regions.push(SupplyRegion { edges, ..region("film_start", BoundaryKind::Line, p_e) });
     }
     regions.extend(feed_regions(scene).iter().filter_map(|feed| {
-        Some(SupplyRegion {
-            disc: disc(scene, feed),
-            ..region(&feed.name, BoundaryKind::Feed, feed.pressure()?)
-        })
+        Some(SupplyRegion { disc: disc(scene, feed), ..region(&feed.name, BoundaryKind::Feed, feed.pressure()?) })
     }));
     Ok(regions)
 }
 
 fn unfit(scene: &Scene, faults: Vec<SupplyError>) -> CompileError {
-    CompileError::Supply {
-        mesh: mesh_name(scene),
-        faults,
-    }
+    CompileError::Supply { mesh: mesh_name(scene), faults }
 }
 
 #[cfg(test)]

@@ -7,23 +7,14 @@ use oilwedge_scene::{ContactModel, Scene};
 pub(crate) fn contact(scene: &Scene) -> Option<Contact> {
     let contact = scene.contact?;
     let law = match contact.model {
-        ContactModel::GreenwoodTripp {
-            density,
-            sharpness,
-            modulus,
-        } => {
+        ContactModel::GreenwoodTripp { density, sharpness, modulus } => {
             let roughness = scene.bearing.roughness?;
             let law = GreenwoodTripp::new(roughness, density, sharpness, modulus, contact.hardness);
             ContactLaw::GreenwoodTripp(law)
         }
-        ContactModel::BearingCurve { depth } => ContactLaw::BearingCurve(BearingCurve {
-            depth,
-            hardness: contact.hardness,
-        }),
+        ContactModel::BearingCurve { depth } => {
+            ContactLaw::BearingCurve(BearingCurve { depth, hardness: contact.hardness })
+        }
     };
-    Some(Contact {
-        law,
-        friction: contact.friction,
-        fineness: Fineness::Reported,
-    })
+    Some(Contact { law, friction: contact.friction, fineness: Fineness::Reported })
 }

@@ -87,19 +87,12 @@ pub(crate) fn load_of_orbit(scene: &Scene) -> Result<DutyCycle, CompileError> {
 
 fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
     let (period, speed) = (load.period, scene.journal.speed);
-    let rod = scene.crank.as_ref().map(|crank| Linkage {
-        radius: crank.radius,
-        rod_length: crank.rod_length,
-    });
+    let rod = scene.crank.as_ref().map(|crank| Linkage { radius: crank.radius, rod_length: crank.rod_length });
     let turning = Turning { speed, rod };
     Ok(match &load.source {
         LoadSource::File { path, frame } => {
             let rows = read_loads(path, period)?.into_iter();
-            let point = rows.map(|row| LoadPoint {
-                angle: row.angle,
-                force: row.force,
-                moment: row.moment,
-            });
+            let point = rows.map(|row| LoadPoint { angle: row.angle, force: row.force, moment: row.moment });
             DutyCycle::of_table(&point.collect::<Vec<_>>(), period, axes(*frame), turning)?
         }
         LoadSource::Harmonics { orders, frame } => {
@@ -128,35 +121,25 @@ fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
 /// # Errors
 /// [`NoDuty`]: the table of the gas pressure cannot be used; or there is no drive.
 pub(crate) fn crank_of(given: &oilwedge_scene::Crank, period: f64) -> Result<Crank, NoDuty> {
-    let linkage = Linkage {
-        radius: given.radius,
-        rod_length: given.rod_length,
-    };
+    let linkage = Linkage { radius: given.radius, rod_length: given.rod_length };
     let drive = given.drive.as_ref().ok_or(NoDuty::NotFinite { angle: 0.0 })?;
     crank(drive, linkage, period)
 }
 
 fn throws(drive: Option<&Drive>) -> Vec<Throw> {
-    let throw = |throw: &oilwedge_scene::Throw| Throw {
-        angle: throw.angle,
-        share: throw.share,
-        web_mass: throw.web_mass,
-    };
+    let throw =
+        |throw: &oilwedge_scene::Throw| Throw { angle: throw.angle, share: throw.share, web_mass: throw.web_mass };
     drive.into_iter().flat_map(|drive| &drive.throws).map(throw).collect()
 }
 
 fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> {
     let gas = match &drive.gas {
-        Gas::Peak { peak, angle, sharpness } => GasPressure::Curve(PressureCurve {
-            peak: *peak,
-            angle: *angle,
-            sharpness: *sharpness,
-            period,
-        }),
+        Gas::Peak { peak, angle, sharpness } => {
+            GasPressure::Curve(PressureCurve { peak: *peak, angle: *angle, sharpness: *sharpness, period })
+        }
         Gas::File(path) => {
-            let (angles, pressures) = (read_pressures(path, period)?.into_iter())
-                .map(|[angle, pressure]| (angle, [pressure]))
-                .unzip();
+            let (angles, pressures) =
+                (read_pressures(path, period)?.into_iter()).map(|[angle, pressure]| (angle, [pressure])).unzip();
             GasPressure::Table(PeriodicSpline::new(angles, pressures, period)?.within_points(), period)
         }
     };

@@ -65,19 +65,13 @@ pub(crate) fn liner(scene: &Scene) -> Liner {
 /// The shape of a feed on the developed surface, where the scene gives it.
 pub fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
     let radius = scene.bearing.radius();
-    let hole = feed
-        .hole
-        .map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
+    let hole = feed.hole.map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
     let groove = feed.groove.map(|groove| {
         let (middle, half) = match groove.arc {
             Some(arc) => (0.5 * (arc.from + arc.to), 0.5 * radius * (arc.to - arc.from)),
             None => (0.0, f64::INFINITY),
         };
-        Shape {
-            centre: [radius * middle, groove.z],
-            half: [half, 0.5 * groove.width],
-            corner: groove.corner,
-        }
+        Shape { centre: [radius * middle, groove.z], half: [half, 0.5 * groove.width], corner: groove.corner }
     });
     hole.or(groove)
 }

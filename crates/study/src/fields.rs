@@ -138,15 +138,8 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 7] = [
-    &PRESSURE,
-    &FILM_THICKNESS,
-    &DEFLECTION,
-    &FILM_FRACTION,
-    &VISCOSITY,
-    &CONTACT_PRESSURE,
-    &ERROR_INDICATOR,
-];
+pub static FIELDS: [&FieldRow; 7] =
+    [&PRESSURE, &FILM_THICKNESS, &DEFLECTION, &FILM_FRACTION, &VISCOSITY, &CONTACT_PRESSURE, &ERROR_INDICATOR];
 
 /// All fields of `film.vtu`.
 pub static FILE_FIELDS: [&FieldRow; 12] = [

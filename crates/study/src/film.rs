@@ -93,26 +93,17 @@ impl Film {
 
     /// This film, at whose position a coarser mesh balances the load.
     pub(crate) fn nearly_balanced(self) -> Self {
-        Self {
-            start: Start::NearlyBalanced,
-            ..self
-        }
+        Self { start: Start::NearlyBalanced, ..self }
     }
 
     /// This film, of which another mesh has shown where a growing moment leads.
     pub(crate) fn along(self, way: Arc<Waypoint>) -> Self {
-        Self {
-            start: Start::Along(way),
-            ..self
-        }
+        Self { start: Start::Along(way), ..self }
     }
 
     /// This film, on whose mesh a rough search has found no balance.
     pub(crate) fn failed(self) -> Self {
-        Self {
-            start: Start::Failed,
-            ..self
-        }
+        Self { start: Start::Failed, ..self }
     }
 
     /// The way along which its position is sought, if another mesh has shown one.
@@ -130,15 +121,8 @@ impl Film {
             Err(system) => return Self { system, ..self },
         };
         match system.coarser.take() {
-            None => Self {
-                system: Arc::new(system),
-                ..self
-            },
-            Some(coarser) => Self {
-                problem: coarser.problem(&self.problem),
-                system: Arc::new(coarser.system),
-                ..self
-            },
+            None => Self { system: Arc::new(system), ..self },
+            Some(coarser) => Self { problem: coarser.problem(&self.problem), system: Arc::new(coarser.system), ..self },
         }
     }
 

@@ -66,11 +66,7 @@ fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
             let crossing = |full: usize, broken: usize| {
                 // Pressures of an active set are zero in the cavity; the edge is amid the side.
                 let [high, low] = [full, broken].map(|k| excess(dofs[corners[k % 3]]));
-                let part = if problem.cavitation.kink().is_some() {
-                    high / (high - low)
-                } else {
-                    0.5
-                };
+                let part = if problem.cavitation.kink().is_some() { high / (high - low) } else { 0.5 };
                 [0, 1].map(|d| at(full)[d] + part * (at(broken)[d] - at(full)[d]))
             };
             let sides = |k: usize| match (of(k), of(k + 1)) {
@@ -90,11 +86,7 @@ fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
             if (0..2).map(|d| normal[d] * (at(broken)[d] - from[d])).sum::<f64>() < 0.0 {
                 normal = normal.map(|part| -part);
             }
-            pieces.push(CavityPiece {
-                piece: [*from, *to],
-                normal,
-                extent,
-            });
+            pieces.push(CavityPiece { piece: [*from, *to], normal, extent });
         }
     }
     let velocity = problem.surface_velocity();
@@ -125,10 +117,7 @@ fn with_even_normals(mut pieces: Vec<CavityPiece>, radius: f64) -> Vec<CavityPie
                 around.fold([0.0; 2], |sum, k| [0, 1].map(|d| sum[d] + 0.25 * pieces[*k].normal[d]))
             })
             .collect();
-        pieces
-            .iter_mut()
-            .zip(normals)
-            .for_each(|(it, normal)| it.normal = normal);
+        pieces.iter_mut().zip(normals).for_each(|(it, normal)| it.normal = normal);
     }
     pieces
 }
@@ -167,12 +156,7 @@ fn nodes(film: &Film, solution: &FilmSolution, floor: f64) -> Vec<Node> {
 /// Rims of feeds and pockets.
 fn rims(film: &Film) -> Vec<(String, Vec<Piece>)> {
     let mesh = film.system.space().mesh();
-    let feeds = film
-        .system
-        .supply
-        .regions()
-        .iter()
-        .filter(|region| region.kind == BoundaryKind::Feed);
+    let feeds = film.system.supply.regions().iter().filter(|region| region.kind == BoundaryKind::Feed);
     let feeds = feeds.map(|region| (region.name.as_str(), &region.edges, &region.cells));
     let pockets = film.pockets().filter_map(|name| mesh.region(name));
     let pockets = pockets.map(|region| (region.name.as_str(), &region.edges, &region.cells));
@@ -197,12 +181,6 @@ fn around(mesh: &Mesh, cells: &[u32]) -> Vec<u32> {
     let topology = mesh.topology();
     let is_own = |triangle: u32| cells.binary_search(&triangle).is_ok();
     let edges = cells.iter().flat_map(|&cell| topology.triangle_edges[cell as usize]);
-    let is_rim = |edge: &u32| {
-        topology.edge_triangles[*edge as usize]
-            .iter()
-            .filter(|t| is_own(**t))
-            .count()
-            == 1
-    };
+    let is_rim = |edge: &u32| topology.edge_triangles[*edge as usize].iter().filter(|t| is_own(**t)).count() == 1;
     edges.filter(is_rim).collect()
 }

@@ -135,10 +135,7 @@ impl<'a> FilmScale<'a> {
         let here = self.position.at(z, clearance);
         let (across, along) = (x / radius - here.min_film_angle).sin_cos();
         let mut thickness = clearance * (1.0 - here.eccentricity * along);
-        let mut slopes = [
-            here.eccentricity * clearance * across / radius,
-            -(g_x * cos + g_y * sin),
-        ];
+        let mut slopes = [here.eccentricity * clearance * across / radius, -(g_x * cos + g_y * sin)];
         let (mut bends, mut finest) = ([here.eccentricity * clearance / (radius * radius), 0.0], f64::INFINITY);
         for profile in &self.profiles {
             let relief = profile.at([x, z]);
@@ -164,11 +161,7 @@ impl<'a> FilmScale<'a> {
 
 /// Scale around at the angle `phi` [rad] of circular surfaces.
 fn around(position: Position, phi: f64) -> f64 {
-    let Position {
-        eccentricity,
-        min_film_angle,
-        ..
-    } = position;
+    let Position { eccentricity, min_film_angle, .. } = position;
     let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
     (PART * (2.0 * thickness.max(0.0) / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
 }

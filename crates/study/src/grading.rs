@@ -70,10 +70,7 @@ impl Shown {
         }
         let found = reason.way().cloned().map(Arc::new);
         let way = found.or_else(|| film.way().cloned())?;
-        way.is_bent().then(|| Self {
-            position: film.position(),
-            way,
-        })
+        way.is_bent().then(|| Self { position: film.position(), way })
     }
 }
 
@@ -114,10 +111,7 @@ pub fn graded_within(
             }
             Suited::Failed => return Ok(film.failed().into()),
             Suited::Refused(reason) => {
-                return Ok(Graded {
-                    film,
-                    refused: Some(reason),
-                });
+                return Ok(Graded { film, refused: Some(reason) });
             }
             Suited::Not(position, known) => {
                 let scene = coarsened(scene, most_triangles, position)?;
@@ -215,14 +209,12 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     let suits = is_near(&gap, &in_unbent(&film.problem), &journal);
     match balance {
         Ok(found) if is_possible && suits => Suited::To(Box::new(found.problem)),
-        Ok(found) if is_possible => Suited::Not(
-            Position::of(&journal, gap.bearing().clearance),
-            Known::Balance(Box::new(found.problem)),
-        ),
-        Err(_) if is_possible && !suits => Suited::Not(
-            Position::of(&journal, gap.bearing().clearance),
-            way.map_or(Known::Nothing, Known::Way),
-        ),
+        Ok(found) if is_possible => {
+            Suited::Not(Position::of(&journal, gap.bearing().clearance), Known::Balance(Box::new(found.problem)))
+        }
+        Err(_) if is_possible && !suits => {
+            Suited::Not(Position::of(&journal, gap.bearing().clearance), way.map_or(Known::Nothing, Known::Way))
+        }
         _ => Suited::Unknown(way),
     }
 }
@@ -234,20 +226,12 @@ fn is_judged(film: &Film) -> bool {
 
 /// A journal or, where it leaves less than this part of the clearance, one nearer to the middle that leaves it.
 fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
-    let middle = JournalState {
-        offset: [0.0; 2],
-        tilt: [0.0; 2],
-        ..*journal
-    };
+    let middle = JournalState { offset: [0.0; 2], tilt: [0.0; 2], ..*journal };
     // On the way to the middle the least film is concave.
     let most = gap.least(&middle);
     let taken = most - gap.least(journal);
     let nearer = f64::min(1.0, (1.0 - part) * most / taken).max(0.0);
-    JournalState {
-        offset: journal.offset.map(|e| nearer * e),
-        tilt: journal.tilt.map(|g| nearer * g),
-        ..*journal
-    }
+    JournalState { offset: journal.offset.map(|e| nearer * e), tilt: journal.tilt.map(|g| nearer * g), ..*journal }
 }
 
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
@@ -276,10 +260,7 @@ fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, N
         .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &of_coarser));
     // The way into contact was followed there.
     let is_followed = |reason: &NoEquilibrium| {
-        matches!(
-            reason.cause(),
-            NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. }
-        )
+        matches!(reason.cause(), NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. })
     };
     match on_coarser {
         Some(Ok(found)) => Ok(found),

@@ -42,20 +42,13 @@ fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAn
 /// A film whose wall gives way, bent by the film that is reported.
 fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoAnswer> {
     let (problem, solution) = closed_film(film.problem.clone(), &film.system, near)?;
-    let under = |problem| Film {
-        problem,
-        ..film.clone()
-    };
+    let under = |problem| Film { problem, ..film.clone() };
     if errors == Errors::Omitted || !problem.cavitation.is_symmetric() {
         return with_reference(under(problem), solution, errors);
     }
     let clock = Instant::now();
     let pair = closed_pair(problem, &film.system, solution, None, CLOSED)?;
-    let Pair {
-        problem,
-        film: solution,
-        cubic,
-    } = pair;
+    let Pair { problem, film: solution, cubic } = pair;
     Ok(Solved {
         reference: Some(ReferenceFilm::Cubic(cubic)),
         reference_seconds: clock.elapsed().as_secs_f64(),
@@ -80,16 +73,11 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
     let film = film.as_found(&found.problem);
     let solved = match found.cubic {
         None => with_reference(film, found.film, options.errors)?,
-        cubic => Solved {
-            reference: cubic.map(ReferenceFilm::Cubic),
-            ..with_reference(film, found.film, Errors::Omitted)?
-        },
+        cubic => {
+            Solved { reference: cubic.map(ReferenceFilm::Cubic), ..with_reference(film, found.film, Errors::Omitted)? }
+        }
     };
-    let solved = Solved {
-        balance: Some(by_film),
-        wall: found.wall,
-        ..solved
-    };
+    let solved = Solved { balance: Some(by_film), wall: found.wall, ..solved };
     Ok(balanced_by_hill(solved, load, &search, clock))
 }
 
@@ -125,11 +113,7 @@ fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, cloc
         *there = Some(Box::new(hill));
     }
     Solved {
-        balance: Some(Balance {
-            steps: by_film.steps + found.steps,
-            is_of_hill: true,
-            ..balance(&found, load, clock)
-        }),
+        balance: Some(Balance { steps: by_film.steps + found.steps, is_of_hill: true, ..balance(&found, load, clock) }),
         film: solved.film.with_journal(found.problem.journal),
         solution: found.film,
         ..solved
@@ -139,12 +123,7 @@ fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, cloc
 /// The hill of a film, taken out of it, if the load of the film is that of the hill.
 fn hill_with_load(solved: &mut Solved) -> Option<SharpFilm> {
     solved.balance.filter(|balance| !balance.is_ended)?;
-    let Some(ReferenceFilm::Coarse {
-        error: Some(error),
-        hill,
-        ..
-    }) = &mut solved.reference
-    else {
+    let Some(ReferenceFilm::Coarse { error: Some(error), hill, .. }) = &mut solved.reference else {
         return None;
     };
     let film = (&solved.film.problem, &*solved.film.system, &solved.solution);
@@ -164,11 +143,8 @@ fn with_reference(film: Film, solution: FilmSolution, errors: Errors) -> Result<
         Errors::Omitted => None,
     };
     // A balance of heat is that of the film.
-    if let Some(ReferenceFilm::Coarse {
-        error: Some(error),
-        hill,
-        ..
-    }) = reference.as_mut().filter(|_| film.thermal.is_none())
+    if let Some(ReferenceFilm::Coarse { error: Some(error), hill, .. }) =
+        reference.as_mut().filter(|_| film.thermal.is_none())
         && sharp::is_of_use(error, (&film.problem, &film.system, &solution))
     {
         // The film stands without its hill.

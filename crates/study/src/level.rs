@@ -60,11 +60,7 @@ pub fn solve_level(
     let film = compile_on(scene, mesh, position, degree)?;
     let order = clock.elapsed().as_secs_f64();
     let options = SolveOptions {
-        errors: if degree == DEGREE {
-            Errors::Estimated
-        } else {
-            Errors::Omitted
-        },
+        errors: if degree == DEGREE { Errors::Estimated } else { Errors::Omitted },
         deadline,
         ..SolveOptions::default()
     };

@@ -60,11 +60,7 @@ pub fn design_criteria(
     quantities: &[Quantity],
     bars: bool,
 ) -> Vec<Criterion> {
-    let compared = Compared {
-        quantities,
-        temperature: film.oil.temperature,
-        bars,
-    };
+    let compared = Compared { quantities, temperature: film.oil.temperature, bars };
     let mut all = criteria(&film.scene, model.is_some(), &compared);
     if let Some((model, engine)) = model.and_then(|model| Some((model, model.engine?))) {
         all.extend(usual(film, model, engine));
@@ -111,12 +107,7 @@ impl Limited<'_> {
 
 /// What the scene judges the bearing by, and what is usual where its heat `is_balanced`.
 fn criteria(scene: &Scene, is_balanced: bool, compared: &Compared) -> Vec<Criterion> {
-    let of = |what, unit, scale, value| Limited {
-        what,
-        unit,
-        scale,
-        value,
-    };
+    let of = |what, unit, scale, value| Limited { what, unit, scale, value };
     let length = |what, rows: [&Row; 2]| of(what, "um", 1e6, compared.value(&rows));
     let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
     let usual = |value: f64| is_balanced.then_some(value);
@@ -153,21 +144,11 @@ fn usual(film: &Film, model: &ThermalModel, engine: Engine) -> Vec<Criterion> {
         list.push(Criterion::new(what, unit, given, range.map(Some), Origin::Usual));
     };
     let ratio = bearing.clearance / bearing.radius;
-    usual(
-        "diametral clearance over diameter",
-        "1e-3",
-        1e3 * ratio,
-        engine.clearance_ratio().map(|ratio| 1e3 * ratio),
-    );
+    usual("diametral clearance over diameter", "1e-3", 1e3 * ratio, engine.clearance_ratio().map(|ratio| 1e3 * ratio));
     if let Some(pressure) = film.supply_pressure() {
         let range = engine.feed_pressure().map(|pressure| 1e-5 * pressure);
         usual("pressure of the oil fed", "bar", 1e-5 * pressure, range);
     }
-    usual(
-        "temperature of the oil fed",
-        "degC",
-        celsius(model.balance.inlet),
-        engine.inlet().map(celsius),
-    );
+    usual("temperature of the oil fed", "degC", celsius(model.balance.inlet), engine.inlet().map(celsius));
     list
 }

@@ -39,12 +39,7 @@ pub struct LinerMesh {
 pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, CompileError> {
     let scale = FilmScale::of(scene, position)?;
     match &scene.mesh {
-        MeshSource::File {
-            path,
-            unit,
-            size,
-            layout,
-        } => {
+        MeshSource::File { path, unit, size, layout } => {
             let bytes = gmsh::read_bytes(path)?;
             let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
             check_grooves(scene, &mesh)?;
@@ -64,11 +59,7 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
                 (Some(size), _) => meshed_anew(scene, &mesh, *size, &scale).map_err(CompileError::Drawing)?,
                 (None, in_rows) => in_rows.unwrap_or(mesh),
             };
-            Ok(LinerMesh {
-                mesh,
-                sha256: hexadecimal(Sha256::digest(&bytes)),
-                is_laid_anew,
-            })
+            Ok(LinerMesh { mesh, sha256: hexadecimal(Sha256::digest(&bytes)), is_laid_anew })
         }
         MeshSource::Drawing { size } => {
             let mesh = drawn(scene, *size, &scale).map_err(CompileError::Drawing)?;
@@ -79,11 +70,7 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
             for vertex in mesh.triangles().iter().flatten() {
                 hash.update(vertex.to_le_bytes());
             }
-            Ok(LinerMesh {
-                mesh,
-                sha256: hexadecimal(hash.finalize()),
-                is_laid_anew: false,
-            })
+            Ok(LinerMesh { mesh, sha256: hexadecimal(hash.finalize()), is_laid_anew: false })
         }
     }
 }
@@ -119,10 +106,7 @@ fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_me
     for feed in &scene.feeds {
         let hole = shape(scene, feed).filter(|_| feed.hole.is_some() && mesh.region(&feed.group).is_some());
         if let Some(hole) = hole {
-            let circle = Circle {
-                centre: hole.centre,
-                radius: hole.corner,
-            };
+            let circle = Circle { centre: hole.centre, radius: hole.corner };
             mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
         }
     }
@@ -136,31 +120,18 @@ fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
             continue;
         };
         let distance = |v: u32| shape.distance(mesh.points()[v as usize], mesh.period());
-        let rim = region
-            .edges
-            .iter()
-            .flat_map(|&edge| mesh.topology().edges[edge as usize]);
+        let rim = region.edges.iter().flat_map(|&edge| mesh.topology().edges[edge as usize]);
         let inside = region.cells.iter().flat_map(|&cell| mesh.triangles()[cell as usize]);
-        let off = rim
-            .map(|v| distance(v).abs())
-            .chain(inside.map(distance))
-            .fold(0.0, f64::max);
+        let off = rim.map(|v| distance(v).abs()).chain(inside.map(distance)).fold(0.0, f64::max);
         if off > ON_RIM * scene.bearing.radius() {
-            return Err(CompileError::GrooveElsewhere {
-                group: feed.group.clone(),
-                off,
-            });
+            return Err(CompileError::GrooveElsewhere { group: feed.group.clone(), off });
         }
     }
     Ok(())
 }
 
 fn drawn(scene: &Scene, size: Option<f64>, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
-    let blueprint = Blueprint {
-        liner: liner(scene),
-        features: features(scene),
-        line: scene.bearing.film_start,
-    };
+    let blueprint = Blueprint { liner: liner(scene), features: features(scene), line: scene.bearing.film_start };
     graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), scale)
 }
 
@@ -180,11 +151,7 @@ fn features(scene: &Scene) -> Vec<Feature> {
         let shapes: Vec<Shape> = region.feeds.iter().filter_map(|feed| shape(scene, feed)).collect();
         // A groove all around would leave two films; a deeper film is still a film.
         let meshed = region.pressure().is_none() || shapes.iter().any(Shape::is_full_turn);
-        let feature = |shape| Feature {
-            name: region.name.clone(),
-            shape,
-            meshed,
-        };
+        let feature = |shape| Feature { name: region.name.clone(), shape, meshed };
         shapes.into_iter().map(feature).collect::<Vec<Feature>>()
     };
     feed_regions(scene).into_iter().flat_map(of_region).collect()
@@ -199,10 +166,7 @@ fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, scale: &FilmScale) -> Resu
 fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingError>> {
     let shown = scene.feeds.iter().filter(|feed| shape(scene, feed).is_none());
     let names: Vec<&str> = shown.map(|feed| feed.group.as_str()).collect();
-    let mut blueprint = Blueprint {
-        line: scene.bearing.film_start,
-        ..Blueprint::of_mesh(mesh, liner(scene), &names)?
-    };
+    let mut blueprint = Blueprint { line: scene.bearing.film_start, ..Blueprint::of_mesh(mesh, liner(scene), &names)? };
     blueprint.features.extend(features(scene));
     Ok(blueprint)
 }
@@ -219,12 +183,7 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale)
             // Columns are as dense as the thinnest film along the axis needs.
             let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
             let sense = Sense::of(scene.journal.speed);
-            let rows = Rows {
-                along,
-                across,
-                sense,
-                grading,
-            };
+            let rows = Rows { along, across, sense, grading };
             generate_in_rows(blueprint, &rows)
         }
         None => generate_graded(blueprint, &|at| longest * scale.at(at) / LONGEST, grading),
@@ -245,10 +204,7 @@ pub fn expected_triangles(scene: &Scene, position: Position) -> Result<f64, Comp
     let places = |samples: u32| (0..samples).map(move |k| (f64::from(k) + 0.5) / f64::from(samples));
     let around = || places(AROUND).map(|part| liner.radius * (from + (to - from) * part));
     let along = || places(ALONG).map(|part| half * (2.0 * part - 1.0));
-    let [width, height] = [
-        liner.radius * (to - from) / f64::from(AROUND),
-        2.0 * half / f64::from(ALONG),
-    ];
+    let [width, height] = [liner.radius * (to - from) / f64::from(AROUND), 2.0 * half / f64::from(ALONG)];
     Ok(match RowDistances::of(scene, &liner, longest, &scale) {
         Some(distances) => {
             let columns: f64 = around().map(|x| width / column(longest, &scale, x)).sum();
@@ -256,10 +212,7 @@ pub fn expected_triangles(scene: &Scene, position: Position) -> Result<f64, Comp
         }
         None => {
             let equilateral = |x: f64, z: f64| 0.75f64.sqrt() / 2.0 * (longest * scale.at([x, z]) / LONGEST).powi(2);
-            around()
-                .flat_map(|x| along().map(move |z| (x, z)))
-                .map(|(x, z)| width * height / equilateral(x, z))
-                .sum()
+            around().flat_map(|x| along().map(move |z| (x, z))).map(|(x, z)| width * height / equilateral(x, z)).sum()
         }
     })
 }

@@ -95,10 +95,7 @@ impl Measured {
 
     /// The numbers that a hill may sharpen.
     pub(crate) fn as_hill(&self) -> HillNumbers {
-        HillNumbers {
-            load: self.load.total,
-            greatest: self.extremes.greatest,
-        }
+        HillNumbers { load: self.load.total, greatest: self.extremes.greatest }
     }
 
     /// Takes the numbers of the hill that are better than those of the film.
@@ -119,10 +116,7 @@ impl Measured {
 pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
     let extremes = pressure::extremes(problem, system, film);
     let load = load::load(problem, system, film);
-    let contact = load.contact.map(|share| Touching {
-        unsure: contact::unsure(problem, system, &share),
-        share,
-    });
+    let contact = load.contact.map(|share| Touching { unsure: contact::unsure(problem, system, &share), share });
     let thrust = contact.map_or(0.0, |contact| contact.share.pressure);
     Measured {
         power: power::power(problem, system, film)
@@ -135,10 +129,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
         thinnest: Gap::of(problem, system).thinnest_film(problem, system),
         deflection: deflection_max(problem, system),
         extent: extent(problem, system, film, &extremes),
-        cavity: problem
-            .cavitation
-            .has_free_boundary()
-            .then(|| cavity::cavity(system, film)),
+        cavity: problem.cavitation.has_free_boundary().then(|| cavity::cavity(system, film)),
         under_tension: match problem.cavitation.bears_tension() && has_tension(problem, &extremes) {
             true => cavity::share_below(problem, system, film, problem.bearing.end_pressure),
             false => 0.0,

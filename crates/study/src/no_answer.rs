@@ -141,9 +141,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Temperature(reason) => return reason.is_ended.then_some(MORE_SECONDS),
     };
     Some(match film {
-        NoFilm::AboveLimit {
-            law: LawKind::Roelands, ..
-        } => {
+        NoFilm::AboveLimit { law: LawKind::Roelands, .. } => {
             "lower speed, eccentricity or viscosity, or give Roelands' law a smaller exponent (oil.roelands.z or alpha)"
         }
         NoFilm::AboveLimit { .. } => {

@@ -35,10 +35,7 @@ pub struct Watch {
 
 impl From<Deadline> for Watch {
     fn from(deadline: Deadline) -> Self {
-        Self {
-            deadline,
-            observer: None,
-        }
+        Self { deadline, observer: None }
     }
 }
 

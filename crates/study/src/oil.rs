@@ -44,11 +44,7 @@ impl Oil {
         let Some(thermal) = &self.thermal else {
             return self.clone();
         };
-        Self {
-            viscosity: thermal.viscosity(temperature),
-            temperature: Some(temperature),
-            ..self.clone()
-        }
+        Self { viscosity: thermal.viscosity(temperature), temperature: Some(temperature), ..self.clone() }
     }
 
     /// Density [kg/m3] at the temperature of the film, 20 degrees C where there is none; `None` where it is not known.
@@ -92,22 +88,13 @@ fn thermal(scene: &Scene) -> Option<ThermalOil> {
     let law = match described {
         TemperatureLaw::Grade(name) => Grade::named(name)?.oil()?.law,
         TemperatureLaw::Walther([one, other]) => law::TemperatureLaw::Walther(Walther::through(*one, *other)?),
-        TemperatureLaw::Vogel { a, b, c } => law::TemperatureLaw::Vogel(Vogel {
-            factor: *a,
-            exponent: *b,
-            singular: ZERO_CELSIUS - c,
-        }),
+        TemperatureLaw::Vogel { a, b, c } => {
+            law::TemperatureLaw::Vogel(Vogel { factor: *a, exponent: *b, singular: ZERO_CELSIUS - c })
+        }
         TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
     };
-    let unsheared = ThermalOil {
-        law,
-        density,
-        sheared: 1.0,
-    };
-    Some(ThermalOil {
-        sheared: sheared(scene, &unsheared),
-        ..unsheared
-    })
+    let unsheared = ThermalOil { law, density, sheared: 1.0 };
+    Some(ThermalOil { sheared: sheared(scene, &unsheared), ..unsheared })
 }
 
 /// What the shear rate of the film leaves of the viscosity [1]. A viscosity at 150 degrees C and 1e6 1/s is one part of that at low shear, which is taken for any

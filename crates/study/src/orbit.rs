@@ -178,9 +178,7 @@ pub(crate) fn follow_under(
         observer.turns_to("the orbit");
     }
     let clearance = film.problem.bearing.clearance;
-    let begin = options
-        .earlier
-        .map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
+    let begin = options.earlier.map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
     let outcome = followed(&film, (scene, model, cycle), (begin, deadline), options);
     Ok((film, outcome))
 }
@@ -199,9 +197,7 @@ fn followed(
         closure: model.closure,
         cycles: model.cycles,
         deadline,
-        observer: options
-            .observer
-            .map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
+        observer: options.observer.map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
     let orbit = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit)?;
     if let Some(observer) = options.observer.filter(|_| options.bars) {
@@ -210,24 +206,12 @@ fn followed(
     let integrating = clock.elapsed().as_secs_f64();
     // What a film that conserves its oil is off by depends on what it has held all along, not on its place alone.
     let by_comparison = film.problem.cavitation.conserves_oil();
-    let of_films = RunOptions {
-        bars: options.bars && !by_comparison,
-        ..*options
-    };
+    let of_films = RunOptions { bars: options.bars && !by_comparison, ..*options };
     let mut followed = measured(film, &motion, model, orbit, &of_films)?;
     if by_comparison && options.errors() == Errors::Estimated {
-        comparison::judge(
-            &motion,
-            (film, model),
-            (begin, orbit_options),
-            options,
-            &mut followed.quantities,
-        );
+        comparison::judge(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
     }
-    Ok(Followed {
-        seconds: [integrating, clock.elapsed().as_secs_f64() - integrating],
-        ..followed
-    })
+    Ok(Followed { seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
 
 /// The equation of motion of a scene's journal on a film.
@@ -277,11 +261,7 @@ pub(crate) fn measured(
         samples: &samples,
         path: &path,
         gap: &motion.gap,
-        wall: walls.map(|walls| WallOnPath {
-            problem: &film.problem,
-            system: &film.system,
-            walls,
-        }),
+        wall: walls.map(|walls| WallOnPath { problem: &film.problem, system: &film.system, walls }),
         coordinates: motion.coordinates(),
         angular_speed: motion.cycle.angular_speed(),
         between: 0.0,
@@ -312,22 +292,14 @@ pub(crate) fn measured(
             tolerance: model.tolerance,
             closed: end == OrbitEnd::Closed,
             earlier_cycles: options.earlier.map_or(0, |earlier| earlier.cycles),
-            end: steps
-                .last()
-                .map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
+            end: steps.last().map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
             cycles: cycles.iter().map(|cycle| facts(cycle, clearance)).collect(),
             half_speed_share: load.half_speed_share,
         },
         path: OrbitPath {
-            crank_angles: samples
-                .iter()
-                .map(|sample| (view.angular_speed * sample.time).to_degrees())
-                .collect(),
+            crank_angles: samples.iter().map(|sample| (view.angular_speed * sample.time).to_degrees()).collect(),
             times: samples.iter().map(|sample| sample.time).collect(),
-            offsets: samples
-                .iter()
-                .map(|sample| sample.journal.offset.map(|part| part / clearance))
-                .collect(),
+            offsets: samples.iter().map(|sample| sample.journal.offset.map(|part| part / clearance)).collect(),
             quantities: samples.iter().map(Sample::judged).collect(),
             clearance,
             viscosity: film.problem.lubricant.viscosity,

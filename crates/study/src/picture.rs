@@ -74,11 +74,7 @@ impl FieldValues {
 impl PictureField {
     /// The field of this row.
     fn of(row: &FieldRow, values: FieldValues) -> Self {
-        Self {
-            name: row.name.into(),
-            unit: row.unit.into(),
-            values,
-        }
+        Self { name: row.name.into(), unit: row.unit.into(), values }
     }
 }
 
@@ -121,15 +117,7 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
         points: nodes.positions.iter().map(place).collect(),
         cells,
         lines: (film_lines(film, solution).into_iter())
-            .map(|(name, pieces)| {
-                (
-                    name,
-                    pieces
-                        .iter()
-                        .map(|piece| [place(&piece[0]), place(&piece[1])])
-                        .collect(),
-                )
-            })
+            .map(|(name, pieces)| (name, pieces.iter().map(|piece| [place(&piece[0]), place(&piece[1])]).collect()))
             .collect(),
         point_data,
         cell_data: indicator.into_iter().collect(),
@@ -151,18 +139,11 @@ fn pointwise(film: &Film, solution: &FilmSolution, nodes: &Nodes) -> Vec<Picture
         .collect();
     let contact = (problem.contact).map(|contact| thickness.iter().map(|&gap| contact.law.at(gap).pressure).collect());
     let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
-    let mut fields = vec![
-        scalars(&PRESSURE, pressure),
-        scalars(&FILM_THICKNESS, thickness),
-        scalars(&VISCOSITY, viscosity),
-    ];
+    let mut fields =
+        vec![scalars(&PRESSURE, pressure), scalars(&FILM_THICKNESS, thickness), scalars(&VISCOSITY, viscosity)];
     fields.extend(contact.map(|pressure| scalars(&CONTACT_PRESSURE, pressure)));
     if let Some(deflection) = problem.deflection() {
-        let values = nodes
-            .positions
-            .iter()
-            .map(|&position| deflection.at(position))
-            .collect();
+        let values = nodes.positions.iter().map(|&position| deflection.at(position)).collect();
         fields.push(scalars(&DEFLECTION, values));
     }
     if let Some(fraction) = &solution.film_fraction {
@@ -181,11 +162,7 @@ fn places(film: &Film, nodes: &Nodes, surface: Surface) -> [PictureField; 2] {
     };
     let angle = |&[x, _]: &[f64; 2]| {
         let angle = (x / radius).to_degrees();
-        if turn.is_finite() {
-            angle.rem_euclid(turn) % turn
-        } else {
-            angle
-        }
+        if turn.is_finite() { angle.rem_euclid(turn) % turn } else { angle }
     };
     [
         scalars(&ANGLE, nodes.positions.iter().map(angle).collect()),

@@ -68,12 +68,7 @@ impl Position {
 
     /// This position as one that a search visited at an operating point.
     pub fn visited(&self, point: Point) -> Visited {
-        Visited {
-            point,
-            eccentricity: self.eccentricity,
-            angle: self.min_film_angle,
-            tilt: self.tilt,
-        }
+        Visited { point, eccentricity: self.eccentricity, angle: self.min_film_angle, tilt: self.tilt }
     }
 
     /// This position or, where its tilt makes the journal touch an end or nearly so, one nearer the middle.
@@ -81,15 +76,9 @@ impl Position {
         if self.tilt == [0.0; 2] {
             return self;
         }
-        let journal = JournalState {
-            tilt: self.tilt,
-            ..JournalState::default()
-        };
+        let journal = JournalState { tilt: self.tilt, ..JournalState::default() };
         let reach = bearing.reach(&journal, self.min_film_angle) / bearing.clearance;
-        Self {
-            eccentricity: self.eccentricity.min((1.0 - ROOM) * reach),
-            ..self
-        }
+        Self { eccentricity: self.eccentricity.min((1.0 - ROOM) * reach), ..self }
     }
 
     /// The position at which a computation begins: the one given, or the one that a closed estimate finds for the load; [`Self::middle`]
@@ -125,27 +114,13 @@ impl Position {
     pub fn middle(scene: &Scene) -> Self {
         let tilt = scene.journal.tilt.unwrap_or_default();
         match scene.journal.position {
-            scene::Position::Given {
-                eccentricity,
-                min_film_angle,
-            } => Self {
-                eccentricity,
-                min_film_angle,
-                tilt,
-            },
+            scene::Position::Given { eccentricity, min_film_angle } => Self { eccentricity, min_film_angle, tilt },
             // The orbit is not known yet: a mesh is graded as for a journal in the middle.
-            scene::Position::Cycle => Self {
-                eccentricity: 0.0,
-                min_film_angle: 0.0,
-                tilt,
-            },
+            scene::Position::Cycle => Self { eccentricity: 0.0, min_film_angle: 0.0, tilt },
             scene::Position::Load { angle, .. } => {
                 let sense = if scene.journal.speed < 0.0 { -1.0 } else { 1.0 };
-                let position = Self {
-                    eccentricity: START_ECCENTRICITY,
-                    min_film_angle: angle + sense * START_ATTITUDE,
-                    tilt,
-                };
+                let position =
+                    Self { eccentricity: START_ECCENTRICITY, min_film_angle: angle + sense * START_ATTITUDE, tilt };
                 position.clear_of_the_ends(&dimensions::bearing(scene))
             }
         }
@@ -166,26 +141,17 @@ mod tests {
     }
 
     fn loaded(force: &str, speed: &str) -> Scene {
-        scene(&format!(
-            "journal = {{ speed = \"{speed}\" }}\nload = {{ force = \"{force}\", angle = \"0 deg\" }}"
-        ))
+        scene(&format!("journal = {{ speed = \"{speed}\" }}\nload = {{ force = \"{force}\", angle = \"0 deg\" }}"))
     }
 
     fn at(eccentricity: f64, min_film_angle: f64) -> Position {
-        Position {
-            eccentricity,
-            min_film_angle,
-            tilt: [0.0; 2],
-        }
+        Position { eccentricity, min_film_angle, tilt: [0.0; 2] }
     }
 
     #[test]
     fn the_middle_is_the_position_or_lies_behind_the_load() {
         let given = scene("journal = { speed = \"1 rpm\", eccentricity = 0.6, min_film_angle = \"3 rad\" }");
-        assert_eq!(
-            (Position::middle(&given), Position::start(&given)),
-            (at(0.6, 3.0), at(0.6, 3.0))
-        );
+        assert_eq!((Position::middle(&given), Position::start(&given)), (at(0.6, 3.0), at(0.6, 3.0)));
         for (speed, sense) in [("10 rpm", 1.0), ("-10 rpm", -1.0), ("0 rpm", 1.0)] {
             assert_eq!(Position::middle(&loaded("5 kN", speed)), at(0.5, sense * FRAC_PI_4));
         }
@@ -198,10 +164,7 @@ mod tests {
         );
         let start = Position::start(&tilted);
         // Half of the length times the tilt is 0.75 of the clearance.
-        assert!(
-            (start.tilt, start.eccentricity < 0.6) == ([1.5e-3, 0.0], true),
-            "{start:?}"
-        );
+        assert!((start.tilt, start.eccentricity < 0.6) == ([1.5e-3, 0.0], true), "{start:?}");
         let end = start.at(0.01875, 37.5e-6);
         assert!(end.eccentricity < 0.98 && end.eccentricity > 0.7, "{end:?}");
     }
@@ -215,10 +178,7 @@ mod tests {
             "{light:?} {heavy:?}"
         );
         assert!(light.min_film_angle > heavy.min_film_angle && heavy.min_film_angle > 0.0);
-        assert_eq!(
-            start("1 kN", "-1000 rpm"),
-            at(light.eccentricity, -light.min_film_angle)
-        );
+        assert_eq!(start("1 kN", "-1000 rpm"), at(light.eccentricity, -light.min_film_angle));
         assert_eq!(start("1 kN", "0 rpm"), at(0.5, FRAC_PI_4));
     }
 }

@@ -84,12 +84,8 @@ pub fn ended(solved: &Solved, options: &RunOptions) -> Option<Limit> {
 }
 
 fn solved(film: &Film, errors: Errors, watch: Watch) -> Result<(Solved, Estimated), NoAnswer> {
-    let options = SolveOptions {
-        errors,
-        deadline: watch.deadline,
-        observer: watch.observer,
-        ..SolveOptions::default()
-    };
+    let options =
+        SolveOptions { errors, deadline: watch.deadline, observer: watch.observer, ..SolveOptions::default() };
     let solved = solve(film, &options)?;
     let estimated = estimate_errors(&solved);
     Ok((solved, estimated))

@@ -71,11 +71,7 @@ pub struct Regime {
 /// That the clearance is far from a thousandth of the radius, as it is in bearings.
 pub fn unusual_clearance(bearing: &Bearing) -> Option<Warning> {
     let ratio = bearing.clearance / bearing.radius;
-    let written = format!(
-        "the clearance, {}, is {} of the radius",
-        micrometres(bearing.clearance),
-        rounded(ratio)
-    );
+    let written = format!("the clearance, {}, is {} of the radius", micrometres(bearing.clearance), rounded(ratio));
     if ratio > THIN {
         return Some(warning::CURVED.says(format!("thin film: {written}, so its curvature counts, which Reynolds' equation drops; is the unit of bearing.clearance right?")));
     }
@@ -107,11 +103,7 @@ impl Regime {
     /// Assumptions that this film breaks, in sentences that name them.
     pub fn warnings(&self, film: &Film, measured: &Measured) -> Vec<Warning> {
         let pressure = measured.extremes.greatest;
-        let flow = format!(
-            "Reynolds number {} at {:.0} kg/m3",
-            rounded(self.reynolds_number),
-            self.density
-        );
+        let flow = format!("Reynolds number {} at {:.0} kg/m3", rounded(self.reynolds_number), self.density);
         let broken = [
             (self.reynolds_number > self.taylor_limit).then(|| {
                 warning::TURBULENT.says(format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others", rounded(self.taylor_limit)))
@@ -134,18 +126,11 @@ impl Regime {
                 warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
             }),
         ];
-        let rise = self
-            .temperature_rise
-            .filter(|rise| film.thermal.is_none() && *rise > WARM);
+        let rise = self.temperature_rise.filter(|rise| film.thermal.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
             warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; check that oil.viscosity (or oil.temperature) is that of the film, or give [heat] with a grade or another law of temperature", rounded(rise)))
         });
-        broken
-            .into_iter()
-            .chain([heated])
-            .flatten()
-            .map(broken_assumption)
-            .collect()
+        broken.into_iter().chain([heated]).flatten().map(broken_assumption).collect()
     }
 }
 

@@ -59,11 +59,7 @@ impl RowDistances {
             let at_edge = self.far * (IN_LAYER * thickness / self.usual).clamp(FINEST, 1.0);
             at_edge + TOWARDS_EDGE * (z - edge).abs()
         };
-        self.layers
-            .iter()
-            .map(towards)
-            .fold(self.far, f64::min)
-            .min(self.by_tilt(z))
+        self.layers.iter().map(towards).fold(self.far, f64::min).min(self.by_tilt(z))
     }
 
     /// What the film of a tilted journal needs at the axial position `z` [m].
@@ -128,9 +124,7 @@ fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
         edges.into_iter().flatten().filter_map(|z| Some((z, feed.pressure?)))
     });
     let all = at_ends.into_iter().chain(at_grooves);
-    all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0)
-        .map(|(z, pressure)| (z, thickness(pressure)))
-        .collect()
+    all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0).map(|(z, pressure)| (z, thickness(pressure))).collect()
 }
 
 /// Distance of the rows of an orbit's mesh, over that of as many equal cells: the peak of pressure that runs around is steep along the flow. One land of the big end of scene

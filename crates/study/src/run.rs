@@ -66,12 +66,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     let mut result = without_outcome(scene, (&answer.film, &answer.levels), options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
-            let picture = picture(
-                &solved.film,
-                &solved.solution,
-                estimated.indicator.as_deref(),
-                options.surface(),
-            );
+            let picture = picture(&solved.film, &solved.solution, estimated.indicator.as_deref(), options.surface());
             report(scene, (&solved, estimated), options, &mut result);
             Some(picture)
         }
@@ -84,21 +79,14 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
         (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
     }
     add_total(&mut result, "before", clock.elapsed().as_secs_f64());
-    Ok(Run {
-        result,
-        picture,
-        orbit: None,
-        frames: Vec::new(),
-    })
+    Ok(Run { result, picture, orbit: None, frames: Vec::new() })
 }
 
 /// Adds the time of all to the times of a run [s], and names that which no part has: what came `before` them.
 fn add_total(result: &mut RunResult, before: &str, total: f64) {
     let named: f64 = result.timing_s.iter().map(|(_, seconds)| seconds).sum();
     let parts = [(before, f64::max(total - named, 0.0)), ("total", total)];
-    result
-        .timing_s
-        .extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
+    result.timing_s.extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
 }
 
 /// Part of the load that turns at half the speed of the journal, above which the film counts as collapsing [1].
@@ -112,22 +100,12 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         Ok(followed) => followed,
         Err(reason) => {
             report_reason(&reason, options, &mut result);
-            return Ok(Run {
-                result,
-                picture: None,
-                orbit: None,
-                frames: Vec::new(),
-            });
+            return Ok(Run { result, picture: None, orbit: None, frames: Vec::new() });
         }
     };
     let Followed { solved, facts, .. } = followed;
     let estimated = estimate_errors(&solved);
-    let picture = picture(
-        &solved.film,
-        &solved.solution,
-        estimated.indicator.as_deref(),
-        options.surface(),
-    );
+    let picture = picture(&solved.film, &solved.solution, estimated.indicator.as_deref(), options.surface());
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
     let (half_speed, turns) = (facts.half_speed_share, scene.journal.speed != 0.0);
     let limit = match followed.end {
@@ -143,10 +121,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         OrbitEnd::Ended => Some(Limit::Orbit(facts.cycles.len(), closure(&facts), options.cause())),
     };
     // Bars of a film that conserves its oil are those of its orbit.
-    let of_film = RunOptions {
-        bars: options.bars && solved.reference.is_some(),
-        ..*options
-    };
+    let of_film = RunOptions { bars: options.bars && solved.reference.is_some(), ..*options };
     report(scene, (&solved, estimated), &of_film, &mut result);
     if half_speed > MOST_AT_HALF_SPEED {
         let share = percent(half_speed);
@@ -163,10 +138,8 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     result.warnings.extend(of_history(&solved, &result.quantities, options));
     if let Some(found) = &followed.temperature {
         let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities, options);
-        result.temperature = report.map(|report| TemperatureReport {
-            broken_assumptions: broken_assumptions(&result.warnings),
-            ..report
-        });
+        result.temperature = report
+            .map(|report| TemperatureReport { broken_assumptions: broken_assumptions(&result.warnings), ..report });
     }
     result.criteria = match &result.temperature {
         Some(report) => report.criteria.clone(),
@@ -180,21 +153,14 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     result.balances.thermal = followed.temperature.map_or(0.0, |found| found.left_over);
     result.counts.temperature_steps = followed.temperature.map_or(0, |found| found.steps);
     let [integrate, measure] = followed.seconds;
-    result
-        .timing_s
-        .retain(|(part, _)| film.seconds.iter().any(|(other, _)| other == part));
+    result.timing_s.retain(|(part, _)| film.seconds.iter().any(|(other, _)| other == part));
     result.timing_s.push(("orbit".to_owned(), integrate));
     result.timing_s.push(("measure".to_owned(), measure));
     result.orbit = Some(facts);
     if let Some(limit) = limit {
         (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
     }
-    Ok(Run {
-        result,
-        picture: Some(picture),
-        orbit: Some(followed.path),
-        frames: followed.frames,
-    })
+    Ok(Run { result, picture: Some(picture), orbit: Some(followed.path), frames: followed.frames })
 }
 
 /// Warnings about an orbit whose film conserves its oil.
@@ -255,9 +221,7 @@ fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), option
         counts: Counts::default(),
         linear_solver: None,
         of_hill: Vec::new(),
-        timing_s: (film.seconds.iter())
-            .map(|&(part, seconds)| (part.to_owned(), seconds))
-            .collect(),
+        timing_s: (film.seconds.iter()).map(|&(part, seconds)| (part.to_owned(), seconds)).collect(),
         warnings: Vec::new(),
     }
 }
@@ -269,11 +233,7 @@ fn report_reason(reason: &NoAnswer, options: &RunOptions, result: &mut RunResult
             result.history = history(film.history());
         }
         NoAnswer::Equilibrium(reason) => {
-            let step = |(step, &residual): (usize, &f64)| HistoryStep {
-                step,
-                residual,
-                active: 0,
-            };
+            let step = |(step, &residual): (usize, &f64)| HistoryStep { step, residual, active: 0 };
             result.history = (1..).zip(reason.history()).map(step).collect();
             result.counts.position_steps = reason.history().len();
         }
@@ -312,11 +272,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         moment: estimated.measured.power.moment_imbalance,
         force: solved.balance.map_or(0.0, |balance| balance.parts[0]),
         tilt: solved.balance.map_or(0.0, |balance| balance.parts[1]),
-        deflection: solved
-            .film
-            .problem
-            .deflection()
-            .map(|deflection| deflection.closing.residual),
+        deflection: solved.film.problem.deflection().map(|deflection| deflection.closing.residual),
         thermal: left_over(&estimated.quantities),
         energy: None,
     };
@@ -342,9 +298,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         (solved.temperature.as_ref()).map(|found| (SECONDS_KEY, found.seconds + curve)),
     ];
     let parts = parts.into_iter().flatten();
-    result
-        .timing_s
-        .extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
+    result.timing_s.extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
     result.of_hill = estimated.of_hill;
     result.quantities = estimated.quantities;
 }

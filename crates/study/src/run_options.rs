@@ -61,10 +61,7 @@ impl RunOptions {
 
     /// The deadline of a run that begins now, and its observer.
     pub fn watch(&self) -> Watch {
-        Watch {
-            deadline: self.deadline(),
-            observer: self.observer,
-        }
+        Watch { deadline: self.deadline(), observer: self.observer }
     }
 
     /// Whether errors are estimated.

@@ -55,11 +55,7 @@ fn measured(solved: &Solved) -> Measured {
 pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
     let watts = |film: &ThermalFlows, t: f64| {
         let off = balance.carried(t, film) + balance.given_off(t);
-        format!(
-            "friction makes {} W, and {} W are carried off",
-            readable(film.power),
-            readable(off)
-        )
+        format!("friction makes {} W, and {} W are carried off", readable(film.power), readable(off))
     };
     let (mut is_unreached, mut is_ended) = (false, false);
     let told = match reason {
@@ -68,11 +64,7 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
             (is_unreached, is_ended) = (true, true);
             "the search for the temperature was ended".to_owned()
         }
-        NoBalance::Ends {
-            temperature,
-            film,
-            reason,
-        } => {
+        NoBalance::Ends { temperature, film, reason } => {
             let why = match reason {
                 Left::NoAnswer(reason) => {
                     is_unreached = reason.is_unreached();
@@ -95,11 +87,7 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
             watts(&film, temperature)
         ),
     };
-    NoAnswer::Temperature(NoTemperature {
-        told,
-        is_unreached,
-        is_ended,
-    })
+    NoAnswer::Temperature(NoTemperature { told, is_unreached, is_ended })
 }
 
 /// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.
@@ -121,11 +109,7 @@ pub fn warmed(scene: &Scene, watch: Watch) -> Result<Option<Scene>, CompileError
 fn rough_temperature(film: &Film, watch: Watch) -> Option<f64> {
     let model = film.thermal?;
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
-    let options = SolveOptions {
-        deadline: watch.deadline,
-        observer: watch.observer,
-        ..SolveOptions::default()
-    };
+    let options = SolveOptions { deadline: watch.deadline, observer: watch.observer, ..SolveOptions::default() };
     let found = Search::new(film, model, &options).find(Start::at(first), ROUGHLY, Kind::Leading);
     found.ok().map(|found| found.temperature)
 }

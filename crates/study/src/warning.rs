@@ -18,10 +18,7 @@ pub struct Kind {
 impl Kind {
     /// A warning of this kind in words.
     pub fn says(&'static self, text: impl Into<String>) -> Warning {
-        Warning {
-            kind: self,
-            text: text.into(),
-        }
+        Warning { kind: self, text: text.into() }
     }
 }
 
@@ -38,10 +35,7 @@ impl Warning {
     /// This warning as one about a part of the whole, which its sentence begins with.
     #[must_use]
     pub fn of(self, part: &str) -> Self {
-        Self {
-            text: format!("{part}: {}", self.text),
-            ..self
-        }
+        Self { text: format!("{part}: {}", self.text), ..self }
     }
 }
 

@@ -53,9 +53,7 @@ fn wide_bar(scene: &Scene, solved: &Solved, estimated: &Estimated) -> Option<War
     let targets = targets(scene)?;
     let wide = wide_bars(&solved.film, estimated, &targets.wanted);
     let (name, _) = wide.first()?;
-    let told: Vec<String> = (wide.iter())
-        .map(|(name, bar)| format!("{name} ({})", percent(*bar)))
-        .collect();
+    let told: Vec<String> = (wide.iter()).map(|(name, bar)| format!("{name} ({})", percent(*bar))).collect();
     Some(warning::WIDE_BAR.says(format!(
         "wide error bars: {}; for narrower ones give a tolerance under [mesh], as tolerance = {{ {name} = \"1 %\" }}: a finer mesh will take longer",
         told.join(", ")

@@ -45,11 +45,7 @@ impl Answer {
     /// Half width of the error bar of a quantity; zero where it has none.
     pub(crate) fn error(&self, name: &str) -> f64 {
         match self {
-            Self::Run(run) => run
-                .result
-                .by_name(name)
-                .and_then(|quantity| quantity.error())
-                .unwrap_or(0.0),
+            Self::Run(run) => run.result.by_name(name).and_then(|quantity| quantity.error()).unwrap_or(0.0),
             Self::Refused(_) => 0.0,
         }
     }
@@ -77,10 +73,7 @@ pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
         Ok(scene) => scene,
         Err(message) => return Answer::Refused(message),
     };
-    let options = RunOptions {
-        max_unknowns,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { max_unknowns, ..RunOptions::default() };
     match run(&scene, &options) {
         Ok(run) => Answer::Run(Box::new(run)),
         Err(error) => Answer::Refused(with_causes(&error)),
@@ -95,11 +88,9 @@ pub(crate) fn sockets(table: &Table) -> Option<Sockets> {
 fn read(table: &Table) -> Result<Scene, String> {
     let text = toml::to_string(table).map_err(|error| error.to_string())?;
     oilwedge_study::parse(&text, Path::new("case.toml")).map_err(|error| match error {
-        SceneError::Complaints { complaints, .. } | SceneError::Syntax { complaints, .. } => complaints
-            .iter()
-            .map(|complaint| format!("{complaint}; {}", complaint.help))
-            .collect::<Vec<_>>()
-            .join("\n"),
+        SceneError::Complaints { complaints, .. } | SceneError::Syntax { complaints, .. } => {
+            complaints.iter().map(|complaint| format!("{complaint}; {}", complaint.help)).collect::<Vec<_>>().join("\n")
+        }
         other => other.to_string(),
     })
 }
@@ -124,9 +115,7 @@ pub(crate) fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, S
     if let Some(recipe) = &case.mesh {
         let path = dir.join(format!("{number}.msh"));
         made_mesh::write(recipe, &read(&scene)?, &path)?;
-        let path = path
-            .to_str()
-            .ok_or("the folder for meshes has a name that is no text")?;
+        let path = path.to_str().ok_or("the folder for meshes has a name that is no text")?;
         put(&mut scene, "mesh.file", Value::String(path.to_owned()));
         put(&mut scene, "mesh.unit", Value::String(recipe.unit.clone()));
     }
@@ -158,9 +147,7 @@ const HALVINGS: usize = 16;
 /// There is no film without it.
 pub(crate) fn limit(scene: &Table, law: &LimitedLaw) -> Result<f64, String> {
     let plain = solve(scene);
-    let pressure = plain
-        .value(oilwedge_study::quantities::PRESSURE_MAX.name)
-        .filter(|pressure| *pressure > 0.0);
+    let pressure = plain.value(oilwedge_study::quantities::PRESSURE_MAX.name).filter(|pressure| *pressure > 0.0);
     let conservative = match pressure {
         Some(pressure) => 1.0 / pressure,
         None => return Err(format!("no film of constant viscosity: {:?}", plain.reason())),

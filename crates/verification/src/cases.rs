@@ -9,23 +9,11 @@ pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
 const FAMILIES: [(&str, &str); 22] = [
-    (
-        KNOWN_VALUES,
-        include_str!("../../../tests/hard_cases/known_values.toml"),
-    ),
-    (
-        "eccentricity",
-        include_str!("../../../tests/hard_cases/eccentricity.toml"),
-    ),
-    (
-        "slenderness",
-        include_str!("../../../tests/hard_cases/slenderness.toml"),
-    ),
+    (KNOWN_VALUES, include_str!("../../../tests/hard_cases/known_values.toml")),
+    ("eccentricity", include_str!("../../../tests/hard_cases/eccentricity.toml")),
+    ("slenderness", include_str!("../../../tests/hard_cases/slenderness.toml")),
     ("viscosity", include_str!("../../../tests/hard_cases/viscosity.toml")),
-    (
-        "feed_pressure",
-        include_str!("../../../tests/hard_cases/feed_pressure.toml"),
-    ),
+    ("feed_pressure", include_str!("../../../tests/hard_cases/feed_pressure.toml")),
     ("holes", include_str!("../../../tests/hard_cases/holes.toml")),
     ("grooves", include_str!("../../../tests/hard_cases/grooves.toml")),
     ("along_flow", include_str!("../../../tests/hard_cases/along_flow.toml")),
@@ -92,10 +80,7 @@ pub struct BadFamily {
 /// [`BadFamily`]: a file is not of the form of [`Family`].
 pub fn families() -> Result<Vec<(&'static str, Family)>, BadFamily> {
     let read = |&(name, text): &(&'static str, &str)| {
-        let family = toml::from_str(text).map_err(|error| BadFamily {
-            name,
-            reason: error.to_string(),
-        })?;
+        let family = toml::from_str(text).map_err(|error| BadFamily { name, reason: error.to_string() })?;
         Ok((name, family))
     };
     FAMILIES.iter().map(read).collect()
@@ -117,11 +102,7 @@ pub fn cases(name: &'static str, family: &Family, series: &Series) -> Vec<Case> 
     };
     let variants = match series.variants.is_empty() {
         true => vec![case],
-        false => series
-            .variants
-            .iter()
-            .map(|variant| variant_of(&case, variant))
-            .collect(),
+        false => series.variants.iter().map(|variant| variant_of(&case, variant)).collect(),
     };
     variants.iter().flat_map(|case| along(case, series)).collect()
 }
@@ -180,11 +161,7 @@ pub(crate) fn other(scene: &Table, other: &Other) -> Table {
 /// The scene of a case on a finer mesh.
 pub(crate) fn finer(scene: &Table, tolerance: f64) -> Table {
     let mut scene = scene.clone();
-    put(
-        &mut scene,
-        "mesh.tolerance",
-        Value::String(format!("{} %", 100.0 * tolerance)),
-    );
+    put(&mut scene, "mesh.tolerance", Value::String(format!("{} %", 100.0 * tolerance)));
     scene
 }
 

@@ -87,10 +87,8 @@ fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
 
 /// Each number has a bar, or the result says why not.
 fn bars(result: &RunResult, faults: &mut Vec<String>) {
-    let bare: Vec<&str> = (result.quantities.iter())
-        .filter(|quantity| quantity.bar.is_none())
-        .map(|quantity| &*quantity.name)
-        .collect();
+    let bare: Vec<&str> =
+        (result.quantities.iter()).filter(|quantity| quantity.bar.is_none()).map(|quantity| &*quantity.name).collect();
     let explained = result.warnings.iter().any(|warning| warning.contains("resolve"));
     if !bare.is_empty() && !explained {
         faults.push(format!("no bar, and no warning: {}", bare.join(", ")));
@@ -109,16 +107,12 @@ fn pressures(result: &RunResult, faults: &mut Vec<String>) {
         return;
     };
     if least > greatest {
-        faults.push(format!(
-            "the least pressure {least:.3e} Pa is above the greatest {greatest:.3e} Pa"
-        ));
+        faults.push(format!("the least pressure {least:.3e} Pa is above the greatest {greatest:.3e} Pa"));
     }
     let has_cavity = result.effects.fill(Socket::Cavitation);
     // Cases give the pressure of a cavity as zero, but where they are about it.
     if has_cavity && least < -WAVER * greatest.abs() && value(&CAVITY_SHARE).is_none() {
-        faults.push(format!(
-            "the pressure falls to {least:.3e} Pa, below that of the cavity"
-        ));
+        faults.push(format!("the pressure falls to {least:.3e} Pa, below that of the cavity"));
     }
 }
 
@@ -128,22 +122,14 @@ fn fractions(picture: &FilmPicture, case: &Case, faults: &mut Vec<String>) {
     let (Some(pressure), Some(fraction)) = (field("pressure"), field("film_fraction")) else {
         return;
     };
-    let outside = fraction
-        .iter()
-        .filter(|theta| **theta < -EMPTY || **theta > 1.0 + STREAK)
-        .count();
+    let outside = fraction.iter().filter(|theta| **theta < -EMPTY || **theta > 1.0 + STREAK).count();
     if outside > 0 {
-        faults.push(format!(
-            "{outside} film fractions of {} lie outside 0 to 1",
-            case.name()
-        ));
+        faults.push(format!("{outside} film fractions of {} lie outside 0 to 1", case.name()));
     }
     let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = pressure.iter().copied().fold(0.0, f64::max);
-    let both = pressure
-        .iter()
-        .zip(fraction)
-        .filter(|(p, theta)| **p > least + WAVER * greatest && **theta < 1.0 - STREAK);
+    let both =
+        pressure.iter().zip(fraction).filter(|(p, theta)| **p > least + WAVER * greatest && **theta < 1.0 - STREAK);
     let both = both.count();
     if both > 0 {
         faults.push(format!("{both} nodes have pressure and are not full"));

@@ -51,20 +51,19 @@ fn turned(point: [f64; 3], turns: [f64; 3]) -> [f64; 3] {
 /// The text of a plane mesh with its nodes elsewhere.
 fn placed(text: &str, place: impl Fn([f64; 2]) -> [f64; 3]) -> String {
     let mut in_nodes = false;
-    text.lines()
-        .fold(String::with_capacity(2 * text.len()), |mut all, line| {
-            in_nodes = (in_nodes || line == "$Nodes") && line != "$EndNodes";
-            let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
-            // Writing to a String cannot fail.
-            let _ = match numbers[..] {
-                [x, z, 0.0] if in_nodes => {
-                    let [x, y, z] = place([x, z]);
-                    writeln!(all, "{x} {y} {z}")
-                }
-                _ => writeln!(all, "{line}"),
-            };
-            all
-        })
+    text.lines().fold(String::with_capacity(2 * text.len()), |mut all, line| {
+        in_nodes = (in_nodes || line == "$Nodes") && line != "$EndNodes";
+        let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+        // Writing to a String cannot fail.
+        let _ = match numbers[..] {
+            [x, z, 0.0] if in_nodes => {
+                let [x, y, z] = place([x, z]);
+                writeln!(all, "{x} {y} {z}")
+            }
+            _ => writeln!(all, "{line}"),
+        };
+        all
+    })
 }
 
 /// Columns around and rows along the liner of a scene, each rectangle cut into two triangles.
@@ -76,10 +75,7 @@ fn in_rows(rows: &Rows, scene: &Scene) -> Result<Mesh, String> {
     let x = |k: u32| radius * (from + (to - from) * graded(k, rows.around, rows.jump));
     let z = |j: u32| half * (2.0 * graded(j, rows.along, rows.jump) - 1.0);
     let node = |k: u32, j: u32| (k % columns) * (rows.along + 1) + j;
-    let mut raw = RawMesh {
-        period: ring.then_some(TAU * radius),
-        ..RawMesh::default()
-    };
+    let mut raw = RawMesh { period: ring.then_some(TAU * radius), ..RawMesh::default() };
     for k in 0..columns {
         raw.points.extend((0..=rows.along).map(|j| [x(k), z(j)]));
     }

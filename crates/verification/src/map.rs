@@ -57,11 +57,7 @@ fn column(place: usize) -> Vec<Outcome> {
         },
         false => (SLENDERNESS.iter())
             .map(|slenderness| {
-                put(
-                    &mut scene,
-                    "bearing.length",
-                    Value::String(format!("{} mm", 100.0 * slenderness)),
-                );
+                put(&mut scene, "bearing.length", Value::String(format!("{} mm", 100.0 * slenderness)));
                 cell(&solve_within(&scene, MOST_UNKNOWNS), false)
             })
             .collect(),
@@ -94,9 +90,7 @@ pub fn run_map(ended: &mut dyn FnMut(usize)) -> Result<[CellMap; 2], SuiteError>
             columns: ECCENTRICITIES.iter().map(f64::to_string).collect(),
             y: y.to_owned(),
             rows: rows.iter().map(f64::to_string).collect(),
-            cells: (0..rows.len())
-                .map(|row| columns.iter().map(|column| column[row].clone()).collect())
-                .collect(),
+            cells: (0..rows.len()).map(|row| columns.iter().map(|column| column[row].clone()).collect()).collect(),
         }
     };
     Ok([

@@ -78,10 +78,7 @@ fn painted(cell: &Outcome) -> Cell {
         Outcome::Absent(word) => (SAND, word.clone()),
         Outcome::Unexplained(word) => (UNKNOWN, word.clone()),
     };
-    Cell {
-        fill,
-        word: Label::plain(&word),
-    }
+    Cell { fill, word: Label::plain(&word) }
 }
 
 #[cfg(test)]
@@ -103,15 +100,7 @@ mod tests {
         };
         let figure = cells_figure(&[map.clone(), map]);
         let svg = figure.to_svg();
-        for word in [
-            "A map",
-            "eccentricity",
-            "slenderness",
-            "\n7\n",
-            "\nlimit\n",
-            "\n23\n",
-            "\n?\n",
-        ] {
+        for word in ["A map", "eccentricity", "slenderness", "\n7\n", "\nlimit\n", "\n23\n", "\n?\n"] {
             assert!(svg.contains(word), "no {word:?} in {svg}");
         }
         assert!(figure.to_png().is_ok());

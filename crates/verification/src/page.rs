@@ -66,13 +66,7 @@ fn summary(text: &mut String, verdicts: &[Verdict]) -> std::fmt::Result {
     }
     writeln!(text, "* {} unexplained", faulty.len())?;
     if let Some(slowest) = slowest {
-        writeln!(
-            text,
-            "* slowest: {:.1} s, {} ({})",
-            slowest.seconds,
-            slowest.case.name(),
-            slowest.case.family
-        )?;
+        writeln!(text, "* slowest: {:.1} s, {} ({})", slowest.seconds, slowest.case.name(), slowest.case.family)?;
     }
     for verdict in faulty {
         writeln!(
@@ -107,10 +101,7 @@ fn drawn(text: &mut String, maps: &[CellMap], picture: &str) -> std::fmt::Result
 
 fn row(text: &mut String, verdict: &Verdict) -> std::fmt::Result {
     let (load, bar) = match verdict.load {
-        Some((load, bar)) => (
-            format!("{load:.5e}"),
-            bar.map_or("-".to_owned(), |bar| format!("{bar:.1e}")),
-        ),
+        Some((load, bar)) => (format!("{load:.5e}"), bar.map_or("-".to_owned(), |bar| format!("{bar:.1e}"))),
         None => ("-".to_owned(), "-".to_owned()),
     };
     let against = match verdict.end {

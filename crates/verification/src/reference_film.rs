@@ -63,20 +63,13 @@ pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Ve
             faults.push("no second method stands against it".to_owned());
         }
     }
-    Second {
-        methods: methods.join("; "),
-        known: compared,
-    }
+    Second { methods: methods.join("; "), known: compared }
 }
 
 fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     let relative = |name: &str| {
         let quantity = run.result.by_name(name)?;
-        let value = if quantity.value == 0.0 {
-            1.0
-        } else {
-            quantity.value.abs()
-        };
+        let value = if quantity.value == 0.0 { 1.0 } else { quantity.value.abs() };
         quantity.error().map(|error| error / value)
     };
     let name = match scene.contains_key("load") {

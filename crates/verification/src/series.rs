@@ -13,10 +13,7 @@ pub(crate) fn across(series: &Series, answers: &[Answer]) -> Vec<Vec<String>> {
         Some(Vary::OfLimit { of_limit, .. }) => of_limit.len(),
         None => answers.len(),
     };
-    answers
-        .chunks(together.max(1))
-        .flat_map(|answers| compared(series, answers))
-        .collect()
+    answers.chunks(together.max(1)).flat_map(|answers| compared(series, answers)).collect()
 }
 
 fn compared(series: &Series, answers: &[Answer]) -> Vec<Vec<String>> {
@@ -32,9 +29,8 @@ fn compared(series: &Series, answers: &[Answer]) -> Vec<Vec<String>> {
             };
             let bars = pair[0].error(name) + pair[1].error(name);
             if !holds && (after - before).abs() > SAME * bars {
-                faults[place + 1].push(format!(
-                    "{name} goes from {before:.6e} to {after:.6e}, but {trend:?} was known"
-                ));
+                faults[place + 1]
+                    .push(format!("{name} goes from {before:.6e} to {after:.6e}, but {trend:?} was known"));
             }
         }
     }

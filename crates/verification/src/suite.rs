@@ -112,10 +112,8 @@ pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&[Verdict])
     let folder = tempfile::tempdir()?;
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
-    let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(
-        usize,
-        Vec<Verdict>,
-    )| ended(verdicts))?;
+    let others =
+        in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(usize, Vec<Verdict>)| ended(verdicts))?;
     let mut found: Vec<(usize, Vec<Verdict>)> = others.into_iter().map(|(_, found)| found).collect();
     for place in long {
         let (place, verdicts) = piece(place);
@@ -183,10 +181,7 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
     let seconds = clock.elapsed().as_secs_f64();
     // Judged by the scene that was solved: a law found for the case is part of it.
     let scene_solved = scene.clone().unwrap_or_else(|_| case.scene.clone());
-    let solved = Case {
-        scene: scene_solved,
-        ..case.clone()
-    };
+    let solved = Case { scene: scene_solved, ..case.clone() };
     let mut faults = faults(&solved, &answer);
     let mut second = Second::default();
     if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {

@@ -74,12 +74,7 @@ fn figures() -> Vec<Vec<String>> {
     let case = &reference("plain360_swift_stieber", "rows")[5];
     for model in ["reynolds", "jfo"] {
         for size in SIZES {
-            let ring = Ring {
-                film_start: true,
-                model,
-                size: Some(size / 37.5),
-                ..Ring::of(case)
-            };
+            let ring = Ring { film_start: true, model, size: Some(size / 37.5), ..Ring::of(case) };
             let film = ring.solve();
             let value = film.sommerfeld_number();
             add("scene 11, So", model, &film.solved, value, 4, number(case, "So"));

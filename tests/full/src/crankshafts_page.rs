@@ -97,31 +97,21 @@ fn limits() -> Table {
     };
     add("knife edges", on_thin_films(), &KNIFE_EDGES.map(|part| -12e3 * part));
     for ((name, _), run) in BY_STATICS.iter().zip(by_statics()) {
-        add(
-            &format!("two films, {name}"),
-            run,
-            &[RIGHT - 13.0, -RIGHT].map(|kilo| 1e3 * kilo),
-        );
+        add(&format!("two films, {name}"), run, &[RIGHT - 13.0, -RIGHT].map(|kilo| 1e3 * kilo));
     }
     rows
 }
 
 fn balances(whole: &ShaftRun) -> Table {
     let of = whole.result.balances;
-    let energy = (whole.result.bearings.iter())
-        .filter_map(|bearing| bearing.energy)
-        .fold(0.0, f64::max);
+    let energy = (whole.result.bearings.iter()).filter_map(|bearing| bearing.energy).fold(0.0, f64::max);
     let mut rows = vec![row(["balance", "left, greatest over the cycle", "over"])];
     for (name, left, over) in [
         ("force: loads less films", of.force, "the loads"),
         ("moment about z = 0", of.moment, "the moments of the loads"),
         ("equations of the journals", of.journals, "the loads"),
         ("power, at each step", of.power, "the greatest dissipation"),
-        (
-            "energy of a bearing over the cycle",
-            energy,
-            "its dissipation over the cycle",
-        ),
+        ("energy of a bearing over the cycle", energy, "its dissipation over the cycle"),
     ] {
         rows.push(row([name, &format!("{left:.1e}"), over]));
     }
@@ -129,18 +119,11 @@ fn balances(whole: &ShaftRun) -> Table {
 }
 
 fn single(cut: &ShaftRun) -> Table {
-    let mut rows = vec![row([
-        "bearing",
-        "least film [um], single bearing",
-        "of the cut shaft",
-        "off [1]",
-    ])];
+    let mut rows = vec![row(["bearing", "least film [um], single bearing", "of the cut shaft", "off [1]"])];
     let films = numbers(cut, &CYCLE_FILM_THICKNESS_MIN);
     for (number, throws) in BESIDE.iter().enumerate() {
-        let (alone, film) = (
-            single_main(&text("three_throws.toml"), throws, &text("bearings/main_85.toml")),
-            films[number],
-        );
+        let (alone, film) =
+            (single_main(&text("three_throws.toml"), throws, &text("bearings/main_85.toml")), films[number]);
         rows.push(vec![
             cut.result.bearings[number].name.clone(),
             format!("{:.6}", 1e6 * alone),
@@ -156,12 +139,8 @@ fn beside(whole: &ShaftRun, cut: &ShaftRun) -> Table {
         "bearing | greatest load [kN], whole | cut | change [%] | least film [um], whole | cut | \
          change [%] | greatest pressure [bar], whole | cut | change [%] | greatest tilt [mrad], whole",
     )];
-    let columns = [
-        (&CYCLE_LOAD_MAX, 1e-3, 3),
-        (&CYCLE_FILM_THICKNESS_MIN, 1e6, 3),
-        (&CYCLE_PRESSURE_MAX, 1e-5, 1),
-    ]
-    .map(|(row, factor, digits)| (numbers(whole, row), numbers(cut, row), factor, digits));
+    let columns = [(&CYCLE_LOAD_MAX, 1e-3, 3), (&CYCLE_FILM_THICKNESS_MIN, 1e6, 3), (&CYCLE_PRESSURE_MAX, 1e-5, 1)]
+        .map(|(row, factor, digits)| (numbers(whole, row), numbers(cut, row), factor, digits));
     for (number, bearing) in whole.result.bearings.iter().enumerate() {
         let mut cells = vec![bearing.name.clone()];
         for (of_whole, of_cut, factor, digits) in &columns {
@@ -193,14 +172,8 @@ fn closed() -> Table {
 }
 
 fn weights(report: &CounterweightReport) -> Table {
-    let mut rows = vec![row([
-        "throw",
-        "web",
-        "mass times radius [g m], before",
-        "after",
-        "angle [deg], before",
-        "after",
-    ])];
+    let mut rows =
+        vec![row(["throw", "web", "mass times radius [g m], before", "after", "angle [deg], before", "after"])];
     for web in &report.webs {
         let [before, after] = web.moment.map(|moment| format!("{:.2}", 1e3 * moment));
         let [was, is] = web.angle_deg.map(|angle| format!("{angle:.1}"));
@@ -213,10 +186,7 @@ fn kept(report: &CounterweightReport) -> Table {
     let mut rows = vec![row(["number", "value"])];
     let [before, after] = report.film_by_maps.map(|film| format!("{:.4}", 1e6 * film));
     for (name, value) in [
-        (
-            "change of the force of the whole shaft, over all counterweights [1]",
-            format!("{:.1e}", report.force_change),
-        ),
+        ("change of the force of the whole shaft, over all counterweights [1]", format!("{:.1e}", report.force_change)),
         (
             "change of its moment, over all counterweights times the length of the shaft [1]",
             format!("{:.1e}", report.moment_change),

@@ -30,21 +30,14 @@ pub fn images() -> Vec<(String, String)> {
     let mut of_scene: Option<(&str, DrawnFilm)> = None;
     for (name, picture, file) in IMAGES {
         if of_scene.as_ref().is_none_or(|(other, _)| *other != name) {
-            let options = RunOptions {
-                bars: false,
-                unrolled: true,
-                ..RunOptions::default()
-            };
+            let options = RunOptions { bars: false, unrolled: true, ..RunOptions::default() };
             let run = run(&variant(name, |_| {}), &options).expect("a film");
             let result = serde_json::to_value(&run.result).expect("JSON");
             let film = DrawnFilm::new(result, &run.picture.expect("a picture")).expect("a film to draw");
             of_scene = Some((name, film));
         }
         let (_, film) = of_scene.as_ref().expect("the film of the scene");
-        let options = PlotOptions {
-            selected: vec![picture.to_owned()],
-            width: WIDTH,
-        };
+        let options = PlotOptions { selected: vec![picture.to_owned()], width: WIDTH };
         let figures = film_figures(film, &options).expect("a picture of the film");
         let (_, figure) = figures.first().expect("a figure");
         images.push((format!("{file}.svg"), figure.to_svg()));

@@ -23,30 +23,16 @@ pub fn page(page: &str) -> String {
     ])];
     for (turns, force, printed) in CAR {
         let (result, heat) = car(turns, force);
-        let lines = [
-            ("printed", printed),
-            ("ISO 7902, recomputed", by_standard(&heat)),
-            ("film (`jfo`)", by_film(&result)),
-        ];
+        let lines =
+            [("printed", printed), ("ISO 7902, recomputed", by_standard(&heat)), ("film (`jfo`)", by_film(&result))];
         for (by, numbers) in lines {
             let mut line = vec![format!("{turns}"), format!("{force}"), by.to_owned()];
-            line.extend(
-                numbers
-                    .iter()
-                    .zip(DIGITS)
-                    .map(|(number, digits)| format!("{number:.digits$}")),
-            );
+            line.extend(numbers.iter().zip(DIGITS).map(|(number, digits)| format!("{number:.digits$}")));
             rows.push(line);
         }
     }
     let page = replace(page, "car", &rows);
-    let mut rows = vec![row([
-        "number",
-        "follows by",
-        "printed",
-        "recomputed",
-        "off, in its last digit",
-    ])];
+    let mut rows = vec![row(["number", "follows by", "printed", "recomputed", "off, in its last digit"])];
     for link in tractor() {
         let off = (link.value - link.printed) / link.digit;
         rows.push(vec![

@@ -53,9 +53,8 @@ fn imbalance(solved: &Solved) -> String {
 }
 
 fn limits_table() -> Vec<Vec<String>> {
-    let mut table = vec![head(
-        "film | eccentricity | greatest speed, conservative [rad/s] | reference | as printed | reference",
-    )];
+    let mut table =
+        vec![head("film | eccentricity | greatest speed, conservative [rad/s] | reference | as printed | reference")];
     for limit in limits() {
         let ([conservative, found], [as_printed, fold]) = (limit.conservative, limit.as_printed);
         table.push(vec![
@@ -71,14 +70,7 @@ fn limits_table() -> Vec<Vec<String>> {
 }
 
 fn mesh_table() -> Vec<Vec<String>> {
-    let mut table = vec![row([
-        "mesh",
-        "cells",
-        "nodes",
-        "C_w",
-        "off the reference 20.8795",
-        "attitude",
-    ])];
+    let mut table = vec![row(["mesh", "cells", "nodes", "C_w", "off the reference 20.8795", "attitude"])];
     for name in ["08_flexpde_study_size", "02_flexpde_shell"] {
         let solved = match solve(&variant(name, |_| ())) {
             Ok(solved) => solved,

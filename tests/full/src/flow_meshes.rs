@@ -62,11 +62,7 @@ pub fn ring(kind: Kind, [radius, length]: [f64; 2], [columns, rows]: [u32; 2]) -
         for j in 0..rows {
             let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
             let rising = kind == Kind::Aligned || dice.chance(0.5);
-            triangles.extend(if rising {
-                [[a, b, c], [a, c, d]]
-            } else {
-                [[a, b, d], [b, c, d]]
-            });
+            triangles.extend(if rising { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
         }
     }
     let end = |j: u32| (0..columns).map(|i| [vertex(i, j), vertex(i + 1, j)]).collect();

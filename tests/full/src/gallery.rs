@@ -22,9 +22,7 @@ use oilwedge_tests::scenes::path;
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
 pub fn scenes() -> impl Iterator<Item = (&'static str, &'static str)> {
-    include_str!("gallery.txt")
-        .lines()
-        .map(|line| line.split_once(' ').expect("a scene and what is drawn"))
+    include_str!("gallery.txt").lines().map(|line| line.split_once(' ').expect("a scene and what is drawn"))
 }
 
 /// Width of the pictures [mm].
@@ -95,18 +93,12 @@ fn words(scene: &str) -> String {
 }
 
 fn options() -> PlotOptions {
-    PlotOptions {
-        selected: Vec::new(),
-        width: WIDTH,
-    }
+    PlotOptions { selected: Vec::new(), width: WIDTH }
 }
 
 /// Numbers, effects and picture of a film or an orbit.
 fn of_film(scene: &Scene, picture: &str) -> (String, String, String) {
-    let options_of_run = RunOptions {
-        unrolled: true,
-        ..RunOptions::of(scene)
-    };
+    let options_of_run = RunOptions { unrolled: true, ..RunOptions::of(scene) };
     let run = run(scene, &options_of_run).expect("a mesh");
     let result = &run.result;
     let rows = headlines(&result.quantities, |quantity| quantity.row, &result.effects).into_iter();
@@ -130,13 +122,7 @@ fn line(quantity: &Quantity) -> Vec<String> {
     let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
     let [value, error] = shown(quantity.value / size, quantity.error().map(|error| error / size));
     let symbol = format!("`{}`", quantity.row.symbol);
-    row([
-        &quantity.name.replace('_', " "),
-        &symbol,
-        &value,
-        &error,
-        &printed_unit(unit),
-    ])
+    row([&quantity.name.replace('_', " "), &symbol, &value, &error, &printed_unit(unit)])
 }
 
 /// Value and bar as people read them.
@@ -152,10 +138,7 @@ fn shown(value: f64, error: Option<f64>) -> [String; 2] {
 /// Numbers, effects and picture of a sweep.
 fn of_sweep(sweep: &Sweep, picture: &str) -> (String, String, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let options_of_run = SweepOptions {
-        case: RunOptions::default(),
-        ..SweepOptions::default()
-    };
+    let options_of_run = SweepOptions { case: RunOptions::default(), ..SweepOptions::default() };
     let report = oilwedge_report::sweep::run(sweep, &options_of_run, folder.path(), &mut |_| {}).expect("a sweep");
     let value: Value = serde_json::from_str(&json(&report).expect("finite numbers")).expect("JSON");
     let selected = vec![picture.to_owned()];
@@ -176,9 +159,7 @@ fn extremes(report: &SweepReport, value: &Value) -> String {
     let cases = value["rows"].as_array().expect("rows");
     let rows = columns.into_iter().filter_map(|column| {
         let quantity = |case: &Value, key: &str| case["quantities"][&*column.name][key].as_f64();
-        let found = cases
-            .iter()
-            .filter_map(|case| Some((quantity(case, "value")?, quantity(case, "error"))));
+        let found = cases.iter().filter_map(|case| Some((quantity(case, "value")?, quantity(case, "error"))));
         let mut found: Vec<(f64, Option<f64>)> = found.collect();
         found.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let (unit, size) = readable_unit_of(found.last()?.0, &column.unit);
@@ -186,15 +167,7 @@ fn extremes(report: &SweepReport, value: &Value) -> String {
         let [[low, low_bar], [high, high_bar]] =
             [least, greatest].map(|(value, error)| shown(value / size, error.map(|error| error / size)));
         let (name, symbol) = (column.quantity.replace('_', " "), format!("`{}`", column.row.symbol));
-        Some(row([
-            &name,
-            &symbol,
-            &low,
-            &low_bar,
-            &high,
-            &high_bar,
-            &printed_unit(unit),
-        ]))
+        Some(row([&name, &symbol, &low, &low_bar, &high, &high_bar, &printed_unit(unit)]))
     });
     let table: Vec<_> = [head].into_iter().chain(rows).collect();
     format!("{} cases.\n\n{}", cases.len(), written(&table))

@@ -10,15 +10,9 @@ use commands::{accuracy, house, orbits, performance, prices, shafts, tilted, val
 /// What each command is for; the head of its file in `src/commands` tells its arguments.
 const COMMANDS: [(&str, &str); 8] = [
     ("accuracy", "how often error bars hold: docs/validation/accuracy.md"),
-    (
-        "house",
-        "files that know an effect, circles of imports, sizes of the crates",
-    ),
+    ("house", "files that know an effect, circles of imports, sizes of the crates"),
     ("orbits", "bars of random orbits"),
-    (
-        "performance",
-        "times: docs/performance.md; `performance gate` counts instructions",
-    ),
+    ("performance", "times: docs/performance.md; `performance gate` counts instructions"),
     ("prices", "what the next digit costs: docs/validation/prices.md"),
     ("shafts", "random shafts over their cycles"),
     ("tilted", "random tilted and elastic bearings"),

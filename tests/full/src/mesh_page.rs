@@ -42,15 +42,7 @@ pub fn error_and_merit(solved: &Solved, converged: f64) -> (f64, f64) {
 
 /// The page with its table computed anew.
 pub fn page(page: &str) -> String {
-    let mut rows = vec![row([
-        "film",
-        "mesh",
-        "nodes",
-        "least angle [deg]",
-        "load [N]",
-        "error",
-        "merit",
-    ])];
+    let mut rows = vec![row(["film", "mesh", "nodes", "least angle [deg]", "load [N]", "error", "merit"])];
     for ((title, scene, converged), sizes) in CASES.iter().zip(SIZES) {
         let gmsh = given(scene);
         let merit = error_and_merit(&gmsh, *converged).1;

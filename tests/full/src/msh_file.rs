@@ -49,10 +49,7 @@ pub struct Form {
 /// # Panics
 /// If mid-side nodes are asked for and absent.
 pub fn to_bytes(file: &MshFile, form: Form) -> Vec<u8> {
-    let mut out = Writer {
-        encoding: form.encoding,
-        bytes: Vec::new(),
-    };
+    let mut out = Writer { encoding: form.encoding, bytes: Vec::new() };
     let blocks = Blocks::new(file, form);
     out.text(match form.encoding {
         Encoding::Text => "$MeshFormat\n4.1 0 8\n",
@@ -89,11 +86,7 @@ pub fn scattered(file: &MshFile) -> MshFile {
         tags: (1..=order.len() as u64).collect(),
         triangles: file.triangles.iter().map(|triangle| triangle.map(moved)).collect(),
         mid_nodes: None,
-        surfaces: file
-            .surfaces
-            .iter()
-            .map(|(name, cells)| (name.clone(), shuffled(cells)))
-            .collect(),
+        surfaces: file.surfaces.iter().map(|(name, cells)| (name.clone(), shuffled(cells))).collect(),
         curves: file
             .curves
             .iter()
@@ -175,19 +168,9 @@ fn write_nodes(out: &mut Writer, file: &MshFile, form: Form) -> Vec<u64> {
     let blocks: Vec<&[usize]> = nodes.chunks(count.div_ceil(form.entities)).collect();
     let ends = [tags.iter().min(), tags.iter().max()].map(|tag| Word::Size(tag.copied().unwrap_or(0)));
     out.text("$Nodes\n");
-    out.row([
-        Word::Size(blocks.len() as u64),
-        Word::Size(count as u64),
-        ends[0],
-        ends[1],
-    ]);
+    out.row([Word::Size(blocks.len() as u64), Word::Size(count as u64), ends[0], ends[1]]);
     for (entity, nodes) in (1..).zip(blocks) {
-        out.row([
-            Word::Int(2),
-            Word::Int(entity),
-            Word::Int(0),
-            Word::Size(nodes.len() as u64),
-        ]);
+        out.row([Word::Int(2), Word::Int(entity), Word::Int(0), Word::Size(nodes.len() as u64)]);
         for &node in nodes {
             out.row([Word::Size(tags[node])]);
         }
@@ -238,10 +221,7 @@ impl Blocks {
         for (groups, cells) in by_groups(file) {
             let nodes = |cell: u32| {
                 let middle = middles.map(|middles| middles[cell as usize]);
-                file.triangles[cell as usize]
-                    .into_iter()
-                    .chain(middle.into_iter().flatten())
-                    .collect()
+                file.triangles[cell as usize].into_iter().chain(middle.into_iter().flatten()).collect()
             };
             push(2, groups, cells.into_iter().map(nodes).collect());
         }

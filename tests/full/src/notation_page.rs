@@ -21,11 +21,7 @@ fn symbols() -> impl Iterator<Item = Line> {
             symbol,
             unit,
             what,
-            names: names
-                .split(' ')
-                .filter(|name| !name.is_empty())
-                .map(str::to_owned)
-                .collect(),
+            names: names.split(' ').filter(|name| !name.is_empty()).map(str::to_owned).collect(),
         }
     })
 }
@@ -68,9 +64,7 @@ fn lines() -> Vec<Line> {
     });
     let mut lines: Vec<Line> = symbols().collect();
     for line in fields.chain(quantities) {
-        let known = lines
-            .iter_mut()
-            .find(|known| (known.symbol, known.unit) == (line.symbol, line.unit));
+        let known = lines.iter_mut().find(|known| (known.symbol, known.unit) == (line.symbol, line.unit));
         match known {
             Some(known) => known.names.extend(line.names),
             None => lines.push(line),
@@ -89,8 +83,5 @@ pub fn unknown_names() -> Vec<String> {
     let mut known: BTreeSet<String> = keys().map(|key| key.path.to_owned()).collect();
     known.extend(CATALOGUE.iter().map(|row| row.name.to_owned()));
     known.insert("...".to_owned());
-    symbols()
-        .flat_map(|line| line.names)
-        .filter(|name| !known.contains(name))
-        .collect()
+    symbols().flat_map(|line| line.names).filter(|name| !known.contains(name)).collect()
 }

@@ -37,9 +37,7 @@ fn table(found: &Run, known: &[Known]) -> Vec<Vec<String>> {
     for (row, factor, name, digits, reference) in known {
         let quantity = found.result.quantity(row).expect(row.name);
         let value = factor * quantity.value;
-        let bar = quantity
-            .error()
-            .map_or("-".to_owned(), |bar| format!("{:.*}", *digits, factor * bar));
+        let bar = quantity.error().map_or("-".to_owned(), |bar| format!("{:.*}", *digits, factor * bar));
         let difference = match name.contains("[deg]") {
             true => format!("{:.2} deg", value - reference),
             false => format!("{:.3} %", 100.0 * (value / reference - 1.0)),

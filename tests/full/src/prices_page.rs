@@ -33,19 +33,11 @@ pub struct Prediction {
 /// What the levels of a strategy up to each one predict for a bar ten times smaller, where later levels reach it.
 pub fn predictions(course: &Course) -> Vec<Prediction> {
     let level_cost = |level: &oilwedge_campaign::convergence::LevelReport| {
-        Some(LevelCost {
-            unknowns: level.unknowns as f64,
-            seconds: level.seconds.total,
-            error: level.relative_bar?,
-        })
+        Some(LevelCost { unknowns: level.unknowns as f64, seconds: level.seconds.total, error: level.relative_bar? })
     };
     let levels: Vec<LevelCost> = course.levels.iter().filter_map(level_cost).collect();
     let predict = |k: usize| {
-        let model = CostModel {
-            strategy: course.strategy,
-            order: course.order,
-            levels: levels[..=k].to_vec(),
-        };
+        let model = CostModel { strategy: course.strategy, order: course.order, levels: levels[..=k].to_vec() };
         let (from, wanted) = (levels[k], levels[k].error / DIGIT);
         let fine = (k + 1..levels.len()).find(|&j| levels[j].error <= wanted)?;
         let (coarse, fine) = (levels[fine - 1], levels[fine]);
@@ -55,10 +47,7 @@ pub fn predictions(course: &Course) -> Vec<Prediction> {
         Some(Prediction {
             from: from.error,
             unknowns: [from.unknowns * growth, between(coarse.unknowns, fine.unknowns)],
-            seconds: [
-                from.seconds * growth.powf(model.exponent()),
-                between(coarse.seconds, fine.seconds),
-            ],
+            seconds: [from.seconds * growth.powf(model.exponent()), between(coarse.seconds, fine.seconds)],
         })
     };
     (0..levels.len()).filter_map(predict).collect()
@@ -79,16 +68,8 @@ fn scenes() -> Vec<String> {
 /// # Panics
 /// If a shipped scene cannot be read or solved.
 pub fn page(written: &str, program: &Path, seconds: f64) -> String {
-    let mut prices = vec![row([
-        "scene",
-        "bar",
-        "unknowns predicted",
-        "needed",
-        "ratio",
-        "seconds predicted",
-        "needed",
-        "ratio",
-    ])];
+    let mut prices =
+        vec![row(["scene", "bar", "unknowns predicted", "needed", "ratio", "seconds predicted", "needed", "ratio"])];
     let mut quick = vec![row(["scene", "status", "unknowns", "meshes", "whole process [ms]"])];
     for name in scenes() {
         eprintln!("{name}");
@@ -99,11 +80,7 @@ pub fn page(written: &str, program: &Path, seconds: f64) -> String {
             continue;
         }
         let study = converge(&scene, &Budget::seconds(seconds), &mut ()).expect("shipped scene");
-        let adaptive = study
-            .report
-            .strategies
-            .iter()
-            .find(|course| course.strategy == Strategy::P2Adaptive);
+        let adaptive = study.report.strategies.iter().find(|course| course.strategy == Strategy::P2Adaptive);
         // The last that can be judged: from where a user would ask.
         if let Some(last) = adaptive.and_then(|course| predictions(course).last().copied()) {
             let [n, m] = last.unknowns;

@@ -6,12 +6,8 @@ use crate::tables::{replace, row};
 
 /// The page with tables made anew.
 pub fn page(text: &str) -> String {
-    let tables = [
-        ("film", Table::Film),
-        ("heat", Table::Temperature),
-        ("dynamics", Table::Dynamics),
-        ("cap", Table::Cap),
-    ];
+    let tables =
+        [("film", Table::Film), ("heat", Table::Temperature), ("dynamics", Table::Dynamics), ("cap", Table::Cap)];
     tables.iter().fold(text.to_owned(), |text, (name, table)| {
         let head = ["name", "symbol", "unit", "definition", "error bar", "tolerance"];
         let rows = CATALOGUE.iter().filter(|row| row.table == *table).map(|row| line(row));

@@ -31,10 +31,7 @@ pub struct Followed {
 impl Followed {
     /// Its reference: some four times the unknowns and more, and a tenth of the tolerance.
     pub fn reference(self) -> Self {
-        Self {
-            edges: REFERENCE,
-            tolerance: (SHARPER * self.tolerance).max(LEAST_TOLERANCE),
-        }
+        Self { edges: REFERENCE, tolerance: (SHARPER * self.tolerance).max(LEAST_TOLERANCE) }
     }
 }
 
@@ -66,9 +63,7 @@ impl RandomOrbit {
         let mut orbit = Self::new(number, [0.01, 40.0], &format!("cycles = 4{mass}"));
         if dice.chance(0.15) {
             let place = dice.between(-0.1, 0.1) * orbit.diameter * 1e3;
-            orbit.text = orbit
-                .text
-                .replacen("load = {", &format!("load = {{ at = \"{place:.4} mm\","), 1);
+            orbit.text = orbit.text.replacen("load = {", &format!("load = {{ at = \"{place:.4} mm\","), 1);
         }
         if dice.chance(0.2) {
             let hole = 0.06 * orbit.diameter * 1e3;
@@ -120,12 +115,7 @@ impl RandomOrbit {
             sense * speed,
             harmonics.join(", ")
         );
-        Self {
-            number,
-            diameter,
-            text,
-            orbit: orbit.to_owned(),
-        }
+        Self { number, diameter, text, orbit: orbit.to_owned() }
     }
 
     /// Its scene.
@@ -144,14 +134,8 @@ impl RandomOrbit {
     pub fn solved(&self, how: Followed, bars: Bars) -> RunResult {
         let text = self.text(how);
         let scene: Scene = parse(&text, Path::new("orbit.toml")).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        let options = RunOptions {
-            bars: bars == Bars::Estimated,
-            max_seconds: 600.0,
-            ..RunOptions::default()
-        };
-        run(&scene, &options)
-            .unwrap_or_else(|error| panic!("{error}\n{text}"))
-            .result
+        let options = RunOptions { bars: bars == Bars::Estimated, max_seconds: 600.0, ..RunOptions::default() };
+        run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{text}")).result
     }
 }
 

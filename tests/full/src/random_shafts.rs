@@ -32,11 +32,7 @@ pub fn bearing(folder: &Path) -> PathBuf {
     let text = std::fs::read_to_string(shipped).expect("a shipped scene");
     assert!(text.contains("[journal]"), "{text}");
     let path = folder.join("main.toml");
-    std::fs::write(
-        &path,
-        text.replacen("[journal]", "[mesh]\nsize = \"9 mm\"\n\n[journal]", 1),
-    )
-    .expect("a file");
+    std::fs::write(&path, text.replacen("[journal]", "[mesh]\nsize = \"9 mm\"\n\n[journal]", 1)).expect("a file");
     path
 }
 
@@ -98,14 +94,8 @@ fn support(dice: &mut Dice) -> String {
 /// The scene is refused.
 pub fn solved(scene: &str, max_seconds: f64) -> ShaftResult {
     let read = ShaftScene::parse(scene, Path::new("random.toml")).unwrap_or_else(|error| panic!("{error}\n{scene}"));
-    let options = RunOptions {
-        bars: false,
-        max_seconds,
-        ..RunOptions::default()
-    };
-    run_shaft(&read, &options)
-        .unwrap_or_else(|error| panic!("{error}\n{scene}"))
-        .result
+    let options = RunOptions { bars: false, max_seconds, ..RunOptions::default() };
+    run_shaft(&read, &options).unwrap_or_else(|error| panic!("{error}\n{scene}")).result
 }
 
 /// At which of `count` even crank angles of a cycle [deg] the films have no balance under the loads of that angle if these last; the second list has those at which a search takes
@@ -138,10 +128,7 @@ pub fn fault(result: &ShaftResult) -> Option<String> {
         return Some(format!("{} is {}", quantity.name, quantity.value));
     }
     if result.status != Status::Converged {
-        return result
-            .reason
-            .is_none()
-            .then(|| "not converged, without a reason".to_owned());
+        return result.reason.is_none().then(|| "not converged, without a reason".to_owned());
     }
     let balances = result.balances;
     let off = [balances.force, balances.moment, balances.journals, balances.power];
@@ -156,9 +143,6 @@ pub fn fault(result: &ShaftResult) -> Option<String> {
 
 /// The least film of all bearings [m]; `None`: there are no numbers, or those of a bearing lack it.
 pub fn least_film(result: &ShaftResult) -> Option<f64> {
-    let films = result
-        .bearings
-        .iter()
-        .map(|bearing| Some(bearing.quantity(&CYCLE_FILM_THICKNESS_MIN)?.value));
+    let films = result.bearings.iter().map(|bearing| Some(bearing.quantity(&CYCLE_FILM_THICKNESS_MIN)?.value));
     films.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::min)
 }

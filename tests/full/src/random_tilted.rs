@@ -52,13 +52,8 @@ impl TiltedBearing {
         let mut dice = Dice::new(7_000_000 + number);
         let length = 2.0 * RADIUS * dice.decades(0.25f64.log10(), 1.2f64.log10());
         let model = ["none", "guembel", "reynolds", "reynolds", "jfo"][(dice.between(0.0, 4.999)) as usize];
-        let tilting = [
-            Tilting::Given,
-            Tilting::Held,
-            Tilting::Free,
-            Tilting::Free,
-            Tilting::Supported,
-        ][(dice.between(0.0, 4.999)) as usize];
+        let tilting = [Tilting::Given, Tilting::Held, Tilting::Free, Tilting::Free, Tilting::Supported]
+            [(dice.between(0.0, 4.999)) as usize];
         let minimum = dice.between(-PI, PI);
         let speed = if dice.chance(0.5) { SPEED } else { -SPEED };
         let mut text = format!(
@@ -78,12 +73,7 @@ impl TiltedBearing {
             // Something must supply a film that conserves its oil.
             let _ = writeln!(text, "[ends]\npressure = \"{} Pa\"", 1e-3 * PRESSURE_UNIT);
         }
-        Self {
-            number,
-            tilting,
-            model,
-            text,
-        }
+        Self { number, tilting, model, text }
     }
 
     /// The bearing of that number with rough surfaces that touch, in a wall that gives way, or a bore out of round.
@@ -93,10 +83,7 @@ impl TiltedBearing {
         let walls = crate::random_walls::tables(&mut dice, PRESSURE_UNIT, CLEARANCE);
         let clearance = format!("clearance = \"{CLEARANCE} m\"\n");
         let rough = format!("{clearance}roughness = \"{} m\"\n", walls.roughness);
-        Self {
-            text: bearing.text.replacen(&clearance, &rough, 1) + &walls.tables,
-            ..bearing
-        }
+        Self { text: bearing.text.replacen(&clearance, &rough, 1) + &walls.tables, ..bearing }
     }
 
     /// The scene.
@@ -114,23 +101,13 @@ fn journal(text: &mut String, dice: &mut Dice, tilting: Tilting, length: f64, mi
     let half = 0.5 * length;
     // A slope that takes this part of the room at an end.
     let slope = |dice: &mut Dice, room: f64| {
-        let (size, angle) = (
-            dice.between(0.05, 0.98) * room * CLEARANCE / half,
-            dice.between(-PI, PI),
-        );
-        format!(
-            "{{ x = \"{} rad\", y = \"{} rad\" }}",
-            size * angle.cos(),
-            size * angle.sin()
-        )
+        let (size, angle) = (dice.between(0.05, 0.98) * room * CLEARANCE / half, dice.between(-PI, PI));
+        format!("{{ x = \"{} rad\", y = \"{} rad\" }}", size * angle.cos(), size * angle.sin())
     };
     if tilting == Tilting::Given {
         let eccentricity = dice.between(0.0, 0.95);
         let tilt = slope(dice, 1.0 - eccentricity);
-        let _ = writeln!(
-            text,
-            "eccentricity = {eccentricity}\nmin_film_angle = \"{minimum} rad\"\ntilt = {tilt}"
-        );
+        let _ = writeln!(text, "eccentricity = {eccentricity}\nmin_film_angle = \"{minimum} rad\"\ntilt = {tilt}");
         return;
     }
     if tilting == Tilting::Held {
@@ -150,10 +127,7 @@ fn journal(text: &mut String, dice: &mut Dice, tilting: Tilting, length: f64, mi
     if tilting == Tilting::Supported {
         let stiffness = force * half * half / CLEARANCE * dice.decades(-2.0, 1.0);
         let tilt = slope(dice, 0.9);
-        let _ = writeln!(
-            text,
-            "[support]\ntilt_stiffness = \"{stiffness} N.m/rad\"\ntilt = {tilt}"
-        );
+        let _ = writeln!(text, "[support]\ntilt_stiffness = \"{stiffness} N.m/rad\"\ntilt = {tilt}");
     }
 }
 
@@ -165,18 +139,11 @@ fn feeds(text: &mut String, dice: &mut Dice, length: f64, minimum: f64) {
         let middle = minimum + PI + sector * (k as f64 + 0.5) + dice.between(-0.2, 0.2) * sector;
         let half_angle = dice.between(0.05, 0.3);
         let _ = writeln!(text, "[[feed]]\ngroup = \"feed_{k}\"");
-        let shift = if dice.chance(0.5) {
-            0.0
-        } else {
-            dice.between(-0.15, 0.15) * length
-        };
+        let shift = if dice.chance(0.5) { 0.0 } else { dice.between(-0.15, 0.15) * length };
         let _ = match dice.chance(0.5) {
             true => {
                 let diameter = f64::min(2.0 * half_angle * RADIUS, 0.5 * length);
-                writeln!(
-                    text,
-                    "hole = {{ diameter = \"{diameter} m\", angle = \"{middle} rad\", z = \"{shift} m\" }}"
-                )
+                writeln!(text, "hole = {{ diameter = \"{diameter} m\", angle = \"{middle} rad\", z = \"{shift} m\" }}")
             }
             false => {
                 let width = dice.between(0.1, 0.6) * length;
@@ -225,10 +192,7 @@ const BALANCED: f64 = 1e-10;
 /// What is left of the balances of force, moment and deflection, the greatest one.
 pub fn left(result: &oilwedge_study::result::RunResult) -> f64 {
     let balances = &result.balances;
-    balances
-        .force
-        .max(balances.tilt)
-        .max(balances.deflection.unwrap_or_default())
+    balances.force.max(balances.tilt).max(balances.deflection.unwrap_or_default())
 }
 
 /// Solves a bearing with the usual options, its limit of time one of processor time; how it ended, and what is wrong with it.

@@ -48,12 +48,7 @@ fn contact(tables: &mut String, dice: &mut Dice, roughness: f64) {
             roughness * dice.between(1.0, 4.0)
         ),
     };
-    let _ = writeln!(
-        tables,
-        "hardness = \"{} MPa\"\nfriction = {}",
-        dice.decades(2.0, 3.0),
-        dice.between(0.0, 0.2)
-    );
+    let _ = writeln!(tables, "hardness = \"{} MPa\"\nfriction = {}", dice.decades(2.0, 3.0), dice.between(0.0, 0.2));
 }
 
 /// A layer that moves by some hundredths of the clearance, or less, under the pressure of the film, or a ring.
@@ -67,16 +62,8 @@ fn liner(tables: &mut String, dice: &mut Dice, softness: f64) {
         )
     };
     let _ = match dice.between(0.0, 2.999) as usize {
-        0 => writeln!(
-            tables,
-            "[liner]\nwinkler = \"{} um/MPa\"",
-            1e12 * softness * dice.decades(-4.0, -1.7)
-        ),
-        1 => writeln!(
-            tables,
-            "[liner]\nwinkler = {{ {} }}",
-            material(dice, [0.2, 2.0], [0.0, 2.0])
-        ),
+        0 => writeln!(tables, "[liner]\nwinkler = \"{} um/MPa\"", 1e12 * softness * dice.decades(-4.0, -1.7)),
+        1 => writeln!(tables, "[liner]\nwinkler = {{ {} }}", material(dice, [0.2, 2.0], [0.0, 2.0])),
         _ => {
             let outer = if dice.chance(0.3) { "free" } else { "clamped" };
             let of = material(dice, [5.0, 40.0], [1.8, 2.3]);
@@ -89,10 +76,7 @@ fn liner(tables: &mut String, dice: &mut Dice, softness: f64) {
 fn bore(tables: &mut String, dice: &mut Dice, clearance: f64) {
     let (depth, angle) = (dice.between(0.02, 0.3) * clearance, dice.between(-PI, PI));
     let _ = match dice.between(0.0, 2.999) as usize {
-        0 => writeln!(
-            tables,
-            "[[bore]]\noval = {{ depth = \"{depth} m\", angle = \"{angle} rad\" }}"
-        ),
+        0 => writeln!(tables, "[[bore]]\noval = {{ depth = \"{depth} m\", angle = \"{angle} rad\" }}"),
         1 => writeln!(tables, "[[bore]]\ncrown = \"{depth} m\""),
         _ => writeln!(
             tables,

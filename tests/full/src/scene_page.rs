@@ -28,11 +28,5 @@ pub fn page(text: &str) -> String {
 }
 
 fn line(key: &Key, name: &str) -> Vec<String> {
-    vec![
-        format!("`{name}`"),
-        key.forms_in_words(),
-        key.absent.to_owned(),
-        key.range_in_words(),
-        key.what.to_owned(),
-    ]
+    vec![format!("`{name}`"), key.forms_in_words(), key.absent.to_owned(), key.range_in_words(), key.what.to_owned()]
 }

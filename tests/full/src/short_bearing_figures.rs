@@ -32,12 +32,7 @@ pub fn sheets(study: &Study) -> Vec<(&'static str, String)> {
     ];
     sheets
         .into_iter()
-        .map(|(name, charts)| {
-            (
-                name,
-                charts_figure("The short bearing", &charts, 2, PAGE_WIDTH).to_svg(),
-            )
-        })
+        .map(|(name, charts)| (name, charts_figure("The short bearing", &charts, 2, PAGE_WIDTH).to_svg()))
         .collect()
 }
 
@@ -76,39 +71,23 @@ fn around(squeeze: f64, study: &Study) -> Chart {
         let from = film.loaded_from();
         let angles = (0..=STEPS).map(|k| from + PI * f64::from(k) / f64::from(STEPS));
         let points = angles.map(|phi| [phi.to_degrees(), right_pressure(&film, phi, 0.0)]);
-        curves.push(series(
-            &format!("right, n = {speed}/min"),
-            Style::Line,
-            colour,
-            points.collect(),
-        ));
+        curves.push(series(&format!("right, n = {speed}/min"), Style::Line, colour, points.collect()));
         if speed == SPEEDS[4] {
             let finite = &study.of(squeeze, speed)[1];
             let angles = (0..=STEPS).map(|k| from + PI * f64::from(k) / f64::from(STEPS));
             let points = angles.map(|phi| [phi.to_degrees(), finite.pressure(phi, 0.0)]);
-            dashes.push(series(
-                "finite length (Reynolds), n = 3200/min",
-                Style::Dashes,
-                colour,
-                points.collect(),
-            ));
+            dashes.push(series("finite length (Reynolds), n = 3200/min", Style::Dashes, colour, points.collect()));
         }
         let printed = rows(&format!("source000/{table}.csv"));
         let own = printed.iter().filter(|row| row.number("n") == speed);
-        let points = own
-            .map(|row| [row.number("phi[deg]"), LOST * row.number("Pi")])
-            .collect();
+        let points = own.map(|row| [row.number("phi[deg]"), LOST * row.number("Pi")]).collect();
         let name = if speed == SPEEDS[4] { "printed, times 4" } else { "" };
         marks.push(series(name, Style::Rings, colour, points));
     }
     let title = title([2, 3], "Pressure around the film at mid-width", squeeze);
     Chart {
         series: [curves, dashes, marks].concat(),
-        ..Chart::new(
-            &title,
-            Label::marked("*φ* from the narrowest film, deg"),
-            Label::marked("*Π*(*φ*, 0)"),
-        )
+        ..Chart::new(&title, Label::marked("*φ* from the narrowest film, deg"), Label::marked("*Π*(*φ*, 0)"))
     }
 }
 
@@ -122,26 +101,14 @@ fn along(squeeze: f64, study: &Study) -> Chart {
         let phi = film.loaded_from() + PI / 2.0;
         let places: Vec<f64> = (0..=40).map(|k| f64::from(k) / 20.0 - 1.0).collect();
         let points = places.iter().map(|&zeta| [zeta, right_pressure(&film, phi, zeta)]);
-        curves.push(series(
-            &format!("right, n = {speed}/min"),
-            Style::Line,
-            colour,
-            points.collect(),
-        ));
+        curves.push(series(&format!("right, n = {speed}/min"), Style::Line, colour, points.collect()));
         if speed == SPEEDS[4] {
             let finite = &study.of(squeeze, speed)[1];
             let points = places.iter().map(|&zeta| [zeta, finite.pressure(phi, zeta)]).collect();
-            dashes.push(series(
-                "finite length (Reynolds), n = 3200/min",
-                Style::Dashes,
-                colour,
-                points,
-            ));
+            dashes.push(series("finite length (Reynolds), n = 3200/min", Style::Dashes, colour, points));
         }
         let printed = rows("source000/table4.csv");
-        let own = printed
-            .iter()
-            .filter(|row| (row.number("E"), row.number("n")) == (squeeze, speed));
+        let own = printed.iter().filter(|row| (row.number("E"), row.number("n")) == (squeeze, speed));
         let half = |row: &oilwedge_tests::printed::Row| {
             [row.number("z[-]") / Scales::printed().width, LOST * row.number("Pi")]
         };
@@ -160,13 +127,9 @@ fn along(squeeze: f64, study: &Study) -> Chart {
 fn over_speed(squeeze: f64, study: &Study, [table, column]: [&str; 2], lost: &[f64]) -> Vec<Series> {
     let colour = if squeeze > 0.0 { COLOURS[4] } else { COLOURS[0] };
     let steps = (0..=60).map(|k| SPEEDS[0] + (SPEEDS[4] - SPEEDS[0]) * f64::from(k) / 60.0);
-    let points = steps
-        .map(|speed| [speed, right(&film_at(squeeze, speed), column)])
-        .collect();
+    let points = steps.map(|speed| [speed, right(&film_at(squeeze, speed), column)]).collect();
     let mut all = vec![series(&format!("right, E = {squeeze}"), Style::Line, colour, points)];
-    let finite = SPEEDS
-        .into_iter()
-        .filter_map(|speed| Some([speed, study.of(squeeze, speed)[1].value(column)?]));
+    let finite = SPEEDS.into_iter().filter_map(|speed| Some([speed, study.of(squeeze, speed)[1].value(column)?]));
     let name = format!("finite length (Reynolds), E = {squeeze}");
     all.push(series(&name, Style::Dashes, colour, finite.collect()));
     let printed = rows(&format!("source000/{table}.csv"));
@@ -183,10 +146,7 @@ fn over_speed(squeeze: f64, study: &Study, [table, column]: [&str; 2], lost: &[f
 }
 
 fn chart(title: String, y: &str, series: Vec<Series>) -> Chart {
-    Chart {
-        series,
-        ..Chart::new(&title, Label::marked("*n*, 1/min"), Label::marked(y))
-    }
+    Chart { series, ..Chart::new(&title, Label::marked("*n*, 1/min"), Label::marked(y)) }
 }
 
 fn both(study: &Study, place: [&str; 2], lost: &[f64]) -> Vec<Series> {
@@ -196,11 +156,7 @@ fn both(study: &Study, place: [&str; 2], lost: &[f64]) -> Vec<Series> {
 /// Figures 4 and 5.
 fn greatest(squeeze: f64, study: &Study) -> Chart {
     let title = title([4, 5], "Greatest pressure", squeeze);
-    chart(
-        title,
-        "max *Π*",
-        over_speed(squeeze, study, ["table3", "maxPi[-]"], &[1.0, LOST]),
-    )
+    chart(title, "max *Π*", over_speed(squeeze, study, ["table3", "maxPi[-]"], &[1.0, LOST]))
 }
 
 /// Figure 8.
@@ -237,9 +193,7 @@ fn power(study: &Study) -> Chart {
 fn direction(squeeze: f64, study: &Study) -> Chart {
     let circle = |[x, y]: [f64; 2], radius: f64| -> Vec<[f64; 2]> {
         let angles = (0..=72).map(|k| f64::from(5 * k).to_radians());
-        angles
-            .map(|phi| [x + radius * phi.cos(), y + radius * phi.sin()])
-            .collect()
+        angles.map(|phi| [x + radius * phi.cos(), y + radius * phi.sin()]).collect()
     };
     let centre = [0.0, -0.16];
     // At an angle from the line of centres, against the rotation.
@@ -251,14 +205,7 @@ fn direction(squeeze: f64, study: &Study) -> Chart {
         series("", Style::Line, GREY, circle([0.0, 0.0], 1.0)),
         series("", Style::Line, GREY, circle(centre, 0.8)),
         series("", Style::Dashes, INK, vec![[0.0, 1.1], [0.0, -1.1]]),
-        series(
-            "",
-            Style::Line,
-            GREY,
-            (-5..=5)
-                .map(|k| along(PI + f64::from(6 * k).to_radians(), 0.62))
-                .collect(),
-        ),
+        series("", Style::Line, GREY, (-5..=5).map(|k| along(PI + f64::from(6 * k).to_radians(), 0.62)).collect()),
         series("", Style::Line, GREY, head(along(PI - 0.52, 0.62), 7.0 * PI / 6.0)),
     ];
     let force = |speed: f64| right(&film_at(squeeze, speed), "R[N]");
@@ -266,27 +213,14 @@ fn direction(squeeze: f64, study: &Study) -> Chart {
         let angle = right(&film_at(squeeze, speed), "theta[rad]");
         let length = 0.75 * force(speed) / force(SPEEDS[4]);
         let tip = along(angle, length);
-        all.push(series(
-            &format!("right, n = {speed}/min"),
-            Style::Line,
-            colour,
-            vec![centre, tip],
-        ));
+        all.push(series(&format!("right, n = {speed}/min"), Style::Line, colour, vec![centre, tip]));
         all.push(series("", Style::Line, colour, head(tip, -PI / 2.0 - angle)));
     }
     let angle = right(&film_at(squeeze, SPEEDS[4]), "theta[rad]");
     let finite = study.of(squeeze, SPEEDS[4])[1].value("theta[rad]").unwrap_or(angle);
     let name = "finite length (Reynolds), n = 3200/min";
-    all.push(series(
-        name,
-        Style::Dashes,
-        COLOURS[4],
-        vec![along(finite, 0.0), along(finite, 0.96)],
-    ));
-    for row in rows("source000/table7.csv")
-        .iter()
-        .filter(|row| row.number("E") == squeeze)
-    {
+    all.push(series(name, Style::Dashes, COLOURS[4], vec![along(finite, 0.0), along(finite, 0.96)]));
+    for row in rows("source000/table7.csv").iter().filter(|row| row.number("E") == squeeze) {
         let place = SPEEDS.iter().position(|speed| *speed == row.number("n")).unwrap_or(0);
         let theta = row.number("theta[rad]");
         let name = if place == 4 { "printed, outside" } else { "" };
@@ -297,11 +231,7 @@ fn direction(squeeze: f64, study: &Study) -> Chart {
     Chart {
         kind: Kind::Drawing,
         series: all,
-        notes: vec![Note {
-            at: [0.42, 1.08],
-            label: Label::plain("line of centres"),
-            colour: INK,
-        }],
+        notes: vec![Note { at: [0.42, 1.08], label: Label::plain("line of centres"), colour: INK }],
         ..Chart::new(&title, Label::default(), Label::default())
     }
 }

@@ -25,13 +25,9 @@ pub struct Study {
 impl Study {
     /// Solves them.
     pub fn solved() -> Self {
-        let cases: Vec<[f64; 2]> = SQUEEZES
-            .into_iter()
-            .flat_map(|squeeze| SPEEDS.map(|speed| [squeeze, speed]))
-            .collect();
-        let films = cases
-            .par_iter()
-            .map(|&case| MODELS.map(|model| Film::new(model, "full", case, SIZE)));
+        let cases: Vec<[f64; 2]> =
+            SQUEEZES.into_iter().flat_map(|squeeze| SPEEDS.map(|speed| [squeeze, speed])).collect();
+        let films = cases.par_iter().map(|&case| MODELS.map(|model| Film::new(model, "full", case, SIZE)));
         Self { films: films.collect() }
     }
 
@@ -70,11 +66,7 @@ fn told(value: f64, digits: usize) -> String {
     }
     let decimals = digits - 1;
     let scientific = format!("{value:.decimals$e}");
-    let exponent: i32 = scientific
-        .rsplit('e')
-        .next()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(0);
+    let exponent: i32 = scientific.rsplit('e').next().and_then(|text| text.parse().ok()).unwrap_or(0);
     match exponent {
         exponent if (-4..digits as i32).contains(&exponent) => {
             format!("{value:.0$}", (decimals as i32 - exponent).max(0) as usize)
@@ -174,9 +166,7 @@ fn columns(name: &str, study: &Study) -> Vec<Vec<String>> {
 
 fn cell(name: &str, row: &Row, column: &str, study: &Study) -> Vec<String> {
     let (squeeze, speed) = (row.number("E"), row.number("n"));
-    let is_slip = SLIPS
-        .iter()
-        .any(|slip| (slip.0, slip.1, slip.2, slip.4) == (name, squeeze, speed, column));
+    let is_slip = SLIPS.iter().any(|slip| (slip.0, slip.1, slip.2, slip.4) == (name, squeeze, speed, column));
     let found = right(&film_at(squeeze, speed), column);
     let mut cells = vec![
         column.replace("[-]", "").replace('[', " ["),

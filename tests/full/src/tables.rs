@@ -7,10 +7,7 @@
 pub fn replace(page: &str, name: &str, rows: &[Vec<String>]) -> String {
     let opening = format!("<!-- table: {name} -->\n");
     let start = page.find(&opening).unwrap_or_else(|| panic!("no table {name}")) + opening.len();
-    let end = start
-        + page[start..]
-            .find("<!-- end -->")
-            .unwrap_or_else(|| panic!("table {name} does not end"));
+    let end = start + page[start..].find("<!-- end -->").unwrap_or_else(|| panic!("table {name} does not end"));
     format!("{}{}{}", &page[..start], written(rows), &page[end..])
 }
 

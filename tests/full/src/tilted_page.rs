@@ -59,10 +59,7 @@ impl Outcome {
         Some(Self {
             status: statuses.into_iter().find(|status| written["status"] == status.name())?,
             reason: written["reason"].as_str()?.to_owned(),
-            fault: written["fault"].as_str().map(|what| Fault {
-                number,
-                what: what.to_owned(),
-            }),
+            fault: written["fault"].as_str().map(|what| Fault { number, what: what.to_owned() }),
             left: written["left"].as_f64()?,
             seconds: written["seconds"].as_f64()?,
             bearing,
@@ -84,9 +81,7 @@ impl Outcome {
             None => return None,
         };
         let slow = if self.is_slow() { " SLOW" } else { "" };
-        let TiltedBearing {
-            number, tilting, model, ..
-        } = bearing;
+        let TiltedBearing { number, tilting, model, .. } = bearing;
         Some(format!("{number} {tilting:?} {model} {seconds:.1} s{slow}{fault}"))
     }
 }
@@ -115,9 +110,8 @@ fn ends(outcomes: &[Outcome]) -> Vec<Vec<String>> {
         (None, "all"),
     ];
     for (kind, name) in kinds {
-        let of: Vec<&Outcome> = (outcomes.iter())
-            .filter(|outcome| kind.is_none_or(|kind| outcome.bearing.tilting == kind))
-            .collect();
+        let of: Vec<&Outcome> =
+            (outcomes.iter()).filter(|outcome| kind.is_none_or(|kind| outcome.bearing.tilting == kind)).collect();
         let count = |status| of.iter().filter(|outcome| outcome.status == status).count().to_string();
         let converged = of.iter().filter(|outcome| outcome.status == Status::Converged);
         let left = converged.fold(0.0, |most: f64, outcome| most.max(outcome.left));
@@ -141,9 +135,7 @@ fn ends(outcomes: &[Outcome]) -> Vec<Vec<String>> {
 fn listed(outcomes: &[Outcome]) -> Vec<Vec<String>> {
     let mut rows = vec![row(["bearing", "tilt", "cavitation", "seconds", "end"])];
     for outcome in outcomes {
-        let TiltedBearing {
-            number, tilting, model, ..
-        } = &outcome.bearing;
+        let TiltedBearing { number, tilting, model, .. } = &outcome.bearing;
         rows.push(vec![
             number.to_string(),
             format!("{tilting:?}").to_lowercase(),

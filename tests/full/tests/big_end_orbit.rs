@@ -18,10 +18,7 @@ use oilwedge_tests::*;
 /// The shipped scene with its text changed, without bars.
 fn changed(changes: &[(&str, &str)]) -> (RunResult, OrbitPath) {
     let scene = big_end::changed(changes);
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { bars: false, ..RunOptions::of(&scene) };
     let run = run(&scene, &options).expect("a film");
     assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
     (run.result, run.orbit.expect("a path"))
@@ -100,16 +97,9 @@ fn beside_the_groove(cavitation: Cavitation, cycles: usize) -> f64 {
         gap: Gap::of(&problem, &system),
         mass: 0.0,
     };
-    let options = OrbitOptions {
-        tolerance: 1e-2,
-        closure: 1e-3,
-        cycles,
-        deadline: Deadline::default(),
-        observer: None,
-    };
-    let orbit = motion
-        .orbit([0.3 * clearance, 0.0, 0.0, 0.0], &options)
-        .expect("an orbit");
+    let options =
+        OrbitOptions { tolerance: 1e-2, closure: 1e-3, cycles, deadline: Deadline::default(), observer: None };
+    let orbit = motion.orbit([0.3 * clearance, 0.0, 0.0, 0.0], &options).expect("an orbit");
     let gaps = orbit.steps.windows(2).flat_map(|pair| {
         let span = Span::between(&pair[0], &pair[1]);
         let [from, to] = span.times;

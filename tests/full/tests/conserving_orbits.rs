@@ -28,14 +28,7 @@ fn land(cavitation: Cavitation, [columns, rows]: [u32; 2]) -> (FilmProblem, Film
 }
 
 fn motion<'a>(film: &'a (FilmProblem, FilmSystem), cycle: &'a DutyCycle) -> Motion<'a> {
-    Motion {
-        problem: &film.0,
-        system: &film.1,
-        gap: Gap::of(&film.0, &film.1),
-        cycle,
-        support: None,
-        mass: 0.0,
-    }
+    Motion { problem: &film.0, system: &film.1, gap: Gap::of(&film.0, &film.1), cycle, support: None, mass: 0.0 }
 }
 
 /// Until it closes to 1e-5, from 0.3 of the clearance towards the first load.
@@ -50,13 +43,7 @@ fn follow_from(
     tolerance: f64,
     cycles: usize,
 ) -> Orbit {
-    let options = OrbitOptions {
-        tolerance,
-        closure: 1e-5,
-        cycles,
-        deadline: Deadline::default(),
-        observer: None,
-    };
+    let options = OrbitOptions { tolerance, closure: 1e-5, cycles, deadline: Deadline::default(), observer: None };
     let [x, y] = start.map(|part| part * CLEARANCE);
     (motion(film, cycle).orbit([x, y, 0.0, 0.0], &options)).expect("an orbit")
 }
@@ -76,22 +63,11 @@ fn end(orbit: &Orbit) -> [f64; 2] {
 fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
     let film = land(CONSERVING, [96, 1]);
     let load = 0.15 * unit_of_force();
-    let duty = Duty {
-        force: [load, 0.0],
-        moment: [0.0; 2],
-        speed: SPEED,
-    };
+    let duty = Duty { force: [load, 0.0], moment: [0.0; 2], speed: SPEED };
     let still = follow(&film, &DutyCycle::constant(duty, 2.0 * TAU, SPEED), 2e-3, 6);
     let [x, y] = end(&still);
-    let turning = Harmonic {
-        order: 1.0,
-        cos: [load, 0.0, 0.0, 0.0],
-        sin: [0.0, load, 0.0, 0.0],
-    };
-    let speed = Turning {
-        speed: SPEED,
-        rod: None,
-    };
+    let turning = Harmonic { order: 1.0, cos: [load, 0.0, 0.0, 0.0], sin: [0.0, load, 0.0, 0.0] };
+    let speed = Turning { speed: SPEED, rod: None };
     let cycle = DutyCycle::of_harmonics(vec![turning], TAU, Frame::Shell, speed);
     // Mirrored: it runs behind the load by as much as it ran before it.
     let orbit = follow_from([x, -y], &film, &cycle, 5e-5, 7);
@@ -107,20 +83,13 @@ fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
 /// A load of three orders over two turns, this many times the usual one.
 fn three_orders(times: f64) -> DutyCycle {
     let unit = times * unit_of_force();
-    let orders = [
-        (0.0, [0.2, 0.0], [0.0; 2]),
-        (1.0, [0.15, 0.0], [0.0, 0.2]),
-        (2.0, [0.0; 2], [0.1, 0.0]),
-    ];
+    let orders = [(0.0, [0.2, 0.0], [0.0; 2]), (1.0, [0.15, 0.0], [0.0, 0.2]), (2.0, [0.0; 2], [0.1, 0.0])];
     let orders = orders.map(|(order, cos, sin): (f64, [f64; 2], [f64; 2])| Harmonic {
         order,
         cos: [unit * cos[0], unit * cos[1], 0.0, 0.0],
         sin: [unit * sin[0], unit * sin[1], 0.0, 0.0],
     });
-    let speed = Turning {
-        speed: SPEED,
-        rod: None,
-    };
+    let speed = Turning { speed: SPEED, rod: None };
     DutyCycle::of_harmonics(orders.into(), 2.0 * TAU, Frame::Shell, speed)
 }
 
@@ -147,29 +116,12 @@ fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicke
         let cycle = three_orders(times);
         let [with, without] = [&conserving, &forgetting].map(|film| follow(film, &cycle, 1e-3, 3));
         let [with_memory, without_memory] = [&with, &without].map(thinnest);
-        assert_eq!(
-            with_memory < 0.99 * without_memory,
-            is_thinner,
-            "{with_memory} {without_memory}"
-        );
-        assert_eq!(
-            with_memory > 1.01 * without_memory,
-            !is_thinner,
-            "{with_memory} {without_memory}"
-        );
+        assert_eq!(with_memory < 0.99 * without_memory, is_thinner, "{with_memory} {without_memory}");
+        assert_eq!(with_memory > 1.01 * without_memory, !is_thinner, "{with_memory} {without_memory}");
         let here = |step: &&oilwedge_bearing::orbit::Step| step.at[0].hypot(step.at[1]);
-        let step = with
-            .steps
-            .iter()
-            .max_by(|a, b| here(a).total_cmp(&here(b)))
-            .expect("steps");
-        let film = motion(&conserving, &cycle)
-            .film_at(step, Neighbour::None)
-            .expect("a film");
-        let other = FilmProblem {
-            journal: film.problem.journal,
-            ..forgetting.0.clone()
-        };
+        let step = with.steps.iter().max_by(|a, b| here(a).total_cmp(&here(b))).expect("steps");
+        let film = motion(&conserving, &cycle).film_at(step, Neighbour::None).expect("a film");
+        let other = FilmProblem { journal: film.problem.journal, ..forgetting.0.clone() };
         let forgetful = other.solve(&forgetting.1).expect("a film");
         let missing = (forgetful.unknown.iter().zip(&film.film.unknown)).map(|(without, with)| without - with);
         assert!(missing.sum::<f64>() > 0.0, "{times}");
@@ -197,22 +149,10 @@ fn an_orbit_closes_with_its_oil() {
 /// forgets, is the same.
 #[test]
 fn a_journal_at_rest_sinks_as_in_a_film_without_memory() {
-    let duty = Duty {
-        force: [0.2 * unit_of_force(), 0.0],
-        moment: [0.0; 2],
-        speed: 0.0,
-    };
+    let duty = Duty { force: [0.2 * unit_of_force(), 0.0], moment: [0.0; 2], speed: 0.0 };
     // In the time in which the shaft would turn by six radians.
     let cycle = DutyCycle::constant(duty, 1.0, SPEED / 6.0);
     let [x, y] = end(&follow(&land(CONSERVING, [32, 4]), &cycle, 1e-3, 1));
-    let [expected, _] = end(&follow(
-        &land(Cavitation::Reynolds { pressure: 0.0 }, [32, 4]),
-        &cycle,
-        1e-3,
-        1,
-    ));
-    assert!(
-        expected > 0.5 && (x - expected).abs() < 5e-3 && y.abs() < 1e-3,
-        "{x} {y} {expected}"
-    );
+    let [expected, _] = end(&follow(&land(Cavitation::Reynolds { pressure: 0.0 }, [32, 4]), &cycle, 1e-3, 1));
+    assert!(expected > 0.5 && (x - expected).abs() < 5e-3 && y.abs() < 1e-3, "{x} {y} {expected}");
 }

@@ -29,11 +29,7 @@ fn bars_hold_and_are_not_much_wider_than_errors() {
             let ratios = tally.ratios(|pair: &Pair| pair.quantity == quantity && pair.of == of);
             let failed = ratios.iter().filter(|ratio| **ratio < 1.0).count() as f64;
             if failed > (1.0 - HOLD) * ratios.len() as f64 + 1.0 {
-                complaints.push(format!(
-                    "{quantity} {of:?}: {:.3} of {} hold",
-                    coverage(&ratios),
-                    ratios.len()
-                ));
+                complaints.push(format!("{quantity} {of:?}: {:.3} of {} hold", coverage(&ratios), ratios.len()));
             }
             let wide = quantile(&ratios, 0.5);
             let widest = match quantity {

@@ -140,17 +140,11 @@ fn mend(tree: &Path) {
             is_mended = true;
             let mut kept: Vec<&str> = text.lines().collect();
             // The line, and the comment on what it defines.
-            let comment = kept[..line - 1]
-                .iter()
-                .rev()
-                .take_while(|line| line.trim_start().starts_with("///"));
+            let comment = kept[..line - 1].iter().rev().take_while(|line| line.trim_start().starts_with("///"));
             kept.drain(line - 1 - comment.count()..line);
             std::fs::write(&file, kept.join("\n") + "\n").expect("a source file");
         }
-        assert!(
-            deleted.iter().all(|(_, lines)| lines.len() <= MOST_ERRORS),
-            "{deleted:#?}"
-        );
+        assert!(deleted.iter().all(|(_, lines)| lines.len() <= MOST_ERRORS), "{deleted:#?}");
         assert!(is_mended, "lines that name no effect: {others:#?}");
     }
     panic!("the program does not compile after {MOST_ROUNDS} rounds")
@@ -165,12 +159,7 @@ fn errors(tree: &Path) -> BTreeSet<(PathBuf, usize)> {
     errors
         .flat_map(|message| message["message"]["spans"].as_array().cloned().unwrap_or_default())
         .filter(|span| span["is_primary"] == true)
-        .filter_map(|span| {
-            Some((
-                tree.join(span["file_name"].as_str()?),
-                span["line_start"].as_u64()? as usize,
-            ))
-        })
+        .filter_map(|span| Some((tree.join(span["file_name"].as_str()?), span["line_start"].as_u64()? as usize)))
         .collect()
 }
 
@@ -197,9 +186,7 @@ fn build(tree: &Path) -> Command {
         cargo.args(["--config", &format!("profile.{profile}.package.{package}.opt-level=0")]);
     }
     let target = own_folder();
-    cargo
-        .env("CARGO_TARGET_DIR", target.parent().expect("target"))
-        .current_dir(tree);
+    cargo.env("CARGO_TARGET_DIR", target.parent().expect("target")).current_dir(tree);
     cargo
 }
 

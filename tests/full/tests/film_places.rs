@@ -25,20 +25,14 @@ fn solved(scene: &Scene) -> RunResult {
 fn number(result: &RunResult, name: &str) -> [f64; 2] {
     let found = result.quantities.iter().find(|quantity| quantity.name == name);
     let quantity = found.unwrap_or_else(|| panic!("no {name}"));
-    [
-        quantity.value,
-        quantity.error().unwrap_or_else(|| panic!("{name} has no bar")),
-    ]
+    [quantity.value, quantity.error().unwrap_or_else(|| panic!("{name} has no bar"))]
 }
 
 /// That a quantity is what it should be, within its bar and within `most`, which is what the bar may be too.
 fn is(result: &RunResult, name: &str, expected: f64, most: f64) {
     let [value, bar] = number(result, name);
     let off = (value - expected).abs();
-    assert!(
-        off <= bar + 1e-9 && bar <= most,
-        "{name}: {value} +- {bar}, not {expected}"
-    );
+    assert!(off <= bar + 1e-9 && bar <= most, "{name}: {value} +- {bar}, not {expected}");
 }
 
 const LONG: &str = "theory = 'long'\nfilm_start = '30 deg'";
@@ -48,16 +42,10 @@ const LONG: &str = "theory = 'long'\nfilm_start = '30 deg'";
 #[test]
 fn long_films_of_sommerfeld_and_guembel() {
     for eccentricity in [0.3f64, 0.6, 0.8] {
-        let theta = (-3.0 * eccentricity / (2.0 + eccentricity * eccentricity))
-            .acos()
-            .to_degrees();
+        let theta = (-3.0 * eccentricity / (2.0 + eccentricity * eccentricity)).acos().to_degrees();
         let film = solved(&ring(LONG, "none", eccentricity, "3 mm", "10 rad/s"));
         is(&film, "pressure_max_angle", 30.0 + theta, 0.2);
-        assert!(
-            film.quantities
-                .iter()
-                .all(|quantity| !quantity.name.starts_with("film_end"))
-        );
+        assert!(film.quantities.iter().all(|quantity| !quantity.name.starts_with("film_end")));
         let film = solved(&ring(LONG, "guembel", eccentricity, "3 mm", "10 rad/s"));
         is(&film, "pressure_max_angle", 30.0 + theta, 0.2);
         is(&film, "film_start_angle", 30.0, 1e-9);
@@ -141,35 +129,19 @@ fn a_given_pressure_has_no_place() {
          [journal]\nspeed = '1 rad/s'\neccentricity = 0.2\nmin_film_angle = '180 deg'\n[oil]\nviscosity = '0.4 Pa.s'\n",
     );
     let film = solved(&scene);
-    assert!(
-        film.quantities
-            .iter()
-            .all(|quantity| !quantity.name.starts_with("pressure_max_"))
-    );
+    assert!(film.quantities.iter().all(|quantity| !quantity.name.starts_with("pressure_max_")));
 }
 
 /// Bars of places against a finer mesh, in films of finite length.
 #[test]
 fn bars_of_places_hold() {
     for model in ["guembel", "reynolds", "jfo"] {
-        let start = if model == "guembel" {
-            ""
-        } else {
-            "film_start = '30 deg'"
-        };
+        let start = if model == "guembel" { "" } else { "film_start = '30 deg'" };
         let fine = solved(&ring(start, model, 0.7, "1 mm", "10 rad/s"));
         let coarse = solved(&ring(start, model, 0.7, "5 mm", "10 rad/s"));
-        for name in [
-            "pressure_max_angle",
-            "pressure_max_z",
-            "film_start_angle",
-            "film_end_angle",
-        ] {
+        for name in ["pressure_max_angle", "pressure_max_z", "film_start_angle", "film_end_angle"] {
             let ([value, bar], [better, rest]) = (number(&coarse, name), number(&fine, name));
-            assert!(
-                (value - better).abs() <= bar + rest,
-                "{model} {name}: {value} +- {bar}, {better} +- {rest}"
-            );
+            assert!((value - better).abs() <= bar + rest, "{model} {name}: {value} +- {bar}, {better} +- {rest}");
             assert!(rest <= 0.5 * bar || bar < 1e-9, "{model} {name}: {bar} {rest}");
         }
     }
@@ -187,9 +159,6 @@ fn rows_of_triangles_have_both_ends() {
         let film = solved(&scene);
         is(&film, "film_start_angle", 10.6, 1e-9);
         let ([rupture, bar], [top, _]) = (number(&film, "film_end_angle"), number(&film, "pressure_max_angle"));
-        assert!(
-            top < 190.6 && rupture > 190.6 && rupture - bar < 230.0,
-            "{top} {rupture} {bar}"
-        );
+        assert!(top < 190.6 && rupture > 190.6 && rupture - bar < 230.0, "{top} {rupture} {bar}");
     }
 }

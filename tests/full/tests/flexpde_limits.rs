@@ -10,10 +10,7 @@ fn limits_of_existence() {
         let (liner, eccentricity) = (&limit.liner, limit.eccentricity);
         // Three digits of a coarse mesh, and two.
         for ([reference, found], part) in [(limit.conservative, 5e-3), (limit.as_printed, 2e-2)] {
-            assert!(
-                (found / reference - 1.0).abs() < part,
-                "{liner} {eccentricity}: {found} {reference}"
-            );
+            assert!((found / reference - 1.0).abs() < part, "{liner} {eccentricity}: {found} {reference}");
         }
     }
 }

@@ -21,10 +21,7 @@ fn grooved(size: f64) -> RunResult {
          groove = {{ from = \"82.5 deg\", to = \"97.5 deg\", width = \"60 mm\", z = \"0 mm\" }}\n"
     );
     let scene = oilwedge_study::parse(&text, Path::new("grooved.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { bars: false, ..RunOptions::of(&scene) };
     oilwedge_study::run(&scene, &options).expect("a film").result
 }
 
@@ -39,32 +36,21 @@ fn coefficients_follow_the_frequency() {
     let [stiffness, damping] = ["K", "C"].map(|key| rows(&block[key]));
     let whirls = numbers(&block["nu_over_omega"]);
     assert!(report.depends_on_whirl && report.coefficients.len() == whirls.len());
-    each(
-        &(0..whirls.len())
-            .map(|place| serde_json::json!(place))
-            .collect::<Vec<_>>(),
-        |place| {
-            let place = place.as_u64().expect("a number") as usize;
-            let Pair {
-                stiffness: k,
-                damping: c,
-            } = &report.coefficients[place].in_bearing;
-            for (found, wanted, unit) in [(k, &stiffness[place], unit), (c, &damping[place], unit / speed)] {
-                let wanted = numbers(wanted);
-                for entry in 0..4 {
-                    let value = found[entry / 2][entry % 2] / unit;
-                    let greatest = wanted[entry - entry % 2].abs().max(wanted[entry - entry % 2 + 1].abs());
-                    if (value - wanted[entry]).abs() > 0.03 * greatest {
-                        return Err(format!(
-                            "nu {}, entry {entry}: {value}, not {}",
-                            whirls[place], wanted[entry]
-                        ));
-                    }
+    each(&(0..whirls.len()).map(|place| serde_json::json!(place)).collect::<Vec<_>>(), |place| {
+        let place = place.as_u64().expect("a number") as usize;
+        let Pair { stiffness: k, damping: c } = &report.coefficients[place].in_bearing;
+        for (found, wanted, unit) in [(k, &stiffness[place], unit), (c, &damping[place], unit / speed)] {
+            let wanted = numbers(wanted);
+            for entry in 0..4 {
+                let value = found[entry / 2][entry % 2] / unit;
+                let greatest = wanted[entry - entry % 2].abs().max(wanted[entry - entry % 2 + 1].abs());
+                if (value - wanted[entry]).abs() > 0.03 * greatest {
+                    return Err(format!("nu {}, entry {entry}: {value}, not {}", whirls[place], wanted[entry]));
                 }
             }
-            Ok(())
-        },
-    );
+        }
+        Ok(())
+    });
 }
 
 /// The coefficients of slow motions are the limit of those at a frequency; the whirl at which a rotor is judged is its own.
@@ -87,19 +73,11 @@ fn slow_motions_are_the_limit_and_the_whirl_is_its_own() {
         most
     };
     assert!(off(&slow, &limit) < 1e-6, "{:e}", off(&slow, &limit));
-    assert!(
-        off(&slow, &of(1.0)) > 1e-4,
-        "the cavity takes no part: {:e}",
-        off(&slow, &of(1.0))
-    );
+    assert!(off(&slow, &of(1.0)) > 1e-4, "the cavity takes no part: {:e}", off(&slow, &of(1.0)));
     let dynamics = Dynamics::of(&problem, &system, &film, &[0.0]).expect("coefficients");
     let Stability::Below(threshold) = stability(&dynamics.judged.coefficients) else {
         panic!("{:?}", dynamics.stability);
     };
     let ratio = threshold.frequency / SPEED;
-    assert!(
-        (ratio - dynamics.judged.whirl).abs() < 1e-8,
-        "{ratio} {}",
-        dynamics.judged.whirl
-    );
+    assert!((ratio - dynamics.judged.whirl).abs() < 1e-8, "{ratio} {}", dynamics.judged.whirl);
 }

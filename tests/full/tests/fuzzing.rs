@@ -19,9 +19,7 @@ const MOST_MEMORY: u32 = 512;
 fn in_fuzz(program: &str) -> Command {
     let mut command = Command::new(program);
     // To name the functions of a backtrace takes more memory than a target may have.
-    command
-        .current_dir(repository().join("fuzz"))
-        .env("RUST_BACKTRACE", "0");
+    command.current_dir(repository().join("fuzz")).env("RUST_BACKTRACE", "0");
     for (name, _) in std::env::vars_os() {
         let cargo = name.to_string_lossy().starts_with("CARGO_PKG_")
             || name == "RUSTFLAGS"
@@ -36,17 +34,13 @@ fn in_fuzz(program: &str) -> Command {
 
 /// Builds all targets and returns the folder they are in.
 fn build() -> PathBuf {
-    let built = in_fuzz(env!("CARGO"))
-        .args(["build", "--release", "--locked", "--bins"])
-        .output();
+    let built = in_fuzz(env!("CARGO")).args(["build", "--release", "--locked", "--bins"]).output();
     let built = built.expect("cargo starts");
     let told = String::from_utf8_lossy(&built.stderr);
     assert!(built.status.success(), "the targets do not build:\n{told}");
     let folders = std::fs::read_dir(repository().join("target/fuzz")).expect("target/fuzz");
     let mut folders = folders.map(|entry| entry.expect("an entry").path().join("release"));
-    folders
-        .find(|folder| folder.join("msh").is_file())
-        .expect("the targets were built")
+    folders.find(|folder| folder.join("msh").is_file()).expect("the targets were built")
 }
 
 /// Runs a target; what it says if it ends otherwise than well.
@@ -68,15 +62,9 @@ fn fuzz(programs: &Path, target: &str, seconds: u32) -> Option<String> {
     if repository().join("fuzz").join(&words).is_file() {
         command.arg(format!("-dict={words}"));
     }
-    let output = command
-        .arg(new.path())
-        .arg(format!("corpus/{target}"))
-        .output()
-        .expect("a target starts");
+    let output = command.arg(new.path()).arg(format!("corpus/{target}")).output().expect("a target starts");
     let told = String::from_utf8_lossy(&output.stderr);
-    let runs = told
-        .lines()
-        .find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
+    let runs = told.lines().find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
     println!("{target}: {} executions", runs.unwrap_or("no").trim());
     if output.status.success() {
         return None;
@@ -95,9 +83,7 @@ fn half_a_minute_finds_nothing() {
         return;
     }
     let programs = build();
-    let failures: Vec<String> = TARGETS
-        .iter()
-        .filter_map(|&(target, seconds)| fuzz(&programs, target, seconds))
-        .collect();
+    let failures: Vec<String> =
+        TARGETS.iter().filter_map(|&(target, seconds)| fuzz(&programs, target, seconds)).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n\n"));
 }

@@ -30,21 +30,9 @@ fn every_quick_case_is_explained() {
     let all = suite::count(&[], true).expect("the families can be read");
     assert!(all >= 150 && verdicts.len() >= 80, "{} of {all} cases", verdicts.len());
     let faults: Vec<String> = (verdicts.iter().filter(|verdict| !verdict.faults.is_empty()))
-        .map(|verdict| {
-            format!(
-                "{} ({}): {}",
-                verdict.case.name(),
-                verdict.case.family,
-                verdict.faults.join("; ")
-            )
-        })
+        .map(|verdict| format!("{} ({}): {}", verdict.case.name(), verdict.case.family, verdict.faults.join("; ")))
         .collect();
-    assert!(
-        faults.is_empty(),
-        "{} unexplained:\n{}",
-        faults.len(),
-        faults.join("\n")
-    );
+    assert!(faults.is_empty(), "{} unexplained:\n{}", faults.len(), faults.join("\n"));
     let bare = |verdict: &&Verdict| verdict.end == Expect::Converged && verdict.against.is_empty();
     assert_eq!(verdicts.iter().find(bare).map(|verdict| verdict.case.name()), None);
 }
@@ -52,8 +40,5 @@ fn every_quick_case_is_explained() {
 #[test]
 fn a_family_that_is_not_there_is_told_with_those_that_are() {
     let error = suite::count(&["moon".to_owned()], true).expect_err("no such family");
-    assert!(
-        error.to_string().contains("moon") && error.to_string().contains("loads"),
-        "{error}"
-    );
+    assert!(error.to_string().contains("moon") && error.to_string().contains("loads"), "{error}");
 }

@@ -39,34 +39,20 @@ fn by_mshio(bytes: &[u8]) -> Result<MshFile, String> {
     let mut file = MshFile::default();
     for block in &nodes.node_blocks {
         let first = file.nodes.len() as u64;
-        let mut tags: Vec<u64> = (0..block.nodes.len() as u64)
-            .map(|k| nodes.min_node_tag + first + k)
-            .collect();
+        let mut tags: Vec<u64> = (0..block.nodes.len() as u64).map(|k| nodes.min_node_tag + first + k).collect();
         for (&tag, &place) in block.node_tags.iter().flatten() {
             tags[place] = tag;
         }
         file.tags.extend(tags);
-        file.nodes
-            .extend(block.nodes.iter().map(|node| [node.x, node.y, node.z]));
+        file.nodes.extend(block.nodes.iter().map(|node| [node.x, node.y, node.z]));
     }
     let place: HashMap<u64, u32> = file.tags.iter().copied().zip(0..).collect();
     let entities = data.entities.ok_or("no entities")?;
-    let curves = entities
-        .curves
-        .iter()
-        .map(|curve| ((1, curve.tag), &curve.physical_tags));
-    let surfaces = entities
-        .surfaces
-        .iter()
-        .map(|surface| ((2, surface.tag), &surface.physical_tags));
+    let curves = entities.curves.iter().map(|curve| ((1, curve.tag), &curve.physical_tags));
+    let surfaces = entities.surfaces.iter().map(|surface| ((2, surface.tag), &surface.physical_tags));
     let groups: HashMap<(i32, i32), &Vec<i32>> = curves.chain(surfaces).collect();
     let names = names(bytes);
-    let name = |dim: i32, tag: i32| {
-        names
-            .get(&(dim, tag))
-            .cloned()
-            .unwrap_or_else(|| format!("{dim} {tag}"))
-    };
+    let name = |dim: i32, tag: i32| names.get(&(dim, tag)).cloned().unwrap_or_else(|| format!("{dim} {tag}"));
     for block in &elements.element_blocks {
         let (dim, mid_side) = match block.element_type {
             ElementType::Pnt => continue,
@@ -88,9 +74,7 @@ fn by_mshio(bytes: &[u8]) -> Result<MshFile, String> {
                 file.triangles.push([node(0)?, node(1)?, node(2)?]);
             }
             if mid_side {
-                file.mid_nodes
-                    .get_or_insert_default()
-                    .push([node(3)?, node(4)?, node(5)?]);
+                file.mid_nodes.get_or_insert_default().push([node(3)?, node(4)?, node(5)?]);
             }
         }
     }
@@ -98,10 +82,7 @@ fn by_mshio(bytes: &[u8]) -> Result<MshFile, String> {
 }
 
 fn entry<T>(groups: &mut Vec<(String, Vec<T>)>, name: String) -> &mut Vec<T> {
-    let place = groups
-        .iter()
-        .position(|(group, _)| *group == name)
-        .unwrap_or(groups.len());
+    let place = groups.iter().position(|(group, _)| *group == name).unwrap_or(groups.len());
     if place == groups.len() {
         groups.push((name, Vec::new()));
     }
@@ -138,9 +119,7 @@ fn bytes(path: &Path) -> Vec<u8> {
 fn both_read_the_shipped_meshes_alike() {
     let folder = std::fs::read_dir(repository().join("meshes")).expect("meshes");
     let files = folder.map(|entry| entry.expect("an entry").path());
-    let meshes: Vec<PathBuf> = files
-        .filter(|path| path.extension().is_some_and(|ending| ending == "msh"))
-        .collect();
+    let meshes: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|ending| ending == "msh")).collect();
     assert!(meshes.len() >= 10, "only {} meshes", meshes.len());
     for mesh in meshes {
         let file = alike(&bytes(&mesh), &mesh.display().to_string());
@@ -152,38 +131,23 @@ fn both_read_the_shipped_meshes_alike() {
 #[test]
 fn both_read_files_of_gmsh_alike() {
     let folder = repository().join("crates/mesh/tests/data");
-    for name in [
-        "plane_ring",
-        "plane_ring_binary",
-        "plane_ring_sparse",
-        "plane_ring_straight",
-        "cylinder_x",
-        "half_x",
-    ] {
+    for name in ["plane_ring", "plane_ring_binary", "plane_ring_sparse", "plane_ring_straight", "cylinder_x", "half_x"]
+    {
         alike(&bytes(&folder.join(format!("{name}.msh"))), name);
     }
 }
 
 fn feature(dice: &mut Dice, liner: &Liner, number: u32) -> Feature {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
-    let centre = [
-        liner.radius * dice.between(from, to),
-        liner.length * dice.between(-0.35, 0.35),
-    ];
+    let centre = [liner.radius * dice.between(from, to), liner.length * dice.between(-0.35, 0.35)];
     let small = liner.radius.min(liner.length);
     let shape = match dice.chance(0.6) {
         true => Shape::disc(centre, small * dice.between(0.05, 0.2)),
-        false => Shape {
-            centre,
-            half: [small * dice.between(0.05, 0.3), small * dice.between(0.05, 0.3)],
-            corner: 0.0,
-        },
+        false => {
+            Shape { centre, half: [small * dice.between(0.05, 0.3), small * dice.between(0.05, 0.3)], corner: 0.0 }
+        }
     };
-    Feature {
-        name: format!("hole number {number}"),
-        shape,
-        meshed: dice.chance(0.5),
-    }
+    Feature { name: format!("hole number {number}"), shape, meshed: dice.chance(0.5) }
 }
 
 /// A random liner with up to three holes or pockets, a few hundred triangles.
@@ -196,11 +160,8 @@ fn liner(dice: &mut Dice) -> Mesh {
             arc: dice.chance(0.4).then(|| (0.3, dice.between(1.0, 5.5))),
         };
         let count = dice.between(0.0, 3.999) as u32;
-        let blueprint = Blueprint {
-            liner,
-            features: (0..count).map(|number| feature(dice, &liner, number)).collect(),
-            line: None,
-        };
+        let blueprint =
+            Blueprint { liner, features: (0..count).map(|number| feature(dice, &liner, number)).collect(), line: None };
         let size = radius.min(liner.length) * dice.between(0.5, 1.5);
         // A drawing whose holes overlap is drawn anew.
         if let Ok(mesh) = generate(&blueprint, &|_| size) {
@@ -228,9 +189,7 @@ fn both_read_a_thousand_random_liners_alike_in_every_form() {
             assert_eq!(again.triangles.len(), file.triangles.len());
             let lengths = |file: &MshFile| -> BTreeMap<String, usize> {
                 let surfaces = file.surfaces.iter().map(|(name, cells)| (name.clone(), cells.len()));
-                surfaces
-                    .chain(file.curves.iter().map(|(name, lines)| (name.clone(), lines.len())))
-                    .collect()
+                surfaces.chain(file.curves.iter().map(|(name, lines)| (name.clone(), lines.len()))).collect()
             };
             assert_eq!(lengths(&again), lengths(&file));
         }
@@ -254,10 +213,7 @@ fn what_mshio_misreads_is_documented() {
         let bytes = bytes(&folder.join(format!("{name}.msh")));
         assert_eq!(outcome(|| gmsh::parse(&bytes)), ours, "{name}");
         assert_eq!(outcome(|| mshio::parse_msh_bytes(&bytes)), theirs, "{name}: mshio");
-        assert!(
-            page.contains(&format!("tests/data/mshio/{name}.msh")),
-            "the page does not name {name}.msh"
-        );
+        assert!(page.contains(&format!("tests/data/mshio/{name}.msh")), "the page does not name {name}.msh");
         files -= 1;
     }
     assert_eq!(files, 0, "a file without a row");

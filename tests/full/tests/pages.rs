@@ -25,10 +25,7 @@ fn own_meshes_are_no_worse_than_those_of_gmsh() {
 fn up_to_date(name: &str, page: fn(&str) -> String) {
     let path = oilwedge_tests::program::repository().join("docs").join(name);
     let written = std::fs::read_to_string(path).expect("page");
-    assert!(
-        written == page(&written),
-        "run: cargo run --release -p oilwedge-full -- validation"
-    );
+    assert!(written == page(&written), "run: cargo run --release -p oilwedge-full -- validation");
 }
 
 #[test]
@@ -56,13 +53,7 @@ fn the_page_of_crankshafts_is_up_to_date() {
 fn words(svg: &str) -> String {
     svg.split(" d=\"")
         .enumerate()
-        .map(|(k, part)| {
-            if k == 0 {
-                part
-            } else {
-                part.split_once('"').map_or("", |(_, rest)| rest)
-            }
-        })
+        .map(|(k, part)| if k == 0 { part } else { part.split_once('"').map_or("", |(_, rest)| rest) })
         .collect()
 }
 
@@ -71,10 +62,7 @@ fn the_images_of_the_documentation_are_up_to_date() {
     let folder = repository().join("docs/images");
     for (file, svg) in images() {
         let written = std::fs::read_to_string(folder.join(&file)).unwrap_or_default();
-        assert!(
-            words(&written) == words(&svg),
-            "{file}: run cargo run --release -p oilwedge-full -- validation"
-        );
+        assert!(words(&written) == words(&svg), "{file}: run cargo run --release -p oilwedge-full -- validation");
     }
     let files = std::fs::read_dir(&folder)
         .expect("docs/images")

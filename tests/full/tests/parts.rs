@@ -56,25 +56,12 @@ fn parts_joined_are_the_sweep_by_itself() {
     // Six chains: one a part, several a part, and more parts than chains.
     loaded(&bench, 9);
     for (of, bars) in [(1, "none"), (6, "auto"), (4, "none"), (8, "none")] {
-        done(&bench.run(&[
-            "sweep",
-            "scene.toml",
-            "--json",
-            "--bars",
-            bars,
-            "--out",
-            "whole",
-            "--fresh",
-        ]));
+        done(&bench.run(&["sweep", "scene.toml", "--json", "--bars", bars, "--out", "whole", "--fresh"]));
         let told = compute(&bench, of, bars);
         let empty = |text: &&String| text.contains("has no case") && text.contains("6 chains");
         assert_eq!(told.iter().filter(empty).count(), of.saturating_sub(6), "{told:?}");
         done(&bench.run(&["sweep", "scene.toml", "--join", "map", "--json", "--bars", bars]));
-        assert_eq!(
-            timeless(&table(&bench, "map")),
-            timeless(&table(&bench, "whole")),
-            "{of} parts"
-        );
+        assert_eq!(timeless(&table(&bench, "map")), timeless(&table(&bench, "whole")), "{of} parts");
         assert_eq!(about(&bench, "map"), about(&bench, "whole"), "{of} parts");
         // The seconds are those of the runs that computed the rows.
         let row = read(&bench, &format!("map/parts/{of:03}-of-{of:03}/sweep.csv"));
@@ -88,26 +75,11 @@ fn parts_joined_are_the_sweep_by_itself() {
 fn a_part_is_computed_once_and_goes_on_after_a_kill() {
     let bench = Bench::new();
     loaded(&bench, 9);
-    let part = |number: &str| {
-        bench.run(&[
-            "sweep",
-            "scene.toml",
-            "--bars",
-            "none",
-            "--out",
-            "map",
-            "--part",
-            number,
-        ])
-    };
+    let part = |number: &str| bench.run(&["sweep", "scene.toml", "--bars", "none", "--out", "map", "--part", number]);
     for number in ["1/2", "2/2"] {
         let told = part(number);
         assert_eq!(told.status, 0, "{}", told.stderr);
-        assert!(
-            told.stdout.contains(&format!("part {number}, 9 cases")),
-            "{}",
-            told.stdout
-        );
+        assert!(told.stdout.contains(&format!("part {number}, 9 cases")), "{}", told.stdout);
     }
     let again = part("2/2");
     assert!(again.stdout.contains("nothing was left to compute"), "{}", again.stdout);
@@ -121,18 +93,11 @@ fn a_part_is_computed_once_and_goes_on_after_a_kill() {
     let join = ["sweep", "scene.toml", "--bars", "none", "--join", "map"];
     bench.refuses(&join, &["of its 2 parts 2 has not ended", "--part 2/2 --out map"]);
     assert!(part("2/2").stdout.contains("kept"), "no row was kept");
-    assert_eq!(
-        timeless(&read(&bench, "map/parts/002-of-002/sweep.csv")),
-        timeless(&whole)
-    );
+    assert_eq!(timeless(&read(&bench, "map/parts/002-of-002/sweep.csv")), timeless(&whole));
     let told = bench.run(&join);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let words = " a case, added up over all parts";
-    assert!(
-        told.stdout.contains(words) && !told.stdout.contains("kept"),
-        "{}",
-        told.stdout
-    );
+    assert!(told.stdout.contains(words) && !told.stdout.contains("kept"), "{}", told.stdout);
     let told = bench.run(&["sweep", "scene.toml", "--bars", "none", "--out", "map"]);
     assert!(told.stdout.contains("kept      18 cases"), "{}", told.stdout);
 }
@@ -147,22 +112,9 @@ fn a_join_writes_the_table_for_rotors_and_parts_do_not() {
     done(&bench.run(&["sweep", "scene.toml", "--json", "--bars", "none", "--out", "whole"]));
     compute(&bench, 2, "none");
     assert!(!file(&bench, "parts/001-of-002/rotor_bearing.csv").exists());
-    let told = bench.run(&[
-        "sweep",
-        "scene.toml",
-        "--bars",
-        "none",
-        "--join",
-        "map",
-        "--out",
-        "joined",
-        "--report",
-    ]);
+    let told = bench.run(&["sweep", "scene.toml", "--bars", "none", "--join", "map", "--out", "joined", "--report"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
-    assert_eq!(
-        read(&bench, "joined/rotor_bearing.csv"),
-        read(&bench, "whole/rotor_bearing.csv")
-    );
+    assert_eq!(read(&bench, "joined/rotor_bearing.csv"), read(&bench, "whole/rotor_bearing.csv"));
     assert!(bench.path().join("joined/sweep.html").is_file());
     assert!(!file(&bench, "sweep.csv").exists());
 }
@@ -198,20 +150,11 @@ fn a_join_refuses_gaps() {
 fn a_join_refuses_parts_of_other_sweeps() {
     let bench = six_parts();
     // Other bars.
-    bench.refuses(
-        &["sweep", "scene.toml", "--join", "map"],
-        &["001-of-006", "without error bars", "--bars"],
-    );
+    bench.refuses(&["sweep", "scene.toml", "--join", "map"], &["001-of-006", "without error bars", "--bars"]);
     // Another scene.
     let text = read(&bench, "scene.toml");
     bench.write("scene.toml", format!("# Later.\n{text}"));
-    bench.refuses(
-        &JOIN,
-        &[
-            "another scene, or of this one before it was changed",
-            "--part 1/6 --out map --fresh",
-        ],
-    );
+    bench.refuses(&JOIN, &["another scene, or of this one before it was changed", "--part 1/6 --out map --fresh"]);
     bench.write("scene.toml", text);
     // Another program.
     let about = read(&bench, "map/parts/003-of-006/sweep.json");
@@ -233,9 +176,7 @@ fn a_sweep_under_another_table_of_loads_is_another_one() {
     let load = |peak: f64| {
         let row = |angle: u32, force: f64| format!("{angle},{force},{}\n", 0.5 * force);
         let angles = (0..=720).step_by(90);
-        let rows: String = angles
-            .map(|angle| row(angle, if angle % 720 == 360 { peak } else { 1000.0 }))
-            .collect();
+        let rows: String = angles.map(|angle| row(angle, if angle % 720 == 360 { peak } else { 1000.0 })).collect();
         bench.write("load.csv", format!("angle [deg],Fx [N],Fy [N]\n{rows}"));
     };
     load(2000.0);
@@ -250,13 +191,7 @@ fn a_sweep_under_another_table_of_loads_is_another_one() {
     let told = bench.run(&again);
     assert!(told.stdout.contains("nothing was left to compute"), "{}", told.stdout);
     load(3000.0);
-    bench.refuses(
-        &again,
-        &[
-            "map holds a sweep of another table of loads or gas pressures",
-            "--fresh",
-        ],
-    );
+    bench.refuses(&again, &["map holds a sweep of another table of loads or gas pressures", "--fresh"]);
 }
 
 #[test]
@@ -297,19 +232,7 @@ fn a_join_refuses_doubles() {
 fn bad_parts_are_refused() {
     let bench = Bench::new();
     loaded(&bench, 9);
-    for part in [
-        "0/4",
-        "5/4",
-        "a/b",
-        "3",
-        "3/4/5",
-        "-1/4",
-        "1/0",
-        "",
-        "1.5/4",
-        "1/1000001",
-        "1/99999999999",
-    ] {
+    for part in ["0/4", "5/4", "a/b", "3", "3/4/5", "-1/4", "1/0", "", "1.5/4", "1/1000001", "1/99999999999"] {
         let flag = format!("--part={part}");
         bench.refuses(&["sweep", "scene.toml", &flag], &["--part", "3/40", "1 <= K <= N"]);
     }
@@ -321,9 +244,6 @@ fn bad_parts_are_refused() {
         (&["--join", "map", "--max-seconds", "3"], "--max-seconds"),
         (&["--join", "map", "--max-unknowns", "300"], "--max-unknowns"),
     ] {
-        bench.refuses(
-            &[&["sweep", "scene.toml"], flags].concat(),
-            &["cannot be used with", word],
-        );
+        bench.refuses(&[&["sweep", "scene.toml"], flags].concat(), &["cannot be used with", word]);
     }
 }

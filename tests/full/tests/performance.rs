@@ -12,10 +12,7 @@ fn the_binary_file_is_the_ring() {
     let ring = scene(&films.ring(Kind::Linear, 5000));
     let mesh = phases::mesh(&ring);
     let quality = Quality::of(&mesh);
-    assert!(
-        (0.9..1.1).contains(&(quality.quadratic_nodes as f64 / 5000.0)),
-        "{quality:?}"
-    );
+    assert!((0.9..1.1).contains(&(quality.quadratic_nodes as f64 / 5000.0)), "{quality:?}");
     assert_eq!(quality.unnamed_boundary_edges, 0);
     assert!(quality.least_angle > 25.0, "{quality:?}");
     // Through the text that the program writes, and back.
@@ -43,14 +40,8 @@ fn sizes_are_those_of_a_ring() {
     assert!(sizes.factor > 0.5 * (sizes.entries + sizes.rows));
     assert!(sizes.factor_flops > sizes.factor * sizes.factor / sizes.rows);
     let [bytes, operations] = sizes.work(Path::Substitute);
-    assert_eq!(
-        [bytes, operations],
-        [16.0 * sizes.factor + 32.0 * sizes.rows, 4.0 * sizes.factor]
-    );
+    assert_eq!([bytes, operations], [16.0 * sizes.factor + 32.0 * sizes.rows, 4.0 * sizes.factor]);
     let whole = sizes.work(Path::FileToLoad)[0];
-    let parts: f64 = [Path::Read, Path::Number, Path::Assemble]
-        .map(|path| sizes.work(path)[0])
-        .iter()
-        .sum();
+    let parts: f64 = [Path::Read, Path::Number, Path::Assemble].map(|path| sizes.work(path)[0]).iter().sum();
     assert_eq!(whole, parts + 12.0 * sizes.entries);
 }

@@ -41,10 +41,7 @@ fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
     let (result, fault) = solved(&TiltedBearing::new(219));
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
     assert!(fault.is_none(), "{fault:?}");
-    let thinnest = result
-        .quantities
-        .iter()
-        .find(|quantity| quantity.name == "film_thickness_min");
+    let thinnest = result.quantities.iter().find(|quantity| quantity.name == "film_thickness_min");
     let thinnest = thinnest.expect("a film").value;
     assert!(thinnest < 0.3e-6, "{thinnest}");
     // On the very first mesh the film is no thicker than its bar.
@@ -64,9 +61,7 @@ fn a_journal_that_tips_over_is_told() {
     assert_eq!(whole.status, Status::NoSolution, "{}", of(&whole));
     let reason = of(&whole);
     let part = reason.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
-    let part: f64 = part
-        .and_then(|part| part.parse().ok())
-        .unwrap_or_else(|| panic!("{reason}"));
+    let part: f64 = part.and_then(|part| part.parse().ok()).unwrap_or_else(|| panic!("{reason}"));
     assert!(reason.contains("tips over") && part > 5.0 && part < 30.0, "{reason}");
     // The whole moment about mid-length, z_F F + M.
     let with = |share: f64| {
@@ -78,11 +73,7 @@ fn a_journal_that_tips_over_is_told() {
                 false => text += &format!("{line}\n"),
             }
         }
-        solved(&TiltedBearing {
-            text,
-            ..bearing.clone()
-        })
-        .0
+        solved(&TiltedBearing { text, ..bearing.clone() }).0
     };
     let (below, above) = (with(0.9e-2 * part), with(1.2e-2 * part));
     assert_eq!(below.status, Status::Converged, "{}", of(&below));

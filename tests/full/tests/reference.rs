@@ -34,15 +34,9 @@ fn plain_ring_with(fragment: &str) -> toml::Table {
     {
         journal.retain(|key, _| key == "speed");
     }
-    let is_law = |oil: &toml::Table| {
-        ["grade", "walther", "vogel", "table"]
-            .iter()
-            .any(|law| oil.contains_key(*law))
-    };
-    if let (Some(own), Some(oil)) = (
-        table_of(&mut scene, "oil"),
-        fragment.get("oil").and_then(toml::Value::as_table),
-    ) && is_law(oil)
+    let is_law = |oil: &toml::Table| ["grade", "walther", "vogel", "table"].iter().any(|law| oil.contains_key(*law));
+    if let (Some(own), Some(oil)) = (table_of(&mut scene, "oil"), fragment.get("oil").and_then(toml::Value::as_table))
+        && is_law(oil)
     {
         own.remove("viscosity");
     }
@@ -71,11 +65,7 @@ fn every_key_of_a_scene_is_explained() {
     for key in keys() {
         let (table, name) = key.path.split_once('.').unwrap_or(("", key.path));
         let spellings = match table {
-            "" => vec![
-                format!("\n## `[{name}]`"),
-                format!("\n## `[[{name}]]`"),
-                format!("\n{name} = "),
-            ],
+            "" => vec![format!("\n## `[{name}]`"), format!("\n## `[[{name}]]`"), format!("\n{name} = ")],
             // An axis is explained by examples.
             "sweep" => continue,
             _ => vec![format!("\n| `{name}` | ")],
@@ -111,15 +101,9 @@ fn the_rules_of_error_bars_are_those_of_the_code() {
     for rule in rules {
         assert!(page.contains(&format!("\n{rule}\n")), "{rule}");
     }
-    let unsure = code
-        .split("const PER_UNSURE: f64 = ")
-        .nth(1)
-        .and_then(|rest| rest.split(';').next());
+    let unsure = code.split("const PER_UNSURE: f64 = ").nth(1).and_then(|rest| rest.split(';').next());
     let unsure: f64 = unsure.and_then(|number| number.parse().ok()).expect("a factor");
-    assert!(
-        page.contains(&format!("+ {unsure} (what is booked by chance)")),
-        "{unsure}"
-    );
+    assert!(page.contains(&format!("+ {unsure} (what is booked by chance)")), "{unsure}");
 }
 
 /// The result of a shipped scene as its reader meets it.
@@ -149,12 +133,8 @@ fn every_key_of_a_load_is_explained() {
 #[test]
 fn the_result_shown_is_that_of_scene_02() {
     let examples = blocks(&Page::read("docs/reference/result.md")).into_iter();
-    let example = examples
-        .filter(|block| block.language == "json")
-        .map(|block| block.text);
-    let [example] = &example.collect::<Vec<_>>()[..] else {
-        panic!("one example")
-    };
+    let example = examples.filter(|block| block.language == "json").map(|block| block.text);
+    let [example] = &example.collect::<Vec<_>>()[..] else { panic!("one example") };
     let example: Value = serde_json::from_str(example).expect("the example is JSON");
     let result = result("02_flexpde_shell");
     let keys = |value: &Value| -> Vec<String> {
@@ -165,29 +145,14 @@ fn the_result_shown_is_that_of_scene_02() {
     for key in ["timing_s", "counts", "balances"] {
         assert_eq!(keys(&example[key]), keys(&result[key]), "{key}");
     }
-    for key in [
-        "title",
-        "version",
-        "scene_sha256",
-        "mesh_sha256",
-        "status",
-        "reason",
-        "counts",
-    ] {
+    for key in ["title", "version", "scene_sha256", "mesh_sha256", "status", "reason", "counts"] {
         assert_eq!(example[key], result[key], "{key}");
     }
     assert_eq!(example["effects"]["simulated"], result["effects"]["simulated"]);
-    let numbers = [
-        ("mesh", "cells"),
-        ("mesh", "nodes"),
-        ("mesh", "order"),
-        ("mesh", "min_angle_deg"),
-    ];
+    let numbers = [("mesh", "cells"), ("mesh", "nodes"), ("mesh", "order"), ("mesh", "min_angle_deg")];
     let pairs = numbers.map(|(table, key)| (&example[table][key], &result[table][key]));
     let shown = example["quantities"].as_object().expect("quantities");
-    let shown = shown
-        .iter()
-        .map(|(name, it)| (&it["value"], &result["quantities"][name]["value"]));
+    let shown = shown.iter().map(|(name, it)| (&it["value"], &result["quantities"][name]["value"]));
     for (shown, found) in pairs.into_iter().chain(shown) {
         let [shown, found] = [shown, found].map(|value| value.as_f64().expect("a number"));
         assert!((shown / found - 1.0).abs() < 1e-6, "{shown} {found}");
@@ -235,9 +200,7 @@ fn every_quantity_is_explained() {
     assert!(!has(5, "cavity_flow") && has(5, "cavity_share") && has(5, "film_fraction_min"));
     for result in &results {
         for name in result["quantities"].as_object().expect("quantities").keys() {
-            let shown = name
-                .split_once('.')
-                .map_or(name.clone(), |(name, _)| format!("{name}.GROUP"));
+            let shown = name.split_once('.').map_or(name.clone(), |(name, _)| format!("{name}.GROUP"));
             assert!(page.contains(&format!("`{shown}`")), "{shown}");
         }
     }

@@ -29,9 +29,7 @@ fn what_is_handed_out_works_without_rust() {
     let shell = |line: &str| {
         let mut bash = Command::new("bash");
         bash.args(["-euc", line]).current_dir(bench.path());
-        bash.env("CARGO_TARGET_DIR", target)
-            .env("REPOSITORY", repository())
-            .env_remove("RUSTC_BOOTSTRAP");
+        bash.env("CARGO_TARGET_DIR", target).env("REPOSITORY", repository()).env_remove("RUSTC_BOOTSTRAP");
         bash.env("SCENE", repository().join("scenes/02_flexpde_shell.toml"));
         let output = bash.output().expect("bash starts");
         let [stdout, stderr] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
@@ -52,10 +50,7 @@ fn what_is_handed_out_works_without_rust() {
     // The program runs in an empty environment, and the module in a Python that knows no Rust, to the same number.
     shell("tar -xzf dist/oilwedge-*-$(uname -m)-*.tar.gz; mv oilwedge-* program");
     let libraries = shell("ldd program/oilwedge");
-    assert!(
-        libraries.contains("libc.so") && libraries.lines().count() <= 5,
-        "{libraries}"
-    );
+    assert!(libraries.contains("libc.so") && libraries.lines().count() <= 5, "{libraries}");
     shell("env -i program/oilwedge solve \"$SCENE\" --out result");
     let pressure = &json("result/result.json")["quantities"]["pressure_max"]["value"];
     shell(INSTALL);
@@ -69,9 +64,7 @@ fn what_is_handed_out_works_without_rust() {
     let licences = read_to_string(bench.path().join("program/licences/dependencies.txt")).expect("licences");
     assert!(licences.contains("SIL OPEN FONT LICENSE"), "no font");
     for part in parts.iter().filter(|part| part["hashes"].is_array()) {
-        let title = ["name", "version"]
-            .map(|key| part[key].as_str().expect("a text"))
-            .join(" ");
+        let title = ["name", "version"].map(|key| part[key].as_str().expect("a text")).join(" ");
         assert!(licences.contains(&format!("{title}: ")), "{title} has no licence");
     }
 
@@ -104,9 +97,6 @@ fn what_is_missing_is_named_with_what_installs_it() {
         std::os::unix::fs::symlink(found, bench.path().join(tool)).expect("a link");
     }
     let (status, told) = run(&["--out", "dist"], &bench.path().to_string_lossy());
-    assert!(
-        status == Some(2) && told.contains("cargo is missing: install Rust"),
-        "{told}"
-    );
+    assert!(status == Some(2) && told.contains("cargo is missing: install Rust"), "{told}");
     assert!(!bench.path().join("dist").exists(), "{told}");
 }

@@ -36,10 +36,7 @@ fn bits_do_not_depend_on_threads() {
 
 #[test]
 fn the_orbit_with_a_wall_is_that_of_finite_volumes() {
-    let scene = repository()
-        .join("scenes/34_elastic_big_end_orbit.toml")
-        .display()
-        .to_string();
+    let scene = repository().join("scenes/34_elastic_big_end_orbit.toml").display().to_string();
     let told = Bench::new().run(&["solve", &scene, "--json"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     the_big_end_with_a_wall_is_that_of_finite_volumes(&object(&told.stdout));

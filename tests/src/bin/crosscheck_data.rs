@@ -20,28 +20,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let space = solved.study.system.space();
     let problem = &solved.study.problem;
     let pressure: Vec<f64> = solved.film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
-    let thickness: Vec<f64> = (space.positions().iter())
-        .flat_map(|&position| problem.thickness_at(0, &[position]))
-        .collect();
+    let thickness: Vec<f64> =
+        (space.positions().iter()).flat_map(|&position| problem.thickness_at(0, &[position])).collect();
     let (mut points, mut pressures, mut thicknesses) = (Vec::new(), Vec::new(), Vec::new());
     for t in 0..space.mesh().triangles().len() {
         if t % STRIDE == 0 || space.mesh().is_curved(t) {
             for probe in PROBES {
                 points.push(Mapping::of(space.mesh(), t).at(probe).position);
-                pressures.push(
-                    Field {
-                        space,
-                        values: &pressure,
-                    }
-                    .value(t, probe),
-                );
-                thicknesses.push(
-                    Field {
-                        space,
-                        values: &thickness,
-                    }
-                    .value(t, probe),
-                );
+                pressures.push(Field { space, values: &pressure }.value(t, probe));
+                thicknesses.push(Field { space, values: &thickness }.value(t, probe));
             }
         }
     }

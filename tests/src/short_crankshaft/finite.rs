@@ -75,11 +75,7 @@ impl Film {
 
     /// Shear, pressure and squeeze [W].
     pub fn powers(&self) -> [f64; 3] {
-        let list = measured(&View::new(
-            &self.solved.study,
-            &self.solved.study.problem,
-            &self.solved.measured,
-        ));
+        let list = measured(&View::new(&self.solved.study, &self.solved.study.problem, &self.solved.measured));
         ["friction_shear_power", "friction_pressure_power", "squeeze_power"]
             .map(|name| list.iter().find(|it| it.name == name).map_or(0.0, |it| it.value))
     }

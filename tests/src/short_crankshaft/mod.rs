@@ -48,11 +48,7 @@ pub const SLIPS: [(&str, f64, f64, usize, &str, f64); 8] = [
 
 /// The film of E and n [1/min].
 pub fn film_at(squeeze: f64, speed: f64) -> ShortFilm {
-    ShortFilm {
-        eccentricity: ECCENTRICITY,
-        rotation: speed / 3200.0,
-        closing: squeeze,
-    }
+    ShortFilm { eccentricity: ECCENTRICITY, rotation: speed / 3200.0, closing: squeeze }
 }
 
 /// The film of a row, by its E and n.
@@ -73,11 +69,7 @@ pub struct Scales {
 
 impl Scales {
     fn new(width: f64, clearance: f64) -> Self {
-        Self {
-            width,
-            clearance,
-            pressure: VISCOSITY_SCALE * SPEED_SCALE / (clearance * clearance),
-        }
+        Self { width, clearance, pressure: VISCOSITY_SCALE * SPEED_SCALE / (clearance * clearance) }
     }
 
     /// Those that the bearing has.
@@ -107,10 +99,7 @@ pub struct Document {
 impl Document {
     /// Of a film.
     pub fn new(film: ShortFilm) -> Self {
-        Self {
-            film,
-            scales: Scales::printed(),
-        }
+        Self { film, scales: Scales::printed() }
     }
 
     /// Of a row, by its E and n.
@@ -151,10 +140,7 @@ impl Document {
         let [a3_11, .., a3_02, a3_20] = self.integrals();
         let (g, e) = (self.film.rotation, self.film.closing);
         let factor = -ECCENTRICITY * self.scales.factor();
-        [
-            factor * (a3_20 * g - e / ECCENTRICITY * a3_11),
-            factor * (a3_11 * g - e / ECCENTRICITY * a3_02),
-        ]
+        [factor * (a3_20 * g - e / ECCENTRICITY * a3_11), factor * (a3_11 * g - e / ECCENTRICITY * a3_02)]
     }
 
     fn sommerfeld_number(&self) -> f64 {
@@ -198,9 +184,7 @@ impl Document {
         let mean = self.scales.pressure * so;
         let [kn1, kn2, kn3] = self.power();
         let volume = 0.5 * LENGTH * DIAMETER * DIAMETER;
-        let Scales {
-            clearance, pressure, ..
-        } = self.scales;
+        let Scales { clearance, pressure, .. } = self.scales;
         match column {
             "maxPi[-]" => self.greatest().0,
             "phi_max[deg]" => self.greatest().1.to_degrees(),
@@ -241,10 +225,7 @@ pub fn right_pressure(film: &ShortFilm, phi: f64, zeta: f64) -> f64 {
 pub fn summit(film: &ShortFilm) -> f64 {
     let slope = |phi: f64| {
         let (s, c) = phi.sin_cos();
-        let (drive, thick) = (
-            ECCENTRICITY * film.rotation * s - film.closing * c,
-            1.0 - ECCENTRICITY * c,
-        );
+        let (drive, thick) = (ECCENTRICITY * film.rotation * s - film.closing * c, 1.0 - ECCENTRICITY * c);
         3.0 * ECCENTRICITY * s * drive - (ECCENTRICITY * film.rotation * c + film.closing * s) * thick
     };
     let (mut low, mut high) = (film.loaded_from(), film.loaded_from() + PI);

@@ -15,10 +15,9 @@ fn a_ring_without_supply_is_refused_with_a_place() {
     let mut film = plain_film(LENGTH, 0.6, 0.3, SPEED);
     film.cavitation = JFO;
     let system = ring_system(24, 6, LENGTH, None);
-    for system in [
-        ring_system(24, 6, LENGTH, None).with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows),
-        system,
-    ] {
+    for system in
+        [ring_system(24, 6, LENGTH, None).with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows), system]
+    {
         match film.solve(&system) {
             Err(NoFilm::NoSupply { angle, z }) => {
                 assert!(angle.abs() < 7.0 && z.abs() <= 0.5 * LENGTH, "{angle} {z}");
@@ -73,10 +72,7 @@ fn the_land_between_two_full_grooves_is_a_bearing_of_its_own() {
     let expected = short.solve(&alone).unwrap_or_else(|reason| panic!("{reason}"));
     assert!(expected.cavity.contains(&true));
     let theta = |solution: &oilwedge_reynolds::FilmSolution, dof: usize| {
-        solution
-            .film_fraction
-            .as_ref()
-            .map_or(f64::NAN, |fraction| fraction.values[dof])
+        solution.film_fraction.as_ref().map_or(f64::NAN, |fraction| fraction.values[dof])
     };
     for z in [-0.01, -0.005, 0.0, 0.01] {
         for k in 0..columns {
@@ -101,8 +97,6 @@ fn nearest_on_ring(system: &FilmSystem, target: [f64; 2]) -> usize {
         let along = point[0] - target[0];
         (along - turn * (along / turn).round()).hypot(point[1] - target[1])
     };
-    let nearest = (0u32..)
-        .zip(mesh.points())
-        .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
+    let nearest = (0u32..).zip(mesh.points()).min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
     system.space().vertex_dof(nearest.map_or(0, |(vertex, _)| vertex))
 }

@@ -34,12 +34,7 @@ fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Film {
 /// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change: 2e-4).
 #[test]
 fn flooded_ring_converges_with_order_two() {
-    let ring = Ring {
-        film_start: true,
-        model: "jfo",
-        size: Some(0.2),
-        ..Ring::new(0.5, 0.8)
-    };
+    let ring = Ring { film_start: true, model: "jfo", size: Some(0.2), ..Ring::new(0.5, 0.8) };
     let scene = ring.scene();
     let loads = loads(&scene, 3);
     let limit = (4.0 * loads[3] - loads[2]) / 3.0;
@@ -103,10 +98,7 @@ fn companion_is_the_film_of_linear_elements() {
         });
         let quadratic = compile(&scene).unwrap_or_else(|error| panic!("{}: {error}", path(name).display()));
         let film = quadratic.problem.solve(&quadratic.system).expect("a film");
-        let companion = quadratic
-            .problem
-            .coarse_comparison(&quadratic.system, &film)
-            .expect("a film");
+        let companion = quadratic.problem.coarse_comparison(&quadratic.system, &film).expect("a film");
         let study = linear(&scene, (**quadratic.system.space().mesh()).clone());
         let cold = study.problem.solve(&study.system).expect("a film");
         let most = cold.unknown.iter().fold(0.0f64, |most, u| most.max(u.abs()));

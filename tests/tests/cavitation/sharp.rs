@@ -36,10 +36,7 @@ fn film(text: &str) -> Film {
 }
 
 fn hill(study: &Film) -> SharpFilm {
-    let film = study
-        .problem
-        .solve(&study.system)
-        .unwrap_or_else(|reason| panic!("{reason}"));
+    let film = study.problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
     let sharp = study.problem.sharp_film(&study.system, &film, HillStart::Film);
     sharp.unwrap_or_else(|failure| panic!("{failure}")).expect("a hill")
 }
@@ -73,28 +70,11 @@ fn a_flooded_ring_is_a_swift_stieber_film() {
         let (mut problem, system) = (study.problem.clone(), &study.system);
         problem.cavitation = Cavitation::Reynolds { pressure: 0.0 };
         let quadratic = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
-        let cubic = problem
-            .cubic_film(system, &quadratic, None)
-            .unwrap_or_else(|reason| panic!("{reason}"));
+        let cubic = problem.cubic_film(system, &quadratic, None).unwrap_or_else(|reason| panic!("{reason}"));
         let system = &system.cubic().system;
-        close(
-            "load",
-            magnitude(&sharp.cubic),
-            load(&problem, system, &cubic).magnitude(),
-            2e-4,
-        );
-        close(
-            "p_max",
-            sharp.cubic.greatest,
-            extremes(&problem, system, &cubic).greatest,
-            1e-6,
-        );
-        close(
-            "power",
-            pressure_power(&study, &sharp.cubic),
-            power(&problem, system, &cubic).pressure,
-            3e-4,
-        );
+        close("load", magnitude(&sharp.cubic), load(&problem, system, &cubic).magnitude(), 2e-4);
+        close("p_max", sharp.cubic.greatest, extremes(&problem, system, &cubic).greatest, 1e-6);
+        close("power", pressure_power(&study, &sharp.cubic), power(&problem, system, &cubic).pressure, 3e-4);
     }
 }
 
@@ -137,11 +117,7 @@ fn a_main_bearing_is_sharp() {
     for (name, limit, most) in [("load", 31053.0, 2e-3), ("pressure_max", 1.01629e8, 2e-3)] {
         let quantity = result.by_name(name).expect(name);
         let bar = quantity.bar.expect("a bar").total();
-        assert!(
-            (quantity.value - limit).abs() < bar && bar < most * limit,
-            "{name}: {} +- {bar}",
-            quantity.value
-        );
+        assert!((quantity.value - limit).abs() < bar && bar < most * limit, "{name}: {} +- {bar}", quantity.value);
     }
 }
 
@@ -149,16 +125,10 @@ fn a_main_bearing_is_sharp() {
 #[test]
 fn streaks_are_those_of_the_finite_volumes() {
     for (region, size, limit) in [
-        (
-            r#"groove = { from = "82.5 deg", to = "97.5 deg", width = "20 mm" }"#,
-            7.5,
-            1651.2,
-        ),
+        (r#"groove = { from = "82.5 deg", to = "97.5 deg", width = "20 mm" }"#, 7.5, 1651.2),
         (r#"hole = { diameter = "15 mm", angle = "1.6207963 rad" }"#, 6.0, 1586.8),
     ] {
-        let result = run(&written(&fed(size, region)), &RunOptions::default())
-            .expect("a film")
-            .result;
+        let result = run(&written(&fed(size, region)), &RunOptions::default()).expect("a film").result;
         let load = result.by_name("load").expect("a load");
         close("load", load.value, limit, 5e-4);
         assert!((load.value - limit).abs() < load.bar.expect("a bar").total());
@@ -179,10 +149,7 @@ fn the_force_over_kept_cavities_is_smooth() {
         differences = differences.windows(2).map(|pair| pair[1] - pair[0]).collect();
     }
     let load = magnitude(&place.hill.cubic);
-    assert!(
-        differences.iter().all(|jump| jump.abs() < 1e-8 * load),
-        "{differences:?} of {load}"
-    );
+    assert!(differences.iter().all(|jump| jump.abs() < 1e-8 * load), "{differences:?} of {load}");
     let Place { problem, film, hill } = place.moved(&study, 5e-3);
     let checked = problem.cavities_checked(&study.system, &film, hill).expect("a hill");
     let by_cavities = magnitude(&checked.by_cavities) / load;
@@ -201,27 +168,16 @@ impl Place {
         let problem = study.problem.clone();
         let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
         let hill = problem.sharp_film(&study.system, &film, HillStart::Film);
-        Self {
-            hill: hill.expect("a hill").expect("a hill"),
-            problem,
-            film,
-        }
+        Self { hill: hill.expect("a hill").expect("a hill"), problem, film }
     }
 
     /// Moves along x by this part of the clearance over the cavities that are there.
     fn moved(self, study: &Film, part: f64) -> Self {
-        let change = JournalChange {
-            offset: [part * self.problem.bearing.clearance, 0.0],
-            ..JournalChange::default()
-        };
+        let change = JournalChange { offset: [part * self.problem.bearing.clearance, 0.0], ..JournalChange::default() };
         let there = self.problem.displaced(&study.system, &self.film, &change);
         let (problem, film) = there.unwrap_or_else(|reason| panic!("{reason}"));
         let hill = problem.sharp_film(&study.system, &film, HillStart::SameCavities(self.hill));
-        Self {
-            hill: hill.expect("a hill").expect("a hill"),
-            problem,
-            film,
-        }
+        Self { hill: hill.expect("a hill").expect("a hill"), problem, film }
     }
 }
 
@@ -230,13 +186,8 @@ impl Place {
 fn narrow_bars_need_no_hill() {
     let region = r#"groove = { from = "82.5 deg", to = "97.5 deg", width = "60 mm" }"#;
     for (size, is_sought) in [(9.0, true), (2.5, false)] {
-        let solved = solve(
-            &film(&fed(size, region)),
-            &SolveOptions {
-                errors: Errors::Estimated,
-                ..SolveOptions::default()
-            },
-        );
+        let solved =
+            solve(&film(&fed(size, region)), &SolveOptions { errors: Errors::Estimated, ..SolveOptions::default() });
         let solved = solved.unwrap_or_else(|reason| panic!("{reason}"));
         let Some(ReferenceFilm::Coarse { hill, .. }) = &solved.reference else {
             panic!("no comparison");
@@ -273,26 +224,12 @@ pressure = "4 bar"
     let number = |name: &str| found.by_name(name).expect(name).value;
     assert!(found.balances.force < 1e-10, "{:e}", found.balances.force);
     assert!(found.of_hill.contains(&"load"), "{:?}", found.of_hill);
-    let journal = format!(
-        ", eccentricity = {}, min_film_angle = \"{} deg\"",
-        number("eccentricity"),
-        number("min_film_angle")
-    );
+    let journal =
+        format!(", eccentricity = {}, min_film_angle = \"{} deg\"", number("eccentricity"), number("min_film_angle"));
     // On another mesh, graded for that position.
-    let there = run(&written(&text(&journal)), &RunOptions::default())
-        .expect("a film")
-        .result;
+    let there = run(&written(&text(&journal)), &RunOptions::default()).expect("a film").result;
     let load = there.by_name("load").expect("a load");
-    assert!(
-        (load.value - 20e3).abs() < load.bar.expect("a bar").total(),
-        "{}",
-        load.value
-    );
-    let bar = found
-        .by_name("eccentricity")
-        .expect("a position")
-        .bar
-        .expect("a bar")
-        .total();
+    assert!((load.value - 20e3).abs() < load.bar.expect("a bar").total(), "{}", load.value);
+    let bar = found.by_name("eccentricity").expect("a position").bar.expect("a bar").total();
     assert!(bar < 1e-3 * number("eccentricity"), "{bar:e}");
 }

@@ -56,19 +56,12 @@ fn slider(sense: f64, fraction: f64, pocket: Option<([f64; 2], f64)>) -> (FilmPr
     inlet.kind = BoundaryKind::Line;
     inlet.film_fraction = Some(fraction);
     let mut film = plain_film(LENGTH, 0.0, 0.0, 0.0);
-    film.bearing = Bearing {
-        radius,
-        length: LENGTH,
-        clearance: OUTLET,
-        end_pressure: 0.0,
-    };
+    film.bearing = Bearing { radius, length: LENGTH, clearance: OUTLET, end_pressure: 0.0 };
     film.journal.axial_velocity = sense * SLIDING;
     film.film_thickness = vec![Arc::new(Wedge { sense })];
     if let Some(([from, to], depth)) = pocket {
         let place = |t: usize| mesh.corners(t).iter().map(|c| c[1]).sum::<f64>() / 3.0 * sense + 0.5 * LENGTH;
-        let inside = (0..mesh.triangles().len())
-            .map(|t| place(t) > from && place(t) < to)
-            .collect();
+        let inside = (0..mesh.triangles().len()).map(|t| place(t) > from && place(t) < to).collect();
         film.film_thickness.push(Arc::new(GrooveDepth { depth, inside }));
     }
     film.cavitation = Cavitation::Jfo { pressure: 0.0 };
@@ -102,11 +95,7 @@ fn starved_inlet_has_the_closed_form_in_either_sense() {
         assert!(flow.imbalance < 1e-12, "{:e}", flow.imbalance);
         // What the inlet was told to bring is what is reported.
         let told = FRACTION * INLET * SLIDING / 2.0 * width;
-        assert!(
-            (flow.throughput / told - 1.0).abs() < 1e-9,
-            "{:e} {told:e}",
-            flow.throughput
-        );
+        assert!((flow.throughput / told - 1.0).abs() < 1e-9, "{:e} {told:e}", flow.throughput);
         for x in [0.1, 0.2, 0.4, 0.48] {
             let (p, theta) = state(&solution, &system, sense, x * LENGTH);
             let expected = FRACTION * INLET / (INLET + x * (OUTLET - INLET));
@@ -131,11 +120,7 @@ fn an_inlet_with_plenty_of_oil_is_full_and_has_pressure() {
         let (film, system, _) = slider(1.0, fraction, None);
         let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let (p, theta) = state(&solution, &system, 1.0, 0.0);
-        assert_eq!(
-            (p > 0.0, theta == 1.0),
-            (fraction > 2.0 / 3.0, fraction > 2.0 / 3.0),
-            "{fraction}: {p} {theta}"
-        );
+        assert_eq!((p > 0.0, theta == 1.0), (fraction > 2.0 / 3.0, fraction > 2.0 / 3.0), "{fraction}: {p} {theta}");
         assert!(flows(&film, &system, &solution).imbalance < 1e-12);
     }
 }
@@ -158,9 +143,7 @@ fn jumps_of_the_film_in_the_cavity_and_at_its_edge() {
 
     for pocket in [[0.3, 0.5], [0.5, 0.7], [0.45, 0.55], [0.9, 1.0]] {
         let (film, system, _) = slider(1.0, FRACTION, Some((pocket.map(|x| x * LENGTH), depth)));
-        let solution = film
-            .solve(&system)
-            .unwrap_or_else(|reason| panic!("{pocket:?}: {reason}"));
+        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{pocket:?}: {reason}"));
         let flow = flows(&film, &system, &solution);
         assert!(flow.imbalance < 1e-12, "{pocket:?}: {:e}", flow.imbalance);
         let fraction = solution.film_fraction.as_ref().expect("a mass-conserving film");

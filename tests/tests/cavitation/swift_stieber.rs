@@ -33,10 +33,7 @@ fn solved(film: &FilmProblem, system: &FilmSystem, most: usize) -> FilmSolution 
         let dof = system.space().edge_dof(edge);
         let (unknown, inflow) = (solution.unknown[dof], solution.inflow[dof]);
         assert!(unknown >= cavity - 1e-10 * pressure_scale(), "{unknown} at {dof}");
-        assert!(
-            !solution.cavity[dof] || inflow >= -1e-9 * flow,
-            "{inflow} of {flow} at {dof}"
-        );
+        assert!(!solution.cavity[dof] || inflow >= -1e-9 * flow, "{inflow} of {flow} at {dof}");
     }
     assert!(solution.cavity.contains(&true));
     assert!(solution.history.len() <= most, "{} iterations", solution.history.len());
@@ -88,9 +85,7 @@ fn as_printed_barus_film() {
         let greatest = reference.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
         let change = |share: f64| {
             let mut thick = thin.clone();
-            let law = Barus {
-                alpha: share / greatest,
-            };
+            let law = Barus { alpha: share / greatest };
             thick.lubricant.pressure_law = PressureLaw::Barus(law);
             thick.form = Form::AsPrinted;
             let solution = solved(&thick, &system, 20);
@@ -116,10 +111,7 @@ fn linear_elements_come_to_the_same_film() {
         let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let least = solution.unknown.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(least >= -1e-10 * pressure_scale() || degree > 1, "{least}");
-        (
-            load(&film, &system, &solution).magnitude(),
-            cavity(&system, &solution).share,
-        )
+        (load(&film, &system, &solution).magnitude(), cavity(&system, &solution).share)
     };
     let (exact, share) = of_degree(2, 64);
     let linear = [8, 16, 32].map(|rows| of_degree(1, rows));

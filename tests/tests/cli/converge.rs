@@ -11,9 +11,8 @@ const FILES: [&str; 4] = ["converge.csv", "converge.json", "converge.png", "conv
 /// Names of the files in a folder of the bench.
 fn names(bench: &Bench, folder: &str) -> Vec<String> {
     let entries = std::fs::read_dir(bench.path().join(folder)).expect("a folder");
-    let mut names: Vec<String> = entries
-        .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-        .collect();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
 }
@@ -25,9 +24,7 @@ fn read(bench: &Bench, file: &str) -> String {
 fn levels<'a>(study: &'a Value, strategy: &str) -> &'a [Value] {
     let strategies = study["strategies"].as_array().expect("strategies");
     let course = strategies.iter().find(|course| course["strategy"] == strategy);
-    course
-        .and_then(|course| course["levels"].as_array())
-        .map_or(&[], Vec::as_slice)
+    course.and_then(|course| course["levels"].as_array()).map_or(&[], Vec::as_slice)
 }
 
 /// All keys of an object and of those within it, lists by their first entry; parts of times by no name.
@@ -106,15 +103,7 @@ fn a_study_of_the_plain_ring_is_told_written_and_drawn() {
 fn json_is_one_object_and_that_of_the_reference_page() {
     let bench = Bench::new();
     bench.scene("09_drawn_ring", &[]);
-    let told = bench.run(&[
-        "converge",
-        "scene.toml",
-        "--max-seconds",
-        "1.5",
-        "--json",
-        "--out",
-        "here",
-    ]);
+    let told = bench.run(&["converge", "scene.toml", "--max-seconds", "1.5", "--json", "--out", "here"]);
     assert_eq!((told.status, told.stderr.as_str()), (0, ""));
     assert_eq!(told.stdout, read(&bench, "here/converge.json"));
     let page = std::fs::read_to_string(repository().join("docs/reference/converge.md")).expect("the page");
@@ -124,10 +113,7 @@ fn json_is_one_object_and_that_of_the_reference_page() {
         keys(value, "", &mut found);
         found
     };
-    assert_eq!(
-        found(&object(&told.stdout)),
-        found(&object(example.expect("an example")))
-    );
+    assert_eq!(found(&object(&told.stdout)), found(&object(example.expect("an example"))));
     let heading = read(&bench, "here/converge.csv");
     for column in heading.lines().next().unwrap_or_default().split(',') {
         assert!(page.contains(&format!("`{column}`")), "{column} is not explained");
@@ -139,17 +125,11 @@ fn json_is_one_object_and_that_of_the_reference_page() {
 fn under_a_load_the_eccentricity_converges() {
     let bench = Bench::new();
     let position = "eccentricity = 0.6\nmin_film_angle = \"180 deg\"\n";
-    bench.scene(
-        "09_drawn_ring",
-        &[(position, "[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n")],
-    );
+    bench.scene("09_drawn_ring", &[(position, "[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n")]);
     let told = bench.run(&["converge", "scene.toml", "--max-seconds", "2", "--json"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let study = object(&told.stdout);
-    assert_eq!(
-        (&study["goal"]["name"], &study["goal"]["unit"]),
-        (&"eccentricity".into(), &"1".into())
-    );
+    assert_eq!((&study["goal"]["name"], &study["goal"]["unit"]), (&"eccentricity".into(), &"1".into()));
     assert!(levels(&study, "p2_uniform").len() >= 2);
 }
 
@@ -174,35 +154,18 @@ fn without_a_film_there_is_a_reason_and_no_picture_of_another_study() {
     let told = bench.run(&["converge", "scene.toml", "--max-seconds", "0.5", "--json"]);
     assert_eq!(told.status, 1, "{}", told.stderr);
     let study = object(&told.stdout);
-    assert_eq!(
-        (&study["status"], &study["reference"]),
-        (&"no_solution".into(), &Value::Null)
-    );
-    assert!(
-        study["reason"]
-            .as_str()
-            .is_some_and(|reason| reason.contains("lower speed"))
-    );
+    assert_eq!((&study["status"], &study["reference"]), (&"no_solution".into(), &Value::Null));
+    assert!(study["reason"].as_str().is_some_and(|reason| reason.contains("lower speed")));
     assert_eq!(names(&bench, "out/scene"), ["converge.json"]);
     let people = bench.run(&["converge", "scene.toml", "--max-seconds", "0.5"]);
-    assert!(
-        people.status == 1 && people.stdout.contains("there is no solution"),
-        "{}",
-        people.stdout
-    );
+    assert!(people.status == 1 && people.stdout.contains("there is no solution"), "{}", people.stdout);
 }
 
 #[test]
 fn what_cannot_be_studied_is_refused_and_nothing_is_written() {
     let bench = Bench::new();
     bench.scene("01_plain_ring", &[]);
-    for (seconds, words) in [
-        ("0", "above 0"),
-        ("-3", "-3"),
-        ("nan", "above 0"),
-        ("1e9", "86400"),
-        ("soon", "as 30"),
-    ] {
+    for (seconds, words) in [("0", "above 0"), ("-3", "-3"), ("nan", "above 0"), ("1e9", "86400"), ("soon", "as 30")] {
         let seconds = format!("--max-seconds={seconds}");
         bench.refuses(&["converge", "scene.toml", &seconds], &["--max-seconds", words]);
     }
@@ -210,13 +173,7 @@ fn what_cannot_be_studied_is_refused_and_nothing_is_written() {
     bench.refuses(&["converge", "nowhere.toml"], &["nowhere.toml"]);
     bench.refuses(&["converge", "scene.toml", "--unrolled"], &["'--unrolled'"]);
     bench.write("file", "mine");
-    bench.refuses(
-        &["converge", "scene.toml", "--max-seconds", "0.2", "--out", "file"],
-        &["file", "--out"],
-    );
+    bench.refuses(&["converge", "scene.toml", "--max-seconds", "0.2", "--out", "file"], &["file", "--out"]);
     bench.scene("01_plain_ring", &[("eccentricity = 0.6", "eccentricity = 0")]);
-    bench.refuses(
-        &["converge", "scene.toml", "--max-seconds", "0.2"],
-        &["load", "is zero", "give an eccentricity"],
-    );
+    bench.refuses(&["converge", "scene.toml", "--max-seconds", "0.2"], &["load", "is zero", "give an eccentricity"]);
 }

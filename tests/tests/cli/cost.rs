@@ -16,9 +16,7 @@ fn costs(name: &str, edits: &[(&str, &str)]) -> (Value, String) {
 
 fn by_effect(result: &Value) -> Vec<(&str, &Value)> {
     let list = result["cost"].as_array().expect("a list");
-    list.iter()
-        .map(|it| (it["effect"].as_str().expect("a name"), it))
-        .collect()
+    list.iter().map(|it| (it["effect"].as_str().expect("a name"), it)).collect()
 }
 
 /// The value of a quantity of a shipped scene.
@@ -34,36 +32,16 @@ fn value(name: &str, edits: &[(&str, &str)], quantity: &str) -> f64 {
 #[test]
 fn each_effect_of_the_shell_is_left_out_once() {
     let (result, stderr) = costs("12_flexpde_shell_cavitated", &[]);
-    assert_eq!(
-        stderr, "",
-        "warnings of the runs without an effect are not those of the result"
-    );
+    assert_eq!(stderr, "", "warnings of the runs without an effect are not those of the result");
     let costs = by_effect(&result);
     let names: Vec<_> = costs.iter().map(|(name, _)| *name).collect();
     assert_eq!(names, ["couette", "barus", "cavitation: reynolds"]);
     for (name, cost) in &costs {
-        assert_eq!(
-            (&cost["status"], &cost["reason"]),
-            (&"converged".into(), &Value::Null),
-            "{name}"
-        );
-        assert!(
-            ["with", "without"]
-                .iter()
-                .all(|key| cost[format!("seconds_{key}")].as_f64() > Some(0.0))
-        );
-        for quantity in [
-            "load",
-            "attitude_angle",
-            "pressure_max",
-            "film_thickness_min",
-            "side_flow",
-        ] {
+        assert_eq!((&cost["status"], &cost["reason"]), (&"converged".into(), &Value::Null), "{name}");
+        assert!(["with", "without"].iter().all(|key| cost[format!("seconds_{key}")].as_f64() > Some(0.0)));
+        for quantity in ["load", "attitude_angle", "pressure_max", "film_thickness_min", "side_flow"] {
             let change = &cost["changes"][quantity];
-            assert_eq!(
-                change["with"], result["quantities"][quantity]["value"],
-                "{name}, {quantity}"
-            );
+            assert_eq!(change["with"], result["quantities"][quantity]["value"], "{name}, {quantity}");
             assert_eq!(change["unit"], result["quantities"][quantity]["unit"]);
         }
     }
@@ -83,17 +61,10 @@ fn each_effect_of_the_shell_is_left_out_once() {
 fn check_page(costs: &[(&str, &Value)]) {
     let page = oilwedge_tests::program::repository().join("docs/howto/effects.md");
     let page = std::fs::read_to_string(page).expect("the page");
-    let row = page
-        .lines()
-        .find(|line| line.starts_with("│ load "))
-        .expect("a row of the load");
+    let row = page.lines().find(|line| line.starts_with("│ load ")).expect("a row of the load");
     let cells: Vec<&str> = row.split('┆').map(str::trim).collect();
     for ((name, cost), cell) in costs.iter().zip(&cells[3..]) {
-        let shown: f64 = cell
-            .split(' ')
-            .next()
-            .and_then(|text| text.parse().ok())
-            .expect("a load");
+        let shown: f64 = cell.split(' ').next().and_then(|text| text.parse().ok()).expect("a load");
         let load = cost["changes"]["load"]["without"].as_f64().expect("a number");
         assert!((1e3 * shown / load - 1.0).abs() < 0.01, "{name}: {shown}");
     }
@@ -106,10 +77,7 @@ fn a_journal_that_only_sinks_makes_all_of_its_load_by_squeeze() {
     let names: Vec<_> = costs.iter().map(|(name, _)| *name).collect();
     assert_eq!(names, ["squeeze", "cavitation: reynolds"]);
     let (_, squeeze) = costs[0];
-    assert_eq!(
-        (&squeeze["status"], &squeeze["could_be_left_out"]),
-        (&"converged".into(), &false.into())
-    );
+    assert_eq!((&squeeze["status"], &squeeze["could_be_left_out"]), (&"converged".into(), &false.into()));
     let load = &squeeze["changes"]["load"];
     assert!(load["without"] == 0.0 && load["change"] == load["with"], "{load}");
     assert_eq!(squeeze["changes"]["attitude_angle"]["without"], Value::Null);
@@ -140,10 +108,7 @@ fn a_scene_without_a_film_may_have_one_without_an_effect() {
     let costs = by_effect(&result);
     let (name, barus) = costs[1];
     let load = &barus["changes"]["load"];
-    assert_eq!(
-        (name, &barus["status"], &load["with"]),
-        ("barus", &"converged".into(), &Value::Null)
-    );
+    assert_eq!((name, &barus["status"], &load["with"]), ("barus", &"converged".into(), &Value::Null));
     assert!(load["without"].as_f64() > Some(1e4), "{load}");
     assert_eq!(barus["could_be_left_out"], false);
 }
@@ -154,13 +119,7 @@ fn people_get_a_table_and_the_result_is_the_same() {
     bench.scene("12_flexpde_shell_cavitated", &[]);
     let told = bench.run(&["solve", "scene.toml", "--cost"]);
     assert_eq!((told.status, told.stderr.as_str()), (0, ""));
-    for part in [
-        "run time",
-        "without couette",
-        "without barus",
-        "without cavitation: reynolds",
-        " deg",
-    ] {
+    for part in ["run time", "without couette", "without barus", "without cavitation: reynolds", " deg"] {
         assert!(told.stdout.contains(part), "no {part:?} in\n{}", told.stdout);
     }
     let written = std::fs::read_to_string(bench.path().join("out/scene/result.json")).expect("result.json");

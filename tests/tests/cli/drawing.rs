@@ -11,9 +11,7 @@ fn drawn(bench: &Bench, edits: &[(&str, &str)]) {
 fn load(bench: &Bench, scene: &str) -> f64 {
     let told = bench.run(&["solve", scene, "--json"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
-    object(&told.stdout)["quantities"]["load"]["value"]
-        .as_f64()
-        .expect("a load")
+    object(&told.stdout)["quantities"]["load"]["value"].as_f64().expect("a load")
 }
 
 #[test]
@@ -25,10 +23,7 @@ fn a_written_mesh_is_the_mesh_that_is_solved() {
     assert!(told.stdout.starts_with("liner.msh: "), "{}", told.stdout);
     let own = load(&bench, "scene.toml");
     let scene = std::fs::read_to_string(repository().join("scenes/10_drawn_liner.toml")).expect("scene 10");
-    bench.write(
-        "file.toml",
-        scene.replacen("size = \"4 mm\"", "file = \"liner.msh\"", 1),
-    );
+    bench.write("file.toml", scene.replacen("size = \"4 mm\"", "file = \"liner.msh\"", 1));
     // The same nodes in the same order, written with all their digits; an axial shift of rounding remains.
     let read_back = load(&bench, "file.toml");
     assert!((read_back / own - 1.0).abs() < 1e-10, "{own} {read_back}");
@@ -38,32 +33,12 @@ fn a_written_mesh_is_the_mesh_that_is_solved() {
 fn what_cannot_be_drawn_is_named() {
     let bench = Bench::new();
     for (from, to, words) in [
-        (
-            "angle = \"240 deg\"",
-            "angle = \"300 deg\"",
-            ["overlaps \"groove\"", "give both one pressure"],
-        ),
-        (
-            "z = \"15 mm\"",
-            "z = \"32.49 mm\"",
-            ["\"hole_a\" leaves", "of land to the edge"],
-        ),
-        (
-            "diameter = \"10 mm\"",
-            "diameter = \"10 um\"",
-            ["\"hole_a\" is", "thinner than can be meshed"],
-        ),
-        (
-            "size = \"4 mm\"",
-            "size = \"1 um\"",
-            ["more than", "choose a larger size"],
-        ),
+        ("angle = \"240 deg\"", "angle = \"300 deg\"", ["overlaps \"groove\"", "give both one pressure"]),
+        ("z = \"15 mm\"", "z = \"32.49 mm\"", ["\"hole_a\" leaves", "of land to the edge"]),
+        ("diameter = \"10 mm\"", "diameter = \"10 um\"", ["\"hole_a\" is", "thinner than can be meshed"]),
+        ("size = \"4 mm\"", "size = \"1 um\"", ["more than", "choose a larger size"]),
         ("size = \"4 mm\"", "size = \"0 mm\"", ["mesh.size", "is not positive"]),
-        (
-            "hole     = { diameter = \"10 mm\", angle = \"30 deg\", z = \"15 mm\" }",
-            "",
-            ["has no shape", "hole = {"],
-        ),
+        ("hole     = { diameter = \"10 mm\", angle = \"30 deg\", z = \"15 mm\" }", "", ["has no shape", "hole = {"]),
     ] {
         drawn(&bench, &[(from, to)]);
         bench.refuses(&["solve", "scene.toml"], &words);
@@ -112,18 +87,13 @@ fn a_pocket_is_a_deeper_film() {
     let pocket = |depth: &str| {
         let groove =
             "groove   = { from = \"290 deg\", to = \"310 deg\", width = \"56.25 mm\" }\npressure = \"1.96 bar\"";
-        let deeper = groove.replace(
-            "\"56.25 mm\" }\npressure = \"1.96 bar\"",
-            &format!("\"56.25 mm\" }}\ndepth = \"{depth}\""),
-        );
+        let deeper =
+            groove.replace("\"56.25 mm\" }\npressure = \"1.96 bar\"", &format!("\"56.25 mm\" }}\ndepth = \"{depth}\""));
         drawn(&bench, &[(groove, &deeper)]);
         load(&bench, "scene.toml")
     };
     let (even, shallow, deep) = (pocket("0 um"), pocket("1 nm"), pocket("200 um"));
-    assert!(
-        (shallow / even - 1.0).abs() < 1e-3 && (deep / even - 1.0).abs() > 1e-2,
-        "{even} {shallow} {deep}"
-    );
+    assert!((shallow / even - 1.0).abs() < 1e-3 && (deep / even - 1.0).abs() > 1e-2, "{even} {shallow} {deep}");
 }
 
 #[test]
@@ -136,10 +106,7 @@ fn a_groove_that_is_not_that_of_the_mesh_is_refused() {
     bench.scene("07_grooved_liner", &[(pressure, &groove("290 deg"))]);
     assert_eq!(bench.run(&["solve", "scene.toml"]).status, 0);
     bench.scene("07_grooved_liner", &[(pressure, &groove("250 deg"))]);
-    bench.refuses(
-        &["solve", "scene.toml"],
-        &["\"groove\" is not that of the mesh file", "remove groove"],
-    );
+    bench.refuses(&["solve", "scene.toml"], &["\"groove\" is not that of the mesh file", "remove groove"]);
 }
 
 #[test]
@@ -148,10 +115,7 @@ fn a_groove_beside_the_film_start_is_told() {
     let clearance = "clearance = \"37.5 um\"\n";
     let start = |angle: &str| format!("clearance = \"37.5 um\"\nfilm_start = \"{angle}\"\n");
     drawn(&bench, &[(clearance, &start("289.999 deg"))]);
-    bench.refuses(
-        &["solve", "scene.toml"],
-        &["\"groove\" and \"the film start\"", "of land between"],
-    );
+    bench.refuses(&["solve", "scene.toml"], &["\"groove\" and \"the film start\"", "of land between"]);
     drawn(&bench, &[(clearance, &start("300 deg"))]);
     assert_eq!(bench.run(&["solve", "scene.toml"]).status, 0);
 }

@@ -34,12 +34,7 @@ fn the_fields_are_compressed_as_wanted() {
     let bench = Bench::new();
     bench.scene("01_plain_ring", &[]);
     let written = |options: &[&str]| {
-        assert_eq!(
-            bench
-                .run(&[&["solve", "scene.toml", "--out", "here"], options].concat())
-                .status,
-            0
-        );
+        assert_eq!(bench.run(&[&["solve", "scene.toml", "--out", "here"], options].concat()).status, 0);
         std::fs::read(bench.path().join("here/film.vtu")).expect("film.vtu")
     };
     let plain = written(&[]);
@@ -81,10 +76,7 @@ fn a_read_only_folder_is_refused() {
     permit(0o555);
     // The superuser may write there all the same.
     if std::fs::write(folder.join("probe"), "").is_err() {
-        bench.refuses(
-            &["solve", "scene.toml", "--out", "read_only"],
-            &["read_only", "ermission denied", "--out"],
-        );
+        bench.refuses(&["solve", "scene.toml", "--out", "read_only"], &["read_only", "ermission denied", "--out"]);
     }
     permit(0o755);
 }

@@ -20,10 +20,7 @@ fn a_new_scene_is_solved_as_it_is_and_never_replaced() {
     bench.refuses(&["new", "plain.toml"], &["plain.toml exists and is not replaced"]);
     bench.refuses(&["new", "plain"], &["ends in .toml"]);
     bench.write("oilwedge.schema.json", "mine");
-    bench.refuses(
-        &["new", "other.toml"],
-        &["oilwedge.schema.json is no schema of oilwedge"],
-    );
+    bench.refuses(&["new", "other.toml"], &["oilwedge.schema.json is no schema of oilwedge"]);
 }
 
 #[test]
@@ -49,26 +46,13 @@ fn wrong_keys_units_and_words_are_refused() {
 fn names_are_explained_or_the_nearest_is_offered() {
     let bench = Bench::new();
     let told = bench.run(&["explain", "bearing.clearance"]);
-    assert!(
-        told.status == 0 && told.stdout.contains("radial clearance"),
-        "{}",
-        told.stdout
-    );
-    assert!(
-        bench
-            .run(&["explain", "jfo"])
-            .stdout
-            .contains("cavitation: jfo (effect)")
-    );
+    assert!(told.status == 0 && told.stdout.contains("radial clearance"), "{}", told.stdout);
+    assert!(bench.run(&["explain", "jfo"]).stdout.contains("cavitation: jfo (effect)"));
     bench.refuses(&["explain", "clearence"], &["did you mean \"clearance\"?"]);
     bench.refuses(&["explain"], &["NAME"]);
     let all: Value = serde_json::from_str(&bench.run(&["explain", "--all", "--json"]).stdout).expect("JSON");
     for kind in ["key", "quantity", "effect", "field", "warning"] {
-        assert!(
-            all.as_array()
-                .is_some_and(|all| all.iter().any(|entry| entry["kind"] == kind)),
-            "{kind}"
-        );
+        assert!(all.as_array().is_some_and(|all| all.iter().any(|entry| entry["kind"] == kind)), "{kind}");
     }
 }
 
@@ -113,18 +97,11 @@ fn a_change_of_the_mesh_lies_within_the_bars_and_one_of_the_bearing_does_not() {
     assert_eq!(mesh["keys"][0]["key"], "mesh.size");
     assert_eq!(exceeds(&mesh), 0, "{mesh:#}");
     let speed = changed("a.toml", "c.toml");
-    assert_eq!(
-        (&speed["keys"][0]["key"], &speed["keys"][0]["b"]),
-        (&"journal.speed".into(), &"5000 rpm".into())
-    );
+    assert_eq!((&speed["keys"][0]["key"], &speed["keys"][0]["b"]), (&"journal.speed".into(), &"5000 rpm".into()));
     assert!(exceeds(&speed) > 5, "{speed:#}");
     assert_eq!(bench.run(&["diff", "a.toml", "results"]).status, 0);
     let told = bench.run(&["diff", "results", "finer"]);
     assert_eq!(told.status, 1, "{}", told.stderr);
-    assert!(
-        told.stdout.contains("mesh.size: \"2.5 mm\" -> \"2 mm\""),
-        "{}",
-        told.stdout
-    );
+    assert!(told.stdout.contains("mesh.size: \"2.5 mm\" -> \"2 mm\""), "{}", told.stdout);
     bench.refuses(&["diff", "a.toml", "absent"], &["absent"]);
 }

@@ -36,8 +36,7 @@ pressure = "0 bar"
 fn first_table(text: &str) -> Vec<&str> {
     let lines = text.lines().skip_while(|line| !line.starts_with('╞')).skip(1);
     let rows = lines.take_while(|line| line.starts_with('│'));
-    rows.filter_map(|row| row.split(['│', '┆']).nth(1).map(str::trim))
-        .collect()
+    rows.filter_map(|row| row.split(['│', '┆']).nth(1).map(str::trim)).collect()
 }
 
 /// Engineers read position, film, pressure, temperature, friction and flow first; the load that they gave is not repeated in five ways.
@@ -71,22 +70,13 @@ fn headlines_stand_first_and_the_verdict_last() {
         1 => "1 warning".to_owned(),
         count => format!("{count} warnings"),
     };
-    assert_eq!(
-        last,
-        format!("verdict   converged; NOT fit: least film below 30 um; {warnings}")
-    );
+    assert_eq!(last, format!("verdict   converged; NOT fit: least film below 30 um; {warnings}"));
     // All pressures of the output are in one unit.
     for other in [" MPa", " kPa", " GPa", "┆ Pa "] {
         assert!(!told.stdout.contains(other) && !told.stderr.contains(other), "{other}");
     }
     let all = bench.run(&["solve", "bearing.toml", "--all"]);
-    for name in [
-        "load_x",
-        "sommerfeld_number",
-        "friction_coefficient",
-        "heat_carried",
-        "carried off [W]",
-    ] {
+    for name in ["load_x", "sommerfeld_number", "friction_coefficient", "heat_carried", "carried off [W]"] {
         assert!(all.stdout.contains(name) && !told.stdout.contains(name), "{name}");
     }
     assert_eq!(first_table(&all.stdout), wanted);
@@ -97,10 +87,7 @@ fn headlines_stand_first_and_the_verdict_last() {
 fn the_load_of_a_given_position_is_a_headline() {
     let bench = Bench::new();
     let text = BEARING
-        .replace(
-            "speed = \"3000 rpm\"",
-            "speed = \"3000 rpm\"\neccentricity = 0.6\nmin_film_angle = \"270 deg\"",
-        )
+        .replace("speed = \"3000 rpm\"", "speed = \"3000 rpm\"\neccentricity = 0.6\nmin_film_angle = \"270 deg\"")
         .replace("[load]\nforce = \"3 kN\"\nangle = \"270 deg\"", "");
     std::fs::write(bench.path().join("bearing.toml"), text).expect("written");
     let told = bench.run(&["solve", "bearing.toml"]);
@@ -120,12 +107,7 @@ fn every_level_is_a_line_without_a_terminal() {
     let told = bench.run(&["solve", "bearing.toml"]);
     let levels: Vec<&str> = told.stderr.lines().filter(|line| line.starts_with("level ")).collect();
     let shown = told.stdout.lines().filter(|line| line.contains("unknowns, ")).count();
-    assert!(
-        levels.len() > 1 && levels.len() == shown,
-        "{}\n{}",
-        told.stderr,
-        told.stdout
-    );
+    assert!(levels.len() > 1 && levels.len() == shown, "{}\n{}", told.stderr, told.stdout);
     for (number, line) in (1..).zip(levels) {
         assert!(line.starts_with(&format!("level {number}: ")), "{line}");
         assert!(line.contains("side_flow ± ") && line.contains("asked for ± "), "{line}");

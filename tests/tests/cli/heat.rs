@@ -34,19 +34,13 @@ fn told(bench: &Bench, from: &str, to: &str) -> (i32, Value, String) {
     assert!(RING.contains(from), "{from}");
     std::fs::write(bench.path().join("ring.toml"), RING.replacen(from, to, 1)).expect("written");
     let told = bench.run(&["solve", "ring.toml", "--json"]);
-    let result = if told.stdout.is_empty() {
-        Value::Null
-    } else {
-        object(&told.stdout)
-    };
+    let result = if told.stdout.is_empty() { Value::Null } else { object(&told.stdout) };
     (told.status, result, told.stderr)
 }
 
 fn value(result: &Value, name: &str) -> f64 {
     let quantity = &result["quantities"][name];
-    quantity["value"]
-        .as_f64()
-        .unwrap_or_else(|| panic!("no {name}: {quantity}"))
+    quantity["value"].as_f64().unwrap_or_else(|| panic!("no {name}: {quantity}"))
 }
 
 /// Friction is carried off, the mean temperature lies midway, and the oil has its viscosity there.
@@ -63,13 +57,7 @@ fn heat_is_balanced_and_told() {
     assert!((carried / get("heat_carried") - 1.0).abs() < 1e-9, "{carried}");
     // Nothing enters at the ends of a film whose cavity has their pressure, and no feed drains.
     assert!((get("side_flow") / get("cooling_flow") - 1.0).abs() < 1e-12);
-    for name in [
-        "temperature_effective",
-        "temperature_outlet",
-        "heat_carried",
-        "eccentricity",
-        "load",
-    ] {
+    for name in ["temperature_effective", "temperature_outlet", "heat_carried", "eccentricity", "load"] {
         let error = result["quantities"][name]["error"].as_f64();
         assert!(error.is_some_and(|error| error < 0.05 * get(name)), "{name}: {error:?}");
     }
@@ -86,13 +74,8 @@ fn heat_is_balanced_and_told() {
         assert!(bench.path().join("out/ring").join(file).is_file(), "{file}");
     }
     // At the temperature found the film is the same without a balance.
-    let fixed = format!(
-        "grade = \"SAE 10W-40\"\ntemperature = \"{} C\"",
-        get("temperature_effective")
-    );
-    let text = RING
-        .replace("grade = \"SAE 10W-40\"", &fixed)
-        .replace("[heat]\ninlet = \"80 C\"", "");
+    let fixed = format!("grade = \"SAE 10W-40\"\ntemperature = \"{} C\"", get("temperature_effective"));
+    let text = RING.replace("grade = \"SAE 10W-40\"", &fixed).replace("[heat]\ninlet = \"80 C\"", "");
     std::fs::write(bench.path().join("ring.toml"), text).expect("written");
     let again = bench.run(&["solve", "ring.toml", "--json"]);
     let isothermal = object(&again.stdout);
@@ -135,22 +118,13 @@ fn housing_and_mixing_shift_the_balance() {
 #[test]
 fn presets_are_judged_and_limits_decide() {
     let bench = Bench::new();
-    let (status, result, stderr) = told(
-        &bench,
-        "inlet = \"80 C\"",
-        "preset = \"diesel\"\nfilm_min = \"9 um\"\ntemperature_max = \"60 C\"",
-    );
+    let (status, result, stderr) =
+        told(&bench, "inlet = \"80 C\"", "preset = \"diesel\"\nfilm_min = \"9 um\"\ntemperature_max = \"60 C\"");
     assert_eq!(status, 0, "{stderr}");
     let heat = &result["heat"];
-    assert_eq!(
-        (&heat["preset"], &heat["is_fit"]),
-        (&Value::from("diesel"), &Value::Bool(false))
-    );
+    assert_eq!((&heat["preset"], &heat["is_fit"]), (&Value::from("diesel"), &Value::Bool(false)));
     let criteria = heat["criteria"].as_array().expect("criteria");
-    let met: Vec<bool> = criteria
-        .iter()
-        .map(|it| it["is_met"].as_bool().expect("a word"))
-        .collect();
+    let met: Vec<bool> = criteria.iter().map(|it| it["is_met"].as_bool().expect("a word")).collect();
     // Film and temperature are not met, the oil leaves cool enough; 25 um of 25 mm and 77.5 C are usual for a diesel, 3 bar are not.
     assert_eq!(met, [false, false, true, true, false, true]);
     let text = bench.run(&["solve", "ring.toml"]);
@@ -171,30 +145,20 @@ fn what_cannot_be_cooled_is_told() {
     let result = object(&told.stdout);
     assert_eq!((told.status, &result["status"]), (1, &Value::from("no_solution")));
     let reason = result["reason"].as_str().expect("a reason");
-    assert!(
-        reason.starts_with("no temperature balances the heat: at 330 C still friction makes"),
-        "{reason}"
-    );
+    assert!(reason.starts_with("no temperature balances the heat: at 330 C still friction makes"), "{reason}");
 }
 
 /// A film that is told to be isothermal, though its oil would be heated by tens of kelvins.
 #[test]
 fn isothermal_films_that_heat_up_are_doubted() {
     let bench = Bench::new();
-    let text = RING
-        .replace("grade = \"SAE 10W-40\"", "viscosity = \"40 mPa.s\"")
-        .replace("[heat]\ninlet = \"80 C\"", "");
+    let text =
+        RING.replace("grade = \"SAE 10W-40\"", "viscosity = \"40 mPa.s\"").replace("[heat]\ninlet = \"80 C\"", "");
     std::fs::write(bench.path().join("ring.toml"), text).expect("written");
     let told = bench.run(&["solve", "ring.toml", "--json"]);
-    let rise = object(&told.stdout)["regime"]["temperature_rise"]
-        .as_f64()
-        .expect("a rise");
+    let rise = object(&told.stdout)["regime"]["temperature_rise"].as_f64().expect("a rise");
     assert!(rise > 25.0, "{rise}");
-    assert!(
-        told.stderr.contains("a film as warm as its oil is fed"),
-        "{}",
-        told.stderr
-    );
+    assert!(told.stderr.contains("a film as warm as its oil is fed"), "{}", told.stderr);
 }
 
 /// A mass-conserving film changes by jumps with temperature: its heat is balanced all the same.
@@ -231,14 +195,8 @@ fn squeeze_heats_too() {
 fn a_long_bearing_is_cooled_by_its_housing() {
     let bench = Bench::new();
     let text = RING
-        .replace(
-            "clearance = \"25 um\"",
-            "clearance = \"25 um\"\ntheory = \"long\"\nfilm_start = \"120 deg\"",
-        )
-        .replace(
-            "inlet = \"80 C\"",
-            "inlet = \"80 C\"\nhousing = { conductance = \"20 W/K\", ambient = \"30 C\" }",
-        );
+        .replace("clearance = \"25 um\"", "clearance = \"25 um\"\ntheory = \"long\"\nfilm_start = \"120 deg\"")
+        .replace("inlet = \"80 C\"", "inlet = \"80 C\"\nhousing = { conductance = \"20 W/K\", ambient = \"30 C\" }");
     let feed = &text[text.find("[[feed]]").expect("a feed")..text.find("[journal]").expect("a journal")];
     std::fs::write(bench.path().join("ring.toml"), text.replace(feed, "")).expect("written");
     let told = bench.run(&["solve", "ring.toml", "--json"]);
@@ -259,10 +217,7 @@ fn a_search_that_is_ended_has_no_verdict() {
     let result = object(&told.stdout);
     assert_eq!((told.status, &result["status"]), (1, &Value::from("not_converged")));
     let reason = result["reason"].as_str().expect("a reason");
-    assert!(
-        reason.starts_with("limit: the search for the temperature was ended"),
-        "{reason}"
-    );
+    assert!(reason.starts_with("limit: the search for the temperature was ended"), "{reason}");
     assert!(result.get("heat").is_none(), "{}", result["heat"]);
 }
 
@@ -286,9 +241,6 @@ fn a_sweep_tells_temperatures() {
         let column = column.unwrap_or_else(|| panic!("no column {heading} in {headings:?}"));
         let swept: f64 = last[column].parse().expect("a number");
         let solved = quantity["value"].as_f64().expect("a number");
-        assert!(
-            (swept - solved).abs() <= 1e-6 * solved.abs().max(1e-9),
-            "{heading}: {swept} {solved}"
-        );
+        assert!((swept - solved).abs() <= 1e-6 * solved.abs().max(1e-9), "{heading}: {swept} {solved}");
     }
 }

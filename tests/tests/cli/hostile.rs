@@ -53,12 +53,9 @@ fn what_is_no_plain_file_is_refused() {
     let bench = Bench::new();
     let link = |to: &str, name: &str| std::os::unix::fs::symlink(to, bench.path().join(name)).expect("a link");
     std::fs::create_dir(bench.path().join("folder.msh")).expect("a folder");
-    for (device, name) in [
-        ("/dev/null", "null"),
-        ("/dev/zero", "zero"),
-        ("/dev/full", "full"),
-        ("/dev/random", "random"),
-    ] {
+    for (device, name) in
+        [("/dev/null", "null"), ("/dev/zero", "zero"), ("/dev/full", "full"), ("/dev/random", "random")]
+    {
         link(device, &format!("{name}.msh"));
         link(device, &format!("{name}.toml"));
     }
@@ -69,18 +66,10 @@ fn what_is_no_plain_file_is_refused() {
         link(name, &format!("to_{name}"));
     }
     for name in ["folder", "null", "zero", "full", "random", "pipe", "to_pipe"] {
-        refused_soon(
-            &bench,
-            &format!("{name}.msh"),
-            &[name, "is not a plain file", "give the path of a .msh file"],
-        );
+        refused_soon(&bench, &format!("{name}.msh"), &[name, "is not a plain file", "give the path of a .msh file"]);
     }
     for name in ["null", "zero", "full", "random", "pipe", "to_pipe"] {
-        refused_soon(
-            &bench,
-            &format!("{name}.toml"),
-            &[name, "is not a plain file", "give the path of a scene"],
-        );
+        refused_soon(&bench, &format!("{name}.toml"), &[name, "is not a plain file", "give the path of a scene"]);
     }
     for name in ["round.msh", "round.toml"] {
         link(name, name);
@@ -117,10 +106,7 @@ fn other_encodings_are_read_or_told() {
     let utf16 = |text: &str| -> Vec<u8> { text.encode_utf16().flat_map(u16::to_le_bytes).collect() };
     bench.write("wide.toml", [vec![0xff, 0xfe], utf16(&scene)].concat());
     refused_soon(&bench, "wide.toml", &["wide.toml", "not UTF-8", "first wrong byte: 0"]);
-    for (name, text) in [
-        ("marked", format!("\u{feff}{scene}")),
-        ("windows", scene.replace('\n', "\r\n")),
-    ] {
+    for (name, text) in [("marked", format!("\u{feff}{scene}")), ("windows", scene.replace('\n', "\r\n"))] {
         bench.write(&format!("{name}.toml"), text);
         let told = bench.run(&["check", &format!("{name}.toml")]);
         assert_eq!(told.status, 0, "{name}: {}", told.stderr);
@@ -179,38 +165,14 @@ fn a_scene_of_a_megabyte_of_faults_is_refused_in_a_few_words() {
         ("brackets", format!("a = {}", "[".repeat(100_000)), "not valid TOML"),
         ("braces", format!("a = {}", "{a = ".repeat(100_000)), "not valid TOML"),
         ("dotted", format!("{}a = 1", "a.".repeat(400_000)), "dotted.toml"),
-        (
-            "keys",
-            many(80_000, &|k| format!("k{k} = 1\n")),
-            "these are the first 100",
-        ),
-        (
-            "tables",
-            many(80_000, &|k| format!("[k{k}]\n")),
-            "these are the first 100",
-        ),
+        ("keys", many(80_000, &|k| format!("k{k} = 1\n")), "these are the first 100"),
+        ("tables", many(80_000, &|k| format!("[k{k}]\n")), "these are the first 100"),
         ("feeds", scene.clone() + &"[[feed]]\n".repeat(100_000), "more than 1000"),
         ("holes", scene.clone() + &many(900, &hole), "overlaps \"a0\""),
-        (
-            "axes",
-            format!("{scene}[sweep]\n{}", many(50_000, &|k| format!("oil.k{k} = [1]\n"))),
-            "no sweep has more",
-        ),
-        (
-            "values",
-            format!("{scene}[sweep]\nspeed = [{}]\n", "\"1 rpm\",".repeat(110_000)),
-            "more than 100000",
-        ),
-        (
-            "word",
-            format!("{scene}[cavitation]\nmodel = \"{}\"\n", "x".repeat(1_000_000)),
-            "is not known",
-        ),
-        (
-            "text",
-            scene.replacen("75 mm", &"x".repeat(1_000_000), 1),
-            "does not begin with a number",
-        ),
+        ("axes", format!("{scene}[sweep]\n{}", many(50_000, &|k| format!("oil.k{k} = [1]\n"))), "no sweep has more"),
+        ("values", format!("{scene}[sweep]\nspeed = [{}]\n", "\"1 rpm\",".repeat(110_000)), "more than 100000"),
+        ("word", format!("{scene}[cavitation]\nmodel = \"{}\"\n", "x".repeat(1_000_000)), "is not known"),
+        ("text", scene.replacen("75 mm", &"x".repeat(1_000_000), 1), "does not begin with a number"),
         ("zeros", "\0".repeat(1_000_000), "zeros.toml"),
     ];
     for (name, text, word) in texts {
@@ -236,11 +198,7 @@ fn a_count_of_a_quintillion_costs_nothing() {
             words[place] = "1000000000000000000";
             let file = [&text[..start], &words.join(" "), &text[start + line.len()..]].concat();
             bench.write("many.msh", file);
-            let peak = refused_soon(
-                &bench,
-                "many.msh",
-                &[section[1..].trim(), "line ", "1000000000000000000"],
-            );
+            let peak = refused_soon(&bench, "many.msh", &[section[1..].trim(), "line ", "1000000000000000000"]);
             assert!(peak < PROGRAM, "{section} {place}: {peak}");
             spoiled += 1;
         }
@@ -272,52 +230,19 @@ fn memory_is_a_small_multiple_of_the_file() {
     };
     let some = nodes(3, "0 0 0\n");
     let files = [
-        (
-            "nodes",
-            format!(
-                "{header}{surface}{}{}",
-                nodes(300_000, "1 1 0\n"),
-                elements(1, "1 1 2 3\n")
-            ),
-        ),
-        (
-            "not_numbers",
-            format!(
-                "{header}{surface}{}{}",
-                nodes(300_000, "nan 1 0\n"),
-                elements(1, "1 1 2 3\n")
-            ),
-        ),
-        (
-            "repeated",
-            format!("{header}{surface}{some}{}", elements(500_000, "1 1 1 1\n")),
-        ),
-        (
-            "crowded",
-            format!("{header}{surface}{some}{}", elements(500_000, "1 1 2 3\n")),
-        ),
-        (
-            "names",
-            format!("{header}{}{surface}{some}{}", names(300_000), elements(1, "1 1 2 3\n")),
-        ),
-        (
-            "blocks",
-            format!(
-                "{header}{surface}{some}$Elements\n400000 1 1 1\n{}",
-                numbers(400_000, "2 1 2 0\n")
-            ),
-        ),
+        ("nodes", format!("{header}{surface}{}{}", nodes(300_000, "1 1 0\n"), elements(1, "1 1 2 3\n"))),
+        ("not_numbers", format!("{header}{surface}{}{}", nodes(300_000, "nan 1 0\n"), elements(1, "1 1 2 3\n"))),
+        ("repeated", format!("{header}{surface}{some}{}", elements(500_000, "1 1 1 1\n"))),
+        ("crowded", format!("{header}{surface}{some}{}", elements(500_000, "1 1 2 3\n"))),
+        ("names", format!("{header}{}{surface}{some}{}", names(300_000), elements(1, "1 1 2 3\n"))),
+        ("blocks", format!("{header}{surface}{some}$Elements\n400000 1 1 1\n{}", numbers(400_000, "2 1 2 0\n"))),
         ("section", format!("{header}${}\n", "x".repeat(4_000_000))),
     ];
     for (name, text) in files {
         let name = format!("{name}.msh");
         bench.write(&name, &text);
         let peak = refused_soon(&bench, &name, &[&name]);
-        assert!(
-            peak < PROGRAM + HOSTILE * text.len() as u64,
-            "{name}: {peak} of {}",
-            text.len()
-        );
+        assert!(peak < PROGRAM + HOSTILE * text.len() as u64, "{name}: {peak} of {}", text.len());
     }
     // Scene 09, drawn finer: the second makes 73 MB.
     for size in ["0.7 mm", "0.3 mm"] {
@@ -329,14 +254,8 @@ fn memory_is_a_small_multiple_of_the_file() {
         assert_eq!(told.status, 0, "{}", told.stderr);
         let length = Path::metadata(&bench.path().join("fine.msh")).expect("a mesh").len();
         let mut child = oilwedge_command();
-        let child = child
-            .args(["check", "fine.msh"])
-            .current_dir(bench.path())
-            .stdout(Stdio::null());
-        let used = child
-            .spawn()
-            .and_then(|mut child| child.wait4())
-            .expect("the program runs");
+        let child = child.args(["check", "fine.msh"]).current_dir(bench.path()).stdout(Stdio::null());
+        let used = child.spawn().and_then(|mut child| child.wait4()).expect("the program runs");
         assert!(used.status.success());
         let peak = used.rusage.maxrss;
         assert!(peak < PROGRAM + HONEST * length, "{peak} of {length}");

@@ -22,21 +22,10 @@ fn a_load_is_printed_written_and_drawn() {
         let json = bench.run(&["load", &scene, "--json", "--out", "other"]);
         assert_eq!((json.status, &json.stdout), (0, &written));
         let sheet: Value = serde_json::from_str(&written).expect("JSON");
-        assert_eq!(
-            (&sheet["format"], &sheet["period_deg"]),
-            (&"oilwedge-load/1".into(), &720.0.into())
-        );
+        assert_eq!((&sheet["format"], &sheet["period_deg"]), (&"oilwedge-load/1".into(), &720.0.into()));
         let number = |value: &Value| value.as_f64().expect("a number");
-        assert!(
-            (number(&sheet["peak"]["magnitude_n"]) - peak).abs() < 0.5,
-            "{}",
-            sheet["peak"]
-        );
-        assert!(
-            (number(&sheet["peak"]["angle_deg"]) - angle).abs() < 0.05,
-            "{}",
-            sheet["peak"]
-        );
+        assert!((number(&sheet["peak"]["magnitude_n"]) - peak).abs() < 0.5, "{}", sheet["peak"]);
+        assert!((number(&sheet["peak"]["angle_deg"]) - angle).abs() < 0.05, "{}", sheet["peak"]);
         assert_eq!(sheet["rows"].as_array().map(Vec::len), Some(720));
         for picture in ["load_by_angle", "load_polar"] {
             let svg = folder.join("plot").join(format!("{picture}.svg"));
@@ -58,10 +47,7 @@ fn a_table_with_a_fault_is_refused_with_file_and_line() {
     let scenes = repository().join("scenes/loads");
     let text = |name: &str| std::fs::read_to_string(scenes.join(name)).expect("shipped");
     bench.write("synthetic_big_end.toml", text("synthetic_big_end.toml"));
-    bench.refuses(
-        &["load", "synthetic_big_end.toml"],
-        &["load.file", "there is no file synthetic_big_end.csv"],
-    );
+    bench.refuses(&["load", "synthetic_big_end.toml"], &["load.file", "there is no file synthetic_big_end.csv"]);
     let table = text("synthetic_big_end.csv").replacen("\n6, ", "\n4, ", 1);
     bench.write("synthetic_big_end.csv", &table);
     let words = [
@@ -75,25 +61,11 @@ fn a_table_with_a_fault_is_refused_with_file_and_line() {
 #[test]
 fn a_steady_film_of_a_load_over_a_cycle_is_refused() {
     let bench = Bench::new();
-    let scene = repository()
-        .join("scenes/loads/crank_big_end.toml")
-        .display()
-        .to_string();
+    let scene = repository().join("scenes/loads/crank_big_end.toml").display().to_string();
     for verb in ["solve", "check", "converge"] {
-        let told = bench.refuses(
-            &[verb, &scene],
-            &["the load changes over a cycle", "oilwedge load SCENE"],
-        );
-        assert_eq!(
-            told.stderr.matches("changes over a cycle").count(),
-            1,
-            "{verb}: {}",
-            told.stderr
-        );
+        let told = bench.refuses(&[verb, &scene], &["the load changes over a cycle", "oilwedge load SCENE"]);
+        assert_eq!(told.stderr.matches("changes over a cycle").count(), 1, "{verb}: {}", told.stderr);
     }
     let plain = repository().join("scenes/01_plain_ring.toml").display().to_string();
-    bench.refuses(
-        &["load", &plain],
-        &["there is no load over a cycle", "period = \"720 deg\""],
-    );
+    bench.refuses(&["load", &plain], &["there is no load over a cycle", "period = \"720 deg\""]);
 }

@@ -28,10 +28,7 @@ fn what_is_no_oil_is_refused() {
     for (arguments, wanted) in [
         (&["oil", "SAE 10W-41"][..], "did you mean \"SAE 10W-40\""),
         (&["oil", "VG 46", "--at", "80"], "has no unit; a temperature is wanted"),
-        (
-            &["oil", "VG 46", "--at", "-80 C"],
-            "-80 C is not between -40 C and 250 C",
-        ),
+        (&["oil", "VG 46", "--at", "-80 C"], "-80 C is not between -40 C and 250 C"),
         (&["oil", "--at", "80 C"], "NAME"),
     ] {
         let output = oilwedge(Path::new("."), arguments);
@@ -49,22 +46,10 @@ fn a_grade_is_its_viscosity() {
     let text = text.replace("file = \"../meshes/ring.msh\"", "size = \"4 mm\"");
     let mut numbers = Vec::new();
     // 10 mm2/s times 850/(1 + 5 k_v) (1 - 20 k_v) kg/m3.
-    for oil in [
-        "grade = \"ISO VG 10\"\ntemperature = \"40 C\"",
-        "viscosity = \"8.354301203858725 mPa.s\"",
-    ] {
-        std::fs::write(
-            folder.path().join("a.toml"),
-            text.replace("viscosity = \"0.4 Pa.s\"", oil),
-        )
-        .expect("written");
+    for oil in ["grade = \"ISO VG 10\"\ntemperature = \"40 C\"", "viscosity = \"8.354301203858725 mPa.s\""] {
+        std::fs::write(folder.path().join("a.toml"), text.replace("viscosity = \"0.4 Pa.s\"", oil)).expect("written");
         let output = oilwedge(folder.path(), &["solve", "a.toml", "--json"]);
-        assert_eq!(
-            output.status.code(),
-            Some(0),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         let result: Value = serde_json::from_slice(&output.stdout).expect("JSON");
         numbers.push(result["quantities"]["load"]["value"].as_f64().expect("a load"));
         let temperature = &result["quantities"]["temperature_effective"];

@@ -7,12 +7,8 @@ use oilwedge_tests::scenes::table;
 const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const HEATED: &str = "an assumption does not hold: a film as warm as its oil is fed";
 /// Orbits: they take long as they are shipped.
-const COARSE: [&str; 4] = [
-    "27_big_end_orbit",
-    "28_big_end_orbit_conserving",
-    "34_elastic_big_end_orbit",
-    "35_squeeze_film_damper",
-];
+const COARSE: [&str; 4] =
+    ["27_big_end_orbit", "28_big_end_orbit_conserving", "34_elastic_big_end_orbit", "35_squeeze_film_damper"];
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
@@ -54,11 +50,7 @@ const SCENES: [(&str, &[&str]); 34] = [
     // On the coarse mesh on which it is solved here.
     (
         "28_big_end_orbit_conserving",
-        &[
-            "the film is not resolved where it is thin",
-            "an assumption does not hold: rigid surfaces",
-            HEATED,
-        ],
+        &["the film is not resolved where it is thin", "an assumption does not hold: rigid surfaces", HEATED],
     ),
     (
         "29_mixed_lubrication",
@@ -71,24 +63,13 @@ const SCENES: [(&str, &[&str]); 34] = [
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
     ("33_polymer_liner", &[]),
-    (
-        "34_elastic_big_end_orbit",
-        &[
-            "an assumption does not hold: slices of the wall that move by themselves",
-            HEATED,
-        ],
-    ),
+    ("34_elastic_big_end_orbit", &["an assumption does not hold: slices of the wall that move by themselves", HEATED]),
     ("35_squeeze_film_damper", &[]),
 ];
 
 /// Scenes that are solved on one thread too: a linear film, one that breaks, a balance of heat, a tangent, a wall.
-const ON_ONE_THREAD: [&str; 5] = [
-    "02_flexpde_shell",
-    "12_flexpde_shell_cavitated",
-    "20_heat_balance",
-    "25_whirl",
-    "33_polymer_liner",
-];
+const ON_ONE_THREAD: [&str; 5] =
+    ["02_flexpde_shell", "12_flexpde_shell_cavitated", "20_heat_balance", "25_whirl", "33_polymer_liner"];
 
 /// The scene to solve, and how. Orbits have a coarse mesh and no bars here; as they are shipped, the full tier solves them.
 fn to_solve(bench: &Bench, name: &str) -> (String, &'static [&'static str]) {
@@ -98,7 +79,8 @@ fn to_solve(bench: &Bench, name: &str) -> (String, &'static [&'static str]) {
     let mut scene: toml::Table = edited(name, &[]).parse().expect("a scene");
     table(&mut scene, "mesh").insert("size".into(), "40 mm".into());
     let file = format!("{name}.toml");
-    bench.write(&file, scene.to_string());
+    let loads = repository().join("scenes/loads");
+    bench.write(&file, scene.to_string().replace("\"loads/", &format!("\"{}/", loads.display())));
     (file, &["--bars", "none"])
 }
 
@@ -122,31 +104,19 @@ fn every_scene_solves_with_the_warnings_expected_on_any_number_of_threads() {
         for (given, expected) in given.iter().zip(warnings) {
             let given = given.as_str().expect("a text");
             assert!(given.starts_with(expected), "{name}: {given}");
-            assert!(
-                told.stderr.contains(&format!("warning: {given}")),
-                "{name}: {}",
-                told.stderr
-            );
+            assert!(told.stderr.contains(&format!("warning: {given}")), "{name}: {}", told.stderr);
         }
         let picture = || std::fs::read(bench.path().join(format!("out/{name}/film.vtu"))).expect("a picture");
         let drawn = picture();
         if ON_ONE_THREAD.contains(&name) {
             let alone = solved("1");
-            assert_eq!(
-                lines_without_times(&alone.stdout),
-                lines_without_times(&told.stdout),
-                "{name}"
-            );
+            assert_eq!(lines_without_times(&alone.stdout), lines_without_times(&told.stdout), "{name}");
             assert!(picture() == drawn, "{name}: another picture");
         }
         let told = bench.run(&["check", &shipped(name)]);
         assert_eq!((told.status, told.stderr.as_str()), (0, ""), "{name}");
     }
-    assert!(
-        ON_ONE_THREAD
-            .iter()
-            .all(|one| SCENES.iter().any(|(name, _)| name == one))
-    );
+    assert!(ON_ONE_THREAD.iter().all(|one| SCENES.iter().any(|(name, _)| name == one)));
 }
 
 #[test]
@@ -195,11 +165,7 @@ fn help_has_examples_and_the_exit_status() {
         let told = bench.run(arguments);
         assert_eq!((told.status, told.stderr.as_str()), (0, ""));
         for part in ["Usage: oilwedge", "Examples:\n  oilwedge ", "Exit status: 0 ", "2 "] {
-            assert!(
-                told.stdout.contains(part),
-                "{arguments:?}: no {part:?} in\n{}",
-                told.stdout
-            );
+            assert!(told.stdout.contains(part), "{arguments:?}: no {part:?} in\n{}", told.stdout);
         }
     }
     let top = bench.run(&["--help"]).stdout;

@@ -54,15 +54,9 @@ fn check_keys(result: &Value) {
     assert_eq!(sorted(result), top);
     assert_eq!(sorted(&result["counts"]), counts);
     assert_eq!(sorted(&result["effects"]), ["not_simulated", "simulated"]);
-    assert_eq!(
-        sorted(&result["geometry"]),
-        ["arc", "clearance", "film_start", "length", "radius", "speed"]
-    );
+    assert_eq!(sorted(&result["geometry"]), ["arc", "clearance", "film_start", "length", "radius", "speed"]);
     assert_eq!(sorted(&result["mesh"]), ["cells", "min_angle_deg", "nodes", "order"]);
-    assert_eq!(
-        sorted(&result["balances"]),
-        ["force", "heat", "mass", "moment", "power", "tilt"]
-    );
+    assert_eq!(sorted(&result["balances"]), ["force", "heat", "mass", "moment", "power", "tilt"]);
     assert_eq!(result["format"], "oilwedge-result/1");
     for key in ["scene_sha256", "mesh_sha256"] {
         assert_eq!(result[key].as_str().map(str::len), Some(64));
@@ -85,10 +79,7 @@ fn a_solved_scene_is_one_json_object_and_the_same_in_the_file() {
     assert_eq!(told.status, 0, "{}", told.stderr);
     let result = object(&told.stdout);
     check_keys(&result);
-    assert_eq!(
-        (&result["status"], &result["reason"]),
-        (&"converged".into(), &Value::Null)
-    );
+    assert_eq!((&result["status"], &result["reason"]), (&"converged".into(), &Value::Null));
     assert_eq!(result["title"], "Hole-fed shell, Barus oil (FlexPDE study)");
     assert_eq!(result["counts"]["linear_solves"], 1);
     for part in ["read", "assemble", "factorise", "solve", "total"] {
@@ -98,13 +89,7 @@ fn a_solved_scene_is_one_json_object_and_the_same_in_the_file() {
     let written = std::fs::read_to_string(bench.path().join("out/scene/result.json")).expect("result.json");
     assert_eq!(timeless(object(&written)), timeless(result));
     let names: Vec<_> = bench.files().into_keys().collect();
-    let expected = [
-        "out/",
-        "out/scene/",
-        "out/scene/film.vtu",
-        "out/scene/result.json",
-        "scene.toml",
-    ];
+    let expected = ["out/", "out/scene/", "out/scene/film.vtu", "out/scene/result.json", "scene.toml"];
     assert_eq!(names, expected.map(|name| bench.path().join(name)));
 }
 
@@ -154,22 +139,11 @@ fn names_of_quantities_are_those_of_the_contract() {
     sorted.sort_unstable();
     assert_eq!(found, sorted);
     // At rest a Sommerfeld number has no meaning, without eccentricity an attitude angle has none.
-    let rest = [
-        ("\"10 rad/s\"", "\"0 rpm\""),
-        ("eccentricity   = 0.6", "eccentricity = 0"),
-    ];
+    let rest = [("\"10 rad/s\"", "\"0 rpm\""), ("eccentricity   = 0.6", "eccentricity = 0")];
     bench.scene("02_flexpde_shell", &rest);
     let result = object(&bench.run(&["solve", "scene.toml", "--json"]).stdout);
-    let friction = [
-        "friction_torque",
-        "friction_coefficient",
-        "inlet_flow",
-        "side_flow_number",
-    ];
-    for name in ["sommerfeld_number", "attitude_angle", "min_film_angle"]
-        .into_iter()
-        .chain(friction)
-    {
+    let friction = ["friction_torque", "friction_coefficient", "inlet_flow", "side_flow_number"];
+    for name in ["sommerfeld_number", "attitude_angle", "min_film_angle"].into_iter().chain(friction) {
         assert!(result["quantities"].get(name).is_none(), "{name}");
     }
 }
@@ -223,20 +197,13 @@ fn no_solution(name: &str, words: &[&str]) {
 fn barus_past_its_limit_has_no_solution() {
     no_solution(
         "02_flexpde_shell",
-        &[
-            "at which the viscosity law makes the pressure infinite",
-            "at 81.4",
-            "lower speed",
-        ],
+        &["at which the viscosity law makes the pressure infinite", "at 81.4", "lower speed"],
     );
 }
 
 #[test]
 fn the_printed_equation_past_its_fold_has_no_solution() {
-    no_solution(
-        "06_flexpde_as_printed",
-        &["no solution above 36.7", "form = \"conservative\""],
-    );
+    no_solution("06_flexpde_as_printed", &["no solution above 36.7", "form = \"conservative\""]);
 }
 
 #[test]
@@ -251,10 +218,7 @@ fn a_limit_that_leaves_a_tolerance_unmet_ends_with_one() {
     check_keys(&result);
     assert_eq!(result["status"], "not_converged");
     let reason = result["reason"].as_str().expect("a reason");
-    assert!(
-        reason.starts_with("limit: ") && reason.contains("--max-unknowns"),
-        "{reason}"
-    );
+    assert!(reason.starts_with("limit: ") && reason.contains("--max-unknowns"), "{reason}");
     assert!(result["quantities"]["load"]["error"].is_f64());
     assert!(result["levels"].as_array().is_some_and(|levels| levels.len() > 1));
     assert!(bench.path().join("out/scene/film.vtu").is_file());
@@ -275,11 +239,7 @@ fn bars_are_left_out_where_they_are_not_wanted() {
     check_keys(&result);
     assert_eq!((&result["bars"], &result["counts"]["bars"]), (&false.into(), &0.into()));
     let quantities = result["quantities"].as_object().expect("quantities");
-    assert!(
-        quantities
-            .values()
-            .all(|it| it["error"].is_null() && it["error_parts"].is_null())
-    );
+    assert!(quantities.values().all(|it| it["error"].is_null() && it["error_parts"].is_null()));
     let people = bench.run(&["solve", "scene.toml", "--bars", "none"]);
     assert!(!people.stdout.contains("± error") && !people.stdout.contains("levels    "));
     let people = bench.run(&["solve", "scene.toml"]);

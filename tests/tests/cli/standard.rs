@@ -11,12 +11,7 @@ fn the_twin_stands_beside_the_film() {
     let scene = repository().join("scenes/20_heat_balance.toml").display().to_string();
     let told = bench.run(&["solve", &scene, "--standard", "--out", "out"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
-    for words in [
-        "ISO 7902 (DIN 31652)",
-        "a hole opposite to the load",
-        "its side_flow",
-        "Q_3",
-    ] {
+    for words in ["ISO 7902 (DIN 31652)", "a hole opposite to the load", "its side_flow", "Q_3"] {
         assert!(told.stdout.contains(words), "{words}: {}", told.stdout);
     }
     let text = std::fs::read_to_string(bench.path().join("out/result.json")).expect("a result");
@@ -25,15 +20,9 @@ fn the_twin_stands_beside_the_film() {
     assert_eq!(standard["given"], "load");
     let numbers = standard["numbers"].as_array().expect("numbers");
     let parts = ["squeezed_flow", "pressed_flow"].map(|part| standard[part].as_f64().expect(part));
-    let side_flow = numbers
-        .iter()
-        .find(|it| it["quantity"] == "side_flow")
-        .expect("a side flow");
+    let side_flow = numbers.iter().find(|it| it["quantity"] == "side_flow").expect("a side flow");
     let whole = side_flow["standard"].as_f64().expect("a number");
-    assert!(
-        (parts[0] + parts[1] - whole).abs() < 1e-12 * whole,
-        "{parts:?}, {whole}"
-    );
+    assert!((parts[0] + parts[1] - whole).abs() < 1e-12 * whole, "{parts:?}, {whole}");
     let film_of = |name: &str| &result["quantities"][name]["value"];
     for name in ["eccentricity", "friction_power", "side_flow"] {
         let beside = numbers.iter().find(|it| it["quantity"] == name).expect(name);

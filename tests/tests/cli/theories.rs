@@ -32,17 +32,10 @@ fn each_film_is_that_of_a_scene_that_asks_for_it() {
     let theories = all["theories"].clone();
     assert!((theories["slenderness"].as_f64().expect("B/D") - 25.7 / 74.5).abs() < 1e-12);
     let films = theories["films"].as_array().expect("a list");
-    let names: Vec<_> = films
-        .iter()
-        .map(|film| film["theory"].as_str().expect("a name"))
-        .collect();
+    let names: Vec<_> = films.iter().map(|film| film["theory"].as_str().expect("a name")).collect();
     assert_eq!(names, ["short", "full", "long"]);
     assert_eq!(films[2]["film_start_deg"], 0.0);
-    for (film, more) in films.iter().zip([
-        ", theory = \"short\"",
-        "",
-        ", theory = \"long\", film_start = \"0 deg\"",
-    ]) {
+    for (film, more) in films.iter().zip([", theory = \"short\"", "", ", theory = \"long\", film_start = \"0 deg\""]) {
         let alone = solved(&bench, &ring(more), &[]);
         assert!(alone.get("theories").is_none());
         assert_eq!((&film["status"], &film["reason"]), (&"converged".into(), &Value::Null));
@@ -77,10 +70,7 @@ fn every_shipped_scene_has_a_table_or_a_reason() {
         ("10_drawn_liner", [None, None]),
         ("14_starved_pad", [Some("bearing.arc is given"), None]),
         ("15_squeezed_ring", [None, None]),
-        (
-            "19_connecting_rod_cap",
-            [None, Some("no line of the bearing has a pressure")],
-        ),
+        ("19_connecting_rod_cap", [None, Some("no line of the bearing has a pressure")]),
     ] {
         bench.scene(name, &[]);
         let told = bench.run(&["solve", "scene.toml", "--theories"]);
@@ -89,10 +79,7 @@ fn every_shipped_scene_has_a_table_or_a_reason() {
             assert!(told.stdout.contains(part), "{name}: no {part:?} in\n{}", told.stdout);
         }
         for (theory, reason) in ["short", "long"].into_iter().zip(refused) {
-            let line = told
-                .stdout
-                .lines()
-                .find(|line| line.starts_with(&format!("no {theory} film: ")));
+            let line = told.stdout.lines().find(|line| line.starts_with(&format!("no {theory} film: ")));
             match reason {
                 Some(reason) => assert!(line.is_some_and(|line| line.contains(reason)), "{name}: {line:?}"),
                 None => assert_eq!(line, None, "{name}"),
@@ -116,16 +103,8 @@ fn the_table_of_the_page_is_that_of_the_scene() {
         let films = &result["theories"]["films"];
         for (film, cell) in [&films[1], &films[0], &films[2]].into_iter().zip(&cells[2..]) {
             let value = film["quantities"][name]["value"].as_f64().expect("a number") / scale;
-            let shown: f64 = cell
-                .split(' ')
-                .next()
-                .and_then(|text| text.parse().ok())
-                .expect("a number");
-            assert!(
-                (shown / value - 1.0).abs() < 3e-3,
-                "{name}, {}: {shown}, {value}",
-                film["theory"]
-            );
+            let shown: f64 = cell.split(' ').next().and_then(|text| text.parse().ok()).expect("a number");
+            assert!((shown / value - 1.0).abs() < 3e-3, "{name}, {}: {shown}, {value}", film["theory"]);
         }
     }
 }

@@ -11,10 +11,7 @@ fn known_values_are_met() {
     let output = oilwedge(Path::new("."), &["verify"]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{text}");
-    assert!(
-        text.contains("all as expected") && text.contains("known sommerfeld_number"),
-        "{text}"
-    );
+    assert!(text.contains("all as expected") && text.contains("known sommerfeld_number"), "{text}");
 }
 
 #[test]
@@ -54,14 +51,8 @@ fn the_page_is_written_as_cases_end() {
     let (done, rest) = rest.split_once(" of ").expect("a number");
     let (cases, _) = rest.split_once(" cases.**").expect("all");
     let [done, cases]: [usize; 2] = [done, cases].map(|number| number.parse().expect("a number"));
-    let rows = text
-        .lines()
-        .filter(|line| line.starts_with("| ") && !line.starts_with("| case |"))
-        .count();
-    assert!(
-        done > 0 && done < cases && rows == done && text.ends_with("|\n"),
-        "{text}"
-    );
+    let rows = text.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| case |")).count();
+    assert!(done > 0 && done < cases && rows == done && text.ends_with("|\n"), "{text}");
     let stderr = String::from_utf8_lossy(&told.stderr).into_owned();
     assert!(stderr.contains(&format!(" of {cases} cases, ")), "{stderr}");
 }

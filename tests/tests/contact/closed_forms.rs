@@ -23,11 +23,7 @@ fn the_integral_of_greenwood_and_tripp() {
     let values = block["values"].as_object().expect("values");
     for (l, value) in values {
         let (l, value): (f64, f64) = (l.parse().expect("a number"), value.as_f64().expect("a number"));
-        assert!(
-            (integral(5, l) / value - 1.0).abs() < 2e-9,
-            "{l}: {:e} {value:e}",
-            integral(5, l)
-        );
+        assert!((integral(5, l) / value - 1.0).abs() < 2e-9, "{l}: {:e} {value:e}", integral(5, l));
     }
 }
 
@@ -35,16 +31,8 @@ fn the_integral_of_greenwood_and_tripp() {
 #[test]
 fn force_and_moment_of_a_bearing_curve() {
     let (radius, clearance, length) = (0.1, 0.15e-3, 0.08);
-    let curve = BearingCurve {
-        depth: 3e-6,
-        hardness: 9e8,
-    };
-    let bearing = Bearing {
-        radius,
-        length,
-        clearance,
-        end_pressure: 0.0,
-    };
+    let curve = BearingCurve { depth: 3e-6, hardness: 9e8 };
+    let bearing = Bearing { radius, length, clearance, end_pressure: 0.0 };
     let mesh = ring_of_radius(radius, 96, 16, length, 0.0);
     let regions = ends(&mesh, length, None);
     let system = FilmSystem::new(std::sync::Arc::new(mesh), 2, regions).expect("the ends close the ring");
@@ -62,11 +50,7 @@ fn force_and_moment_of_a_bearing_curve() {
         close_or_zero(closed_moment, summed_moment, 1e-9);
         let problem = FilmProblem {
             bearing,
-            journal: JournalState {
-                offset: [1e-3 * e, 0.0],
-                tilt: [tilt, 0.0],
-                ..JournalState::default()
-            },
+            journal: JournalState { offset: [1e-3 * e, 0.0], tilt: [tilt, 0.0], ..JournalState::default() },
             film_thickness: vec![
                 std::sync::Arc::new(Eccentricity { radius, clearance }),
                 std::sync::Arc::new(Tilt { radius }),
@@ -97,11 +81,7 @@ fn summed(bearing: &Bearing, curve: &BearingCurve, offset: f64, tilt: f64) -> [f
     let depth_at = |z: f64| offset + tilt * z - (bearing.clearance - curve.depth);
     let per_length = |depth: f64| {
         let half = (2.0 * depth / bearing.clearance).sqrt();
-        let gauss = [
-            (-0.6f64.sqrt(), 5.0 / 9.0),
-            (0.0, 8.0 / 9.0),
-            (0.6f64.sqrt(), 5.0 / 9.0),
-        ];
+        let gauss = [(-0.6f64.sqrt(), 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.6f64.sqrt(), 5.0 / 9.0)];
         let pressure = |s: f64| curve.hardness * (depth * (1.0 - s * s) / curve.depth).powi(2);
         bearing.radius * half * gauss.iter().map(|(s, weight)| weight * pressure(*s)).sum::<f64>()
     };
@@ -132,18 +112,12 @@ fn summed(bearing: &Bearing, curve: &BearingCurve, offset: f64, tilt: f64) -> [f
 fn contact_depends_on_no_mesh() {
     let [coarse, fine] = [48, 192].map(|columns| ring_system(columns, columns / 6, 0.06, None));
     for contact in contacts() {
-        let problem = FilmProblem {
-            contact: Some(contact),
-            ..plain_film(0.06, 0.96, 0.4, SPEED)
-        };
+        let problem = FilmProblem { contact: Some(contact), ..plain_film(0.06, 0.96, 0.4, SPEED) };
         let [coarse_share, fine_share] = [&coarse, &fine].map(|system| share(&problem, system).expect("contact"));
         let ([x, y], [fine_x, fine_y]) = (coarse_share.force, fine_share.force);
         let (off, size) = ((x - fine_x).hypot(y - fine_y), fine_x.hypot(fine_y));
         let bar = unsure(&problem, &coarse, &coarse_share);
-        assert!(
-            off < 1e-5 * size && off < bar + 1e-12 * size,
-            "{off:e} {bar:e} {size:e}"
-        );
+        assert!(off < 1e-5 * size && off < bar + 1e-12 * size, "{off:e} {bar:e} {size:e}");
     }
 }
 
@@ -208,11 +182,7 @@ fn contact_rubs() {
 
 #[track_caller]
 fn close(value: f64, wanted: f64, part: f64) {
-    assert!(
-        (value / wanted - 1.0).abs() < part,
-        "{value} {wanted}: {:e}",
-        value / wanted - 1.0
-    );
+    assert!((value / wanted - 1.0).abs() < part, "{value} {wanted}: {:e}", value / wanted - 1.0);
 }
 
 #[track_caller]

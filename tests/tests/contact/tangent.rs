@@ -17,11 +17,7 @@ const LENGTH: f64 = 0.06;
 /// Films whose surfaces touch at one end, smooth and rough.
 fn films() -> Vec<(String, FilmProblem, FilmSystem)> {
     let mut films = Vec::new();
-    for model in [
-        Cavitation::None,
-        Cavitation::Reynolds { pressure: 0.0 },
-        Cavitation::Jfo { pressure: 0.0 },
-    ] {
+    for model in [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }, Cavitation::Jfo { pressure: 0.0 }] {
         for contact in contacts() {
             for is_rough in [false, true] {
                 let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
@@ -43,23 +39,13 @@ fn films() -> Vec<(String, FilmProblem, FilmSystem)> {
 #[test]
 fn tangents_with_contact_are_differences() {
     for (what, problem, system) in films() {
-        let film = problem
-            .solve(&system)
-            .unwrap_or_else(|reason| panic!("{what}: {reason}"));
+        let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{what}: {reason}"));
         let carried = |journal: JournalState| {
-            let problem = FilmProblem {
-                journal,
-                ..problem.clone()
-            };
+            let problem = FilmProblem { journal, ..problem.clone() };
             let film = (problem.solve_from(&system, Neighbour::Kept(&film)))
                 .unwrap_or_else(|reason| panic!("{what}: {reason}"));
             let total = load(&problem, &system, &film).total;
-            [
-                total.force[0],
-                total.force[1],
-                2.0 / LENGTH * total.moment[0],
-                2.0 / LENGTH * total.moment[1],
-            ]
+            [total.force[0], total.force[1], 2.0 / LENGTH * total.moment[0], 2.0 / LENGTH * total.moment[1]]
         };
         let change = |k: usize, by: f64| {
             let mut change = JournalChange::default();
@@ -73,12 +59,7 @@ fn tangents_with_contact_are_differences() {
             let change = change(k, 1.0);
             let unknown = problem.unknown_change(&system, &film, &change).expect("a tangent");
             let by = load_change(&problem, &system, &film, &[(&change).into()], &unknown);
-            [
-                by.force[0],
-                by.force[1],
-                2.0 / LENGTH * by.moment[0],
-                2.0 / LENGTH * by.moment[1],
-            ]
+            [by.force[0], by.force[1], 2.0 / LENGTH * by.moment[0], 2.0 / LENGTH * by.moment[1]]
         });
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
             for (k, column) in tangent.iter().enumerate() {
@@ -99,10 +80,7 @@ fn tangents_with_contact_are_differences() {
 #[test]
 fn contact_stiffens_and_does_not_damp() {
     let (_, with, system) = films().swap_remove(4);
-    let without = FilmProblem {
-        contact: None,
-        ..with.clone()
-    };
+    let without = FilmProblem { contact: None, ..with.clone() };
     let of = |problem: &FilmProblem| {
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         Coefficients::of(problem, &system, &film, 0.0).expect("coefficients")

@@ -20,10 +20,7 @@ fn exact([x, z]: [f64; 2]) -> f64 {
 }
 
 fn gradient([x, z]: [f64; 2]) -> [f64; 2] {
-    [
-        x.cos() * (0.7 * z).cosh() - 2.0 * (2.0 * x).sin() * z,
-        0.7 * x.sin() * (0.7 * z).sinh() + (2.0 * x).cos(),
-    ]
+    [x.cos() * (0.7 * z).cosh() - 2.0 * (2.0 * x).sin() * z, 0.7 * x.sin() * (0.7 * z).sinh() + (2.0 * x).cos()]
 }
 
 fn conductance(x: f64) -> f64 {
@@ -46,11 +43,7 @@ impl ConservationLaw for Manufactured {
     }
     fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (&point, out) in positions.iter().zip(out) {
-            *out = Conduction {
-                conductance: conductance(point[0]),
-                flux: [0.0; 2],
-                source: source(point),
-            };
+            *out = Conduction { conductance: conductance(point[0]), flux: [0.0; 2], source: source(point) };
         }
     }
     fn response(&self, _: usize, _: &[[f64; 2]], _: &[State], _: &mut [Response]) {}
@@ -61,26 +54,16 @@ impl ConservationLaw for Manufactured {
 fn curved_ring(n: u32) -> Arc<Mesh> {
     let (columns, rows) = (3 * n, n);
     let vertex = |i: u32, j: u32| (i % columns) * (rows + 1) + j;
-    let mut raw = RawMesh {
-        period: Some(TAU),
-        ..RawMesh::default()
-    };
+    let mut raw = RawMesh { period: Some(TAU), ..RawMesh::default() };
     for i in 0..columns {
         for j in 0..=rows {
-            raw.points.push([
-                TAU * f64::from(i) / f64::from(columns),
-                2.0 * f64::from(j) / f64::from(rows) - 1.0,
-            ]);
+            raw.points.push([TAU * f64::from(i) / f64::from(columns), 2.0 * f64::from(j) / f64::from(rows) - 1.0]);
         }
     }
     for i in 0..columns {
         for j in 0..rows {
             let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
-            raw.bulges.push((
-                raw.triangles.len() as u32,
-                2,
-                [0.3 / f64::from(n * n), -0.2 / f64::from(n * n)],
-            ));
+            raw.bulges.push((raw.triangles.len() as u32, 2, [0.3 / f64::from(n * n), -0.2 / f64::from(n * n)]));
             raw.triangles.extend([[a, b, c], [a, c, d]]);
         }
     }
@@ -108,10 +91,7 @@ fn errors(degree: usize, n: u32) -> [f64; 2] {
     };
     let solution = newton::solve(&equation, start).unwrap();
     assert_eq!(solution.history.len(), 1, "a linear law needs one solve");
-    let field = Field {
-        space,
-        values: &solution.u,
-    };
+    let field = Field { space, values: &solution.u };
     let rule = Quadrature::for_degree(3);
     let mut sums = [0.0; 2];
     for t in 0..space.mesh().triangles().len() {

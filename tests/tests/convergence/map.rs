@@ -16,11 +16,7 @@ fn level(scene: &Scene) -> Level {
 
 /// Sum of the map over the bar of a quantity.
 fn ratio(level: &Level, goal: &str) -> f64 {
-    let quantity = level
-        .quantities
-        .iter()
-        .find(|quantity| quantity.name == goal)
-        .expect("the goal");
+    let quantity = level.quantities.iter().find(|quantity| quantity.name == goal).expect("the goal");
     let shares = level.indicator.as_ref().expect("a map");
     assert!(shares.iter().all(|share| share.is_finite()));
     shares.iter().map(|share| share.abs()).sum::<f64>() / quantity.error().expect("a bar")

@@ -55,10 +55,9 @@ fn threshold(result: &RunResult) -> Option<[f64; 2]> {
     let rotor = result.dynamics.as_ref().expect("coefficients").rotor;
     match rotor.stable {
         Stable::WithAnyMass => None,
-        Stable::BelowCriticalMass => Some([
-            rotor.critical_mass_without_dimension.expect("a mass"),
-            quantity(result, "whirl_ratio")[0],
-        ]),
+        Stable::BelowCriticalMass => {
+            Some([rotor.critical_mass_without_dimension.expect("a mass"), quantity(result, "whirl_ratio")[0]])
+        }
         other => panic!("{other:?}"),
     }
 }
@@ -90,11 +89,7 @@ fn two_grooves_of_lund_and_thomsen() {
             groove("right", 260.0)
         );
         // Near the threshold of stability with any mass the critical mass depends much on K and C.
-        let tolerance = if (0.6..0.75).contains(&of[0]) {
-            "\"0.0003 %\""
-        } else {
-            "\"0.02 %\""
-        };
+        let tolerance = if (0.6..0.75).contains(&of[0]) { "\"0.0003 %\"" } else { "\"0.02 %\"" };
         let result = run(&scene(0.5, tolerance, &keys));
         let found = result.dynamics.as_ref().ok_or("no coefficients")?;
         let found = found.coefficients[0].without_dimension.as_ref().ok_or("no load")?;
@@ -102,10 +97,9 @@ fn two_grooves_of_lund_and_thomsen() {
         if (number / of[1] - 1.0).abs() > 5e-3 {
             return Err(format!("S {number}, not {}", of[1]));
         }
-        for (name, found, wanted) in [
-            ("K", entries(&found.stiffness), &of[3..7]),
-            ("C", entries(&found.damping), &of[7..11]),
-        ] {
+        for (name, found, wanted) in
+            [("K", entries(&found.stiffness), &of[3..7]), ("C", entries(&found.damping), &of[7..11])]
+        {
             for k in 0..4 {
                 let greatest = wanted[k - k % 2].abs().max(wanted[k - k % 2 + 1].abs());
                 if (found[k] - wanted[k]).abs() > 1e-2 * greatest {
@@ -136,13 +130,9 @@ fn bars_hold_where_the_film_ends() {
             "[[feed]]\ngroup = \"at_{from}\"\npressure = \"0 bar\"\ngroove = {{ from = \"{from} deg\", to = \"{to} deg\", width = \"{width}\" }}\n"
         )
     };
-    let light = scene(
-        1.0,
-        "\"0.5 %\"",
-        "eccentricity = 0.03\nmin_film_angle = \"0 deg\"\n[dynamics]",
-    )
-    .replacen("50 um", "100 um", 1)
-    .replacen("300 rad/s", "3000 rpm", 1);
+    let light = scene(1.0, "\"0.5 %\"", "eccentricity = 0.03\nmin_film_angle = \"0 deg\"\n[dynamics]")
+        .replacen("50 um", "100 um", 1)
+        .replacen("300 rad/s", "3000 rpm", 1);
     let inch = format!(
         "bearing = {{ diameter = \"1 in\", length = \"1 in\", clearance = \"1.8 mil\" }}\noil.viscosity = \"7.60e-6 reyn\"\ncavitation.model = \"reynolds\"\n\
          journal.speed = \"8000 rpm\"\nload = {{ force = \"66.278 N\", angle = \"270 deg\" }}\ndynamics.mass = \"6.75848 kg\"\n{}{}",
@@ -161,10 +151,7 @@ fn bars_hold_where_the_film_ends() {
         ("stiffness_xx", 1.22228e7, 2e3, 1.0),
         ("stiffness_yy", 6.1047e6, 2e3, 1.0),
     ];
-    let of_inch = [
-        ("critical_mass", 9.0073, 1e-4, 0.02),
-        ("logarithmic_decrement", 0.10698, 1e-5, 0.02),
-    ];
+    let of_inch = [("critical_mass", 9.0073, 1e-4, 0.02), ("logarithmic_decrement", 0.10698, 1e-5, 0.02)];
     let of_beside = [
         ("damping_xx", 1.37798e7, 2e3, 0.05),
         ("damping_xy", 3.49135e6, 2e3, 0.08),
@@ -178,10 +165,7 @@ fn bars_hold_where_the_film_ends() {
         for &(name, wanted, unsure, widest) in rows {
             let [found, bar] = quantity(&result, name);
             println!("{name} {found} +- {bar}, not {wanted}");
-            assert!(
-                (found - wanted).abs() < bar + unsure,
-                "{name}: {found} +- {bar}, not {wanted}"
-            );
+            assert!((found - wanted).abs() < bar + unsure, "{name}: {found} +- {bar}, not {wanted}");
             assert!(bar < widest * wanted, "{name}: {found} +- {bar}");
         }
     }

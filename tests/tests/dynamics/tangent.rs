@@ -55,10 +55,7 @@ fn stiffness_and_damping_are_differences_of_films() {
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let coefficients = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
         let carried = |journal: JournalState| {
-            let problem = FilmProblem {
-                journal,
-                ..problem.clone()
-            };
+            let problem = FilmProblem { journal, ..problem.clone() };
             let film =
                 (problem.solve_from(&system, Neighbour::Kept(&film))).unwrap_or_else(|reason| panic!("{reason}"));
             let total = load(&problem, &system, &film).total;
@@ -90,18 +87,8 @@ fn stiffness_and_damping_are_differences_of_films() {
             0 | 1 => moved(&|journal| &mut journal.velocity, k, by),
             _ => moved(&|journal| &mut journal.tilt_rate, k - 2, by),
         };
-        let to = if matches!(model, Cavitation::Guembel { .. }) {
-            1e-5
-        } else {
-            1e-6
-        };
-        assert_tangent(
-            &coefficients.damping,
-            driven,
-            1e-6 * SPEED * CLEARANCE,
-            to,
-            &format!("C {model:?}"),
-        );
+        let to = if matches!(model, Cavitation::Guembel { .. }) { 1e-5 } else { 1e-6 };
+        assert_tangent(&coefficients.damping, driven, 1e-6 * SPEED * CLEARANCE, to, &format!("C {model:?}"));
     }
 }
 
@@ -150,12 +137,7 @@ fn translation_and_tilt_decouple_in_a_symmetric_bearing() {
             Coefficients::of(&problem, &system, &film, 0.5 * SPEED).expect("coefficients");
         for of in [stiffness, damping] {
             let greatest = |block: usize| {
-                let entries = [
-                    of[block][block],
-                    of[block + 1][block],
-                    of[block][block + 1],
-                    of[block + 1][block + 1],
-                ];
+                let entries = [of[block][block], of[block + 1][block], of[block][block + 1], of[block + 1][block + 1]];
                 entries.into_iter().fold(0.0, |most: f64, entry| most.max(entry.abs()))
             };
             let size = (greatest(0) * greatest(2)).sqrt();

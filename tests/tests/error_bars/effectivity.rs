@@ -11,11 +11,7 @@ type BySize<'a> = &'a dyn Fn(f64) -> Scene;
 
 /// A smooth film.
 fn ring(eccentricity: f64) -> impl Fn(f64) -> Scene {
-    move |size| {
-        drawn("09_drawn_ring", size, |scene| {
-            set(scene, "journal", "eccentricity", eccentricity)
-        })
-    }
+    move |size| drawn("09_drawn_ring", size, |scene| set(scene, "journal", "eccentricity", eccentricity))
 }
 
 fn hole_fed(eccentricity: f64) -> impl Fn(f64) -> Scene {
@@ -30,11 +26,8 @@ fn hole_fed(eccentricity: f64) -> impl Fn(f64) -> Scene {
 /// `J(p3) - J(p2)` over the true error of `J(p2)`, along the load.
 #[test]
 fn the_estimate_is_the_error_of_the_quadratic_load() {
-    let films: [(&str, BySize); 3] = [
-        ("ring, eps 0.6", &ring(0.6)),
-        ("ring, eps 0.8", &ring(0.8)),
-        ("hole-fed ring, eps 0.8", &hole_fed(0.8)),
-    ];
+    let films: [(&str, BySize); 3] =
+        [("ring, eps 0.6", &ring(0.6)), ("ring, eps 0.8", &ring(0.8)), ("hole-fed ring, eps 0.8", &hole_fed(0.8))];
     for (name, scene) in films {
         let exact = Judged::of_scene(&scene(1.5)).cubic_load().magnitude();
         for size in [8.0, 6.0, 4.0] {
@@ -74,11 +67,8 @@ fn a_hole_fed_ring_is_known_to_a_millionth_on_less_than_3000_unknowns() {
 #[test]
 fn the_bars_of_a_report_hold() {
     let cavitated = |size| drawn("12_flexpde_shell_cavitated", size, |_| ());
-    let films: [(BySize, [f64; 2]); 3] = [
-        (&ring(0.8), [6.0, 1.5]),
-        (&hole_fed(0.6), [6.0, 1.5]),
-        (&cavitated, [5.0, 0.9]),
-    ];
+    let films: [(BySize, [f64; 2]); 3] =
+        [(&ring(0.8), [6.0, 1.5]), (&hole_fed(0.6), [6.0, 1.5]), (&cavitated, [5.0, 0.9])];
     for (scene, [coarse, fine]) in films {
         let [coarse, fine] = [coarse, fine].map(|size| answer(&scene(size), &RunOptions::default()));
         for found in &coarse.quantities {

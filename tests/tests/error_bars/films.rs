@@ -27,18 +27,10 @@ impl Judged {
     pub(crate) fn of(problem: FilmProblem, system: impl Into<Arc<FilmSystem>>) -> Self {
         let system = system.into();
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let cubic = problem
-            .cubic_film(&system, &film, None)
-            .unwrap_or_else(|reason| panic!("{reason}"));
+        let cubic = problem.cubic_film(&system, &film, None).unwrap_or_else(|reason| panic!("{reason}"));
         let carried = load(&problem, &system.cubic().system, &cubic).total;
         let error = film_error(&problem, &system, &film, &cubic, &carried, None).expect("duals");
-        Self {
-            problem,
-            system,
-            film,
-            cubic,
-            error,
-        }
+        Self { problem, system, film, cubic, error }
     }
 
     pub(crate) fn of_scene(scene: &Scene) -> Self {

@@ -50,12 +50,7 @@ fn solved(bearing: &str, size: f64) -> RunResult {
     answer(&written(&scene), &RunOptions::default())
 }
 
-const NAMES: [&str; 4] = [
-    "cooling_flow",
-    "temperature_effective",
-    "temperature_inlet",
-    "temperature_outlet",
-];
+const NAMES: [&str; 4] = ["cooling_flow", "temperature_effective", "temperature_inlet", "temperature_outlet"];
 
 #[track_caller]
 fn hold(coarse: &RunResult, fine: &RunResult) {

@@ -7,13 +7,7 @@ use super::films::{NO_BARS, answer, bar, set};
 
 #[test]
 fn without_bars_nothing_is_estimated_and_nothing_is_done() {
-    for name in [
-        "01_plain_ring",
-        "09_drawn_ring",
-        "12_flexpde_shell_cavitated",
-        "14_starved_pad",
-        "16_loaded_shell",
-    ] {
+    for name in ["01_plain_ring", "09_drawn_ring", "12_flexpde_shell_cavitated", "14_starved_pad", "16_loaded_shell"] {
         let result = answer(&variant(name, |_| ()), &NO_BARS);
         assert!(!result.bars && result.levels.is_empty() && result.counts.bars == 0);
         assert!(result.timing_s.iter().all(|(part, _)| part != "bars"));
@@ -64,9 +58,7 @@ fn a_film_of_nothing_is_certain() {
             let undetermined = ["cavity_share", "film_fraction_min", "friction_cavity_power"];
             let asked = result.quantities.iter();
             for quantity in asked.filter(|quantity| !undetermined.contains(&&*quantity.name)) {
-                let error = quantity
-                    .error()
-                    .unwrap_or_else(|| panic!("{scene} {model:?}: {}", quantity.name));
+                let error = quantity.error().unwrap_or_else(|| panic!("{scene} {model:?}: {}", quantity.name));
                 let scale = match quantity.unit() {
                     "N" => 1e4,
                     "Pa" => 1e6,

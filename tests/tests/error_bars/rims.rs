@@ -12,10 +12,7 @@ use oilwedge_tests::{SPEED, plain_film, ring, ring_system};
 use super::films::{Judged, answer, constant, drawn, set};
 
 /// The hole of scene 04 [m].
-const HOLE: Disc = Disc {
-    centre: [0.0375 * 130.0 * std::f64::consts::PI / 180.0, 0.0],
-    radius: 0.0085,
-};
+const HOLE: Disc = Disc { centre: [0.0375 * 130.0 * std::f64::consts::PI / 180.0, 0.0], radius: 0.0085 };
 
 /// The film of scene 04 with constant oil on its mesh of straight triangles: a rim of chords about a hole known to be round.
 fn chords() -> Judged {
@@ -41,22 +38,12 @@ fn chords() -> Judged {
 #[test]
 fn a_straight_rim_raises_the_geometry_part() {
     let straight = chords();
-    let exact = Judged::of_scene(&drawn("04_flexpde_ring", 2.5, constant))
-        .cubic_load()
-        .total;
+    let exact = Judged::of_scene(&drawn("04_flexpde_ring", 2.5, constant)).cubic_load().total;
     let found = straight.cubic_load().total;
-    let wanted = [
-        exact.force[0] - found.force[0],
-        exact.force[1] - found.force[1],
-        exact.pressure - found.pressure,
-    ];
+    let wanted = [exact.force[0] - found.force[0], exact.force[1] - found.force[1], exact.pressure - found.pressure];
     let size = wanted[0].hypot(wanted[1]);
     for (goal, wanted) in straight.error.goals[..2].iter().zip(wanted) {
-        assert!(
-            (goal.geometry - wanted).abs() < 0.1 * size,
-            "{:e} {wanted:e}",
-            goal.geometry
-        );
+        assert!((goal.geometry - wanted).abs() < 0.1 * size, "{:e} {wanted:e}", goal.geometry);
     }
     // With the key `hole` the same triangles have a round rim.
     let round = Judged::of_scene(&variant("04_flexpde_ring", |scene| {
@@ -91,12 +78,7 @@ fn a_mesh_that_does_not_resolve_the_film_is_refused_a_bar() {
     );
     assert!(result.bars);
     for quantity in &result.quantities {
-        let given = [
-            "eccentricity",
-            "min_film_angle",
-            "film_thickness_min",
-            "film_thickness_min_angle",
-        ];
+        let given = ["eccentricity", "min_film_angle", "film_thickness_min", "film_thickness_min_angle"];
         let given = given.contains(&&*quantity.name);
         assert_eq!(quantity.error(), given.then_some(0.0), "{}", quantity.name);
     }

@@ -42,11 +42,7 @@ fn add_up(judged: &Judged) {
     let system = &judged.system.cubic().system;
     let before = load(&judged.problem, system, &raised(judged)).total;
     let after = load(&judged.problem, system, &judged.cubic).total;
-    let wanted = [
-        after.force[0] - before.force[0],
-        after.force[1] - before.force[1],
-        after.pressure - before.pressure,
-    ];
+    let wanted = [after.force[0] - before.force[0], after.force[1] - before.force[1], after.pressure - before.pressure];
     let size = wanted.iter().fold(0.0_f64, |size, eta| size.max(eta.abs()));
     assert!(size > 0.0);
     for (goal, wanted) in judged.error.goals.iter().zip(wanted) {
@@ -60,25 +56,15 @@ fn add_up(judged: &Judged) {
     for (goal, wanted) in judged.error.drag.iter().zip(wanted) {
         let sum: f64 = goal.shares.iter().sum();
         let rounding = 1e-13 * before.shear;
-        assert!(
-            (sum - wanted).abs() < 0.25 * wanted.abs() + rounding,
-            "{sum:e} is not {wanted:e}"
-        );
+        assert!((sum - wanted).abs() < 0.25 * wanted.abs() + rounding, "{sum:e} is not {wanted:e}");
     }
 }
 
 #[test]
 fn of_load_and_drag() {
     add_up(&Judged::of_scene(&drawn("04_flexpde_ring", 8.0, constant)));
-    add_up(&Judged::of_scene(&drawn("11_swift_stieber_ring", 8.0, |scene| {
-        set(scene, "journal", "eccentricity", 0.9)
-    })));
-    for name in [
-        "09_drawn_ring",
-        "02_flexpde_shell",
-        "06_flexpde_as_printed",
-        "12_flexpde_shell_cavitated",
-    ] {
+    add_up(&Judged::of_scene(&drawn("11_swift_stieber_ring", 8.0, |scene| set(scene, "journal", "eccentricity", 0.9))));
+    for name in ["09_drawn_ring", "02_flexpde_shell", "06_flexpde_as_printed", "12_flexpde_shell_cavitated"] {
         add_up(&Judged::of_scene(&drawn(name, 8.0, |_| ())));
     }
 }
@@ -87,10 +73,7 @@ fn of_load_and_drag() {
 #[test]
 fn of_flows() {
     // Where no two regions meet: a node that two share is booked to one of them.
-    for scene in [
-        drawn("04_flexpde_ring", 8.0, constant),
-        drawn("04_flexpde_ring", 8.0, |_| ()),
-    ] {
+    for scene in [drawn("04_flexpde_ring", 8.0, constant), drawn("04_flexpde_ring", 8.0, |_| ())] {
         let judged = Judged::of_scene(&scene);
         let better = &judged.system.cubic().system;
         for (goal, error) in &judged.error.flows {

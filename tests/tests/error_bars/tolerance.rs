@@ -14,34 +14,20 @@ use super::films::{NO_BARS, answer, bar, drawn, quantity, set};
 fn a_tolerance_is_met_by_the_bars() {
     for (name, asked) in [
         ("09_drawn_ring", "{ load = \"0.01 %\", pressure_max = \"0.1 %\" }"),
-        (
-            "02_flexpde_shell",
-            "{ load = \"0.0005 %\", attitude_angle = \"0.001 %\" }",
-        ),
-        (
-            "12_flexpde_shell_cavitated",
-            "{ load = \"0.02 %\", side_flow = \"1 %\" }",
-        ),
+        ("02_flexpde_shell", "{ load = \"0.0005 %\", attitude_angle = \"0.001 %\" }"),
+        ("12_flexpde_shell_cavitated", "{ load = \"0.02 %\", side_flow = \"1 %\" }"),
         ("16_loaded_shell", "{ eccentricity = \"0.01 %\" }"),
     ] {
         let tolerance: toml::Table = format!("tolerance = {asked}").parse().expect("TOML");
-        let result = answer(
-            &variant(name, |scene| table(scene, "mesh").extend(tolerance.clone())),
-            &RunOptions::default(),
-        );
+        let result =
+            answer(&variant(name, |scene| table(scene, "mesh").extend(tolerance.clone())), &RunOptions::default());
         let targets = tolerance["tolerance"].as_table().expect("a table");
         let last = result.levels.last().expect("a level");
         for (name, relative) in targets {
-            let relative: f64 = relative
-                .as_str()
-                .and_then(|it| it.strip_suffix(" %")?.parse().ok())
-                .expect("a percentage");
+            let relative: f64 =
+                relative.as_str().and_then(|it| it.strip_suffix(" %")?.parse().ok()).expect("a percentage");
             let (value, error) = bar(&result, name);
-            let size = if name.ends_with("angle") {
-                1f64.to_degrees()
-            } else {
-                value.abs()
-            };
+            let size = if name.ends_with("angle") { 1f64.to_degrees() } else { value.abs() };
             assert!(error <= 0.01 * relative * size, "{name}: {error:e}");
             let told = last.errors.iter().find(|(told, _)| told == name).expect("its bar");
             assert_eq!(told.1, error);
@@ -68,35 +54,19 @@ fn half_a_percent_is_what_is_meant() {
 
 #[test]
 fn a_limit_that_is_reached_is_told_with_the_best_numbers() {
-    let scene = variant("12_flexpde_shell_cavitated", |scene| {
-        set(scene, "mesh", "tolerance", "0.00001 %")
-    });
+    let scene = variant("12_flexpde_shell_cavitated", |scene| set(scene, "mesh", "tolerance", "0.00001 %"));
     for options in [
-        RunOptions {
-            max_unknowns: 10_000,
-            ..RunOptions::default()
-        },
-        RunOptions {
-            max_seconds: 1e-3,
-            ..RunOptions::default()
-        },
+        RunOptions { max_unknowns: 10_000, ..RunOptions::default() },
+        RunOptions { max_seconds: 1e-3, ..RunOptions::default() },
     ] {
         let result = run(&scene, &options).expect("a mesh").result;
         assert_eq!(result.status, Status::NotConverged);
         let reason = result.reason.as_deref().expect("a reason");
         assert!(reason.starts_with("limit: "), "{reason}");
-        let flag = if options.max_unknowns < 1_000_000 {
-            "--max-unknowns"
-        } else {
-            "--max-seconds"
-        };
+        let flag = if options.max_unknowns < 1_000_000 { "--max-unknowns" } else { "--max-seconds" };
         assert!(reason.contains(flag), "{reason}");
         assert!(quantity(&result, "load").error().is_some() && !result.levels.is_empty());
-        assert!(
-            result.levels.iter().all(|level| level.unknowns <= options.max_unknowns),
-            "{:?}",
-            result.levels
-        );
+        assert!(result.levels.iter().all(|level| level.unknowns <= options.max_unknowns), "{:?}", result.levels);
         assert!(result.mesh.nodes > 0 && oilwedge_report::json(&result).is_ok());
     }
 }
@@ -107,17 +77,10 @@ fn no_mesh_has_more_unknowns_than_allowed() {
     for tolerance in ["0.0003 %", "0.00001 %"] {
         for max_unknowns in [7_000, 12_000, 30_000] {
             let scene = variant("02_flexpde_shell", |scene| set(scene, "mesh", "tolerance", tolerance));
-            let options = RunOptions {
-                max_unknowns,
-                ..RunOptions::default()
-            };
+            let options = RunOptions { max_unknowns, ..RunOptions::default() };
             let result = run(&scene, &options).expect("a mesh").result;
             let most = result.levels.iter().map(|level| level.unknowns).max();
-            assert!(
-                most <= Some(max_unknowns),
-                "{tolerance}, {max_unknowns}: {:?}",
-                result.levels
-            );
+            assert!(most <= Some(max_unknowns), "{tolerance}, {max_unknowns}: {:?}", result.levels);
         }
     }
 }
@@ -127,9 +90,8 @@ fn no_mesh_has_more_unknowns_than_allowed() {
 fn a_bar_that_local_division_does_not_serve_is_narrowed_by_uniform_division() {
     let result = answer(
         &variant("11_swift_stieber_ring", |scene| {
-            let tolerance: toml::Table = "tolerance = { load = \"0.05 %\", side_flow = \"0.2 %\" }"
-                .parse()
-                .expect("TOML");
+            let tolerance: toml::Table =
+                "tolerance = { load = \"0.05 %\", side_flow = \"0.2 %\" }".parse().expect("TOML");
             table(scene, "mesh").extend(tolerance);
             set(scene, "journal", "eccentricity", 0.97);
         }),
@@ -163,13 +125,9 @@ fn a_film_that_a_finer_mesh_has_not_is_no_solution() {
 #[test]
 fn a_film_with_bars_is_not_called_unresolved() {
     let thin = |options: &RunOptions| {
-        let scene = drawn("09_drawn_ring", 16.0, |scene| {
-            set(scene, "journal", "eccentricity", 0.999)
-        });
+        let scene = drawn("09_drawn_ring", 16.0, |scene| set(scene, "journal", "eccentricity", 0.999));
         let warnings = answer(&scene, options).warnings;
-        warnings
-            .iter()
-            .any(|warning| warning.starts_with("the film is not resolved"))
+        warnings.iter().any(|warning| warning.starts_with("the film is not resolved"))
     };
     assert!(!thin(&RunOptions::default()) && thin(&NO_BARS));
 }
@@ -182,17 +140,9 @@ fn the_edge_of_a_cavity_is_refined_where_it_dominates() {
         set(scene, "journal", "eccentricity", 0.9);
     });
     let result = answer(&scene, &RunOptions::default());
-    let local = result
-        .levels
-        .windows(2)
-        .filter(|pair| pair[1].refinement == Refinement::Local);
-    let growths: Vec<f64> = local
-        .map(|pair| pair[1].unknowns as f64 / pair[0].unknowns as f64)
-        .collect();
-    assert!(
-        !growths.is_empty() && growths.iter().all(|growth| *growth < 3.0),
-        "{growths:?}"
-    );
+    let local = result.levels.windows(2).filter(|pair| pair[1].refinement == Refinement::Local);
+    let growths: Vec<f64> = local.map(|pair| pair[1].unknowns as f64 / pair[0].unknowns as f64).collect();
+    assert!(!growths.is_empty() && growths.iter().all(|growth| *growth < 3.0), "{growths:?}");
     let (load, error) = bar(&result, "load");
     assert!(error < 1e-4 * load);
 }
@@ -232,20 +182,10 @@ impl RunObserver for Told {
 /// The search that grades the first mesh for its load may take long: the observer is notified of its positions before that mesh is made.
 #[test]
 fn a_run_tells_of_the_search_that_grades_its_mesh() {
-    static TOLD: Told = Told {
-        first: AtomicUsize::new(0),
-        later: AtomicUsize::new(0),
-        levels: AtomicUsize::new(0),
-    };
-    let options = RunOptions {
-        observer: Some(&TOLD),
-        ..RunOptions::default()
-    };
+    static TOLD: Told = Told { first: AtomicUsize::new(0), later: AtomicUsize::new(0), levels: AtomicUsize::new(0) };
+    let options = RunOptions { observer: Some(&TOLD), ..RunOptions::default() };
     let result = answer(&variant("24_load_off_the_middle", |_| ()), &options);
     assert_eq!(result.status, Status::Converged);
     let [first, later, levels] = [&TOLD.first, &TOLD.later, &TOLD.levels].map(|count| count.load(Ordering::Relaxed));
-    assert!(
-        first > 0 && later > 0 && levels == result.levels.len(),
-        "{first} {later} {levels}"
-    );
+    assert!(first > 0 && later > 0 && levels == result.levels.len(), "{first} {later} {levels}");
 }

@@ -78,15 +78,9 @@ fn links_and_files_in_the_place_of_the_folder_are_refused() {
         ] {
             bench.refuses(command, &["cannot write", place, "not a directory", "--out"]);
         }
-        bench.refuses(
-            &["mesh", TWO[0], "-o", &format!("{place}/liner.msh")],
-            &["cannot write", place],
-        );
+        bench.refuses(&["mesh", TWO[0], "-o", &format!("{place}/liner.msh")], &["cannot write", place]);
     }
-    bench.refuses(
-        &["mesh", TWO[0], "-o", "none/liner.msh"],
-        &["cannot write none/liner.msh", "check the path"],
-    );
+    bench.refuses(&["mesh", TWO[0], "-o", "none/liner.msh"], &["cannot write none/liner.msh", "check the path"]);
 }
 
 #[test]
@@ -111,10 +105,7 @@ fn links_in_the_place_of_files_are_replaced_or_followed() {
     assert!(mesh.ends_with("$EndPeriodic\n"), "the mesh is not whole");
     let told = bench.run(&["mesh", TWO[0], "-o", "/dev/stdout"]);
     assert!(told.stdout.starts_with(&mesh), "{}", told.stderr);
-    bench.refuses(
-        &["mesh", TWO[0], "-o", "/dev/full"],
-        &["cannot write /dev/full", "No space left"],
-    );
+    bench.refuses(&["mesh", TWO[0], "-o", "/dev/full"], &["cannot write /dev/full", "No space left"]);
 }
 
 /// Results in the folder are whole though stdout is full: status 1, and stderr says both. What writes no files ends with 2.
@@ -124,22 +115,10 @@ fn stdout_may_be_full() {
     two_scenes(&bench);
     sweep(&bench, 2);
     for (arguments, status, file) in [
-        (
-            &["solve", TWO[0], "--json", "--out", "solved"][..],
-            1,
-            "solved/result.json",
-        ),
+        (&["solve", TWO[0], "--json", "--out", "solved"][..], 1, "solved/result.json"),
         (&["solve", TWO[0], "--out", "told"], 1, "told/result.json"),
-        (
-            &["sweep", "scene.toml", "--json", "--out", "swept"],
-            1,
-            "swept/sweep.csv",
-        ),
-        (
-            &["converge", TWO[0], "--max-seconds", "0.1", "--out", "study"],
-            1,
-            "study/converge.csv",
-        ),
+        (&["sweep", "scene.toml", "--json", "--out", "swept"], 1, "swept/sweep.csv"),
+        (&["converge", TWO[0], "--max-seconds", "0.1", "--out", "study"], 1, "study/converge.csv"),
         (&["mesh", TWO[0], "-o", "liner.msh"], 1, "liner.msh"),
         (&["check", TWO[0], "--json"], 2, ""),
         (&["oil"], 2, ""),
@@ -180,10 +159,7 @@ fn stderr_may_be_full() {
 fn a_mesh_does_not_take_the_place_of_its_scene() {
     let bench = Bench::new();
     two_scenes(&bench);
-    bench.refuses(
-        &["mesh", TWO[0], "-o", TWO[0]],
-        &["--output", "from which the mesh is made"],
-    );
+    bench.refuses(&["mesh", TWO[0], "-o", TWO[0]], &["--output", "from which the mesh is made"]);
 }
 
 #[test]

@@ -13,12 +13,8 @@ use oilwedge_tests::elastic_liner::{block, carried, closed, force_scale, layer, 
 use oilwedge_tests::*;
 
 const SWIFT_STIEBER: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
-const MODELS: [Cavitation; 4] = [
-    Cavitation::None,
-    Cavitation::Guembel { pressure: 0.0 },
-    SWIFT_STIEBER,
-    Cavitation::Jfo { pressure: 0.0 },
-];
+const MODELS: [Cavitation; 4] =
+    [Cavitation::None, Cavitation::Guembel { pressure: 0.0 }, SWIFT_STIEBER, Cavitation::Jfo { pressure: 0.0 }];
 
 /// Least film [m] on the mid-plane.
 fn least_at_middle(problem: &FilmProblem) -> f64 {
@@ -75,13 +71,8 @@ fn layers_carry_what_a_second_code_has() {
 #[test]
 fn a_thick_wall_carries_what_a_second_code_has() {
     // The wall moves by so many clearances under the pressure scale as that of the reference, R 50 mm, c 50 um, 6 MPa.
-    let ring = ElasticRing {
-        radius: 0.05,
-        thickness: 0.05,
-        modulus: 2.1e11,
-        poisson: 0.3,
-        outer: OuterSurface::Clamped,
-    };
+    let ring =
+        ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: OuterSurface::Clamped };
     let by_wave = |n: usize| layer(ring.compliance(n) * 6e6 / 50e-6);
     for row in block("elastic_ring_film")["rows"].as_array().expect("rows") {
         let number = |key: &str| row[key].as_f64().expect("a number");
@@ -100,9 +91,7 @@ fn a_thick_wall_carries_what_a_second_code_has() {
 /// Axial middles of cells, and the wall of a matrix on them.
 fn by_matrix(problem: &FilmProblem, angles: usize, along: usize, entry: impl Fn(&[f64]) -> Dense) -> Wall {
     let length = problem.bearing.length;
-    let points: Vec<f64> = (0..along)
-        .map(|k| length * ((k as f64 + 0.5) / along as f64 - 0.5))
-        .collect();
+    let points: Vec<f64> = (0..along).map(|k| length * ((k as f64 + 0.5) / along as f64 - 0.5)).collect();
     Wall::of_matrix(&problem.bearing, (0.0, angles), &points, entry(&points)).expect("it fits")
 }
 
@@ -128,10 +117,8 @@ fn condensed_layer(problem: &FilmProblem, angles: usize, along: usize, per_press
         let at = |k: usize| [turn * (k / along) as f64, points[k % along]];
         let unit = |k: usize| (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
         // Values of all splines at each point.
-        let splines: Vec<Vec<f64>> = (0..n)
-            .map(unit)
-            .map(|unit| (0..n).map(|k| grid.value(&unit, at(k))).collect())
-            .collect();
+        let splines: Vec<Vec<f64>> =
+            (0..n).map(unit).map(|unit| (0..n).map(|k| grid.value(&unit, at(k))).collect()).collect();
         let mut matrix = Dense::zeros(n, n);
         for column in 0..n {
             let forces: Vec<f64> = splines.iter().map(|values| values[column]).collect();
@@ -184,11 +171,7 @@ fn soft_walls_close_with_every_model() {
             assert!(both.residual < 1e-8, "{} in cubics: {both:?}", model.name());
             // The film in quadratic elements nearly solves the systems of the one in cubic elements.
             let [steps, products] = [both.outer - closing.outer, both.inner - closing.inner];
-            assert!(
-                products <= 6 * steps,
-                "{}: {products} products in {steps} steps",
-                model.name()
-            );
+            assert!(products <= 6 * steps, "{}: {products} products in {steps} steps", model.name());
         }
     }
 }
@@ -200,10 +183,7 @@ fn place_and_wall_are_those_of_one_another() {
         let system = ring_system(96, 8, RADIUS, Some(std::f64::consts::PI)).for_many_solves();
         let (near, film) = closed(walled(RADIUS, 0.8, model, |_| layer(0.3)), &system);
         let load = carried(&near, &system, &film).force.map(|part| 1.1 * part);
-        let options = SearchOptions {
-            guess: InitialGuess::Near(Neighbour::Start(&film)),
-            ..SearchOptions::default()
-        };
+        let options = SearchOptions { guess: InitialGuess::Near(Neighbour::Start(&film)), ..SearchOptions::default() };
         let found = find(&near, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         let closing = |problem: &FilmProblem| problem.deflection().expect("a wall").closing;
         let films = closing(&found.problem).outer - closing(&near).outer;
@@ -225,24 +205,13 @@ fn place_and_wall_are_those_of_one_another() {
 fn a_search_that_is_ended_has_no_balance_while_its_wall_is_open() {
     let (length, system) = (RADIUS, ring_system(48, 8, RADIUS, Some(std::f64::consts::PI)));
     let (problem, _) = closed(walled(length, 0.7, SWIFT_STIEBER, |_| layer(0.05)), &system);
-    let half: Vec<f64> = problem
-        .deflection()
-        .expect("a wall")
-        .coefficients
-        .iter()
-        .map(|d| 0.5 * d)
-        .collect();
-    let open = problem
-        .clone()
-        .deflected(problem.deflection().map(|bent| bent.with(half)).as_ref());
+    let half: Vec<f64> = problem.deflection().expect("a wall").coefficients.iter().map(|d| 0.5 * d).collect();
+    let open = problem.clone().deflected(problem.deflection().map(|bent| bent.with(half)).as_ref());
     let film = open.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
     let load = carried(&open, &system, &film).force;
     for guess in [InitialGuess::NearlyBalanced, InitialGuess::Cold] {
-        let options = SearchOptions {
-            guess,
-            deadline: Deadline::after(0.0, Interrupt::NEVER),
-            ..SearchOptions::default()
-        };
+        let options =
+            SearchOptions { guess, deadline: Deadline::after(0.0, Interrupt::NEVER), ..SearchOptions::default() };
         let found = find(&open, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         let left = found.problem.deflection().expect("a wall").closing.residual;
         assert!(found.residual < 1e-12 && left > 0.1, "{:e} {left:e}", found.residual);

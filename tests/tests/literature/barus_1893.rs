@@ -17,13 +17,7 @@ fn system() -> FilmSystem {
 }
 
 fn film(pressure_law: PressureLaw, speed: f64) -> FilmProblem {
-    FilmProblem {
-        lubricant: Lubricant {
-            viscosity: VISCOSITY,
-            pressure_law,
-        },
-        ..plain_film(0.1, 0.6, PI, speed)
-    }
+    FilmProblem { lubricant: Lubricant { viscosity: VISCOSITY, pressure_law }, ..plain_film(0.1, 0.6, PI, speed) }
 }
 
 fn greatest(film: &FilmProblem, system: &FilmSystem, solution: &FilmSolution) -> f64 {
@@ -54,11 +48,7 @@ fn cavitating_rings_are_transforms_of_isoviscous_ones() {
     let rows = reference("barus_exact_transform", "rows");
     assert_eq!(rows.len(), 7);
     each(&rows, |row| {
-        let ring = Ring {
-            barus: row["G"].as_f64().unwrap_or(f64::NAN),
-            film_start: true,
-            ..Ring::of(row)
-        };
+        let ring = Ring { barus: row["G"].as_f64().unwrap_or(f64::NAN), film_start: true, ..Ring::of(row) };
         ring.solve().compare(row, 1e-3, 0.05, 1e-3)
     });
 }
@@ -73,10 +63,7 @@ fn alpha_zero_is_constant_viscosity() {
         load(film, &system, &solution).total.force
     });
     assert!((a[0] - b[0]).abs() <= 1e-12 * a[1].abs() && (a[1] - b[1]).abs() <= 1e-12 * a[1].abs());
-    let printed = FilmProblem {
-        form: Form::AsPrinted,
-        ..film(PressureLaw::Barus(Barus { alpha: 0.0 }), SPEED)
-    };
+    let printed = FilmProblem { form: Form::AsPrinted, ..film(PressureLaw::Barus(Barus { alpha: 0.0 }), SPEED) };
     let solution = printed.solve(&system).unwrap();
     let c = load(&printed, &system, &solution).total.force;
     assert!((a[0] - c[0]).abs() <= 1e-12 * a[1].abs() && (a[1] - c[1]).abs() <= 1e-12 * a[1].abs());
@@ -89,12 +76,7 @@ fn the_limit_of_existence_is_diagnosed_with_the_speed() {
     let constant = plain.solve(&system).unwrap();
     let alpha = 1.25 / greatest(&plain, &system, &constant);
     let law = || PressureLaw::Barus(Barus { alpha });
-    let Err(NoFilm::AboveLimit {
-        ratio,
-        greatest_speed: Some(speed),
-        ..
-    }) = film(law(), SPEED).solve(&system)
-    else {
+    let Err(NoFilm::AboveLimit { ratio, greatest_speed: Some(speed), .. }) = film(law(), SPEED).solve(&system) else {
         panic!("a film above the limit of Barus");
     };
     assert!((ratio - 1.25).abs() < 1e-9);
@@ -111,13 +93,8 @@ fn the_as_printed_form_has_a_fold() {
     let system = system();
     let plain = film(PressureLaw::Constant, SPEED);
     let constant = plain.solve(&system).unwrap();
-    let barus = Barus {
-        alpha: 1.0 / greatest(&plain, &system, &constant),
-    };
-    let printed = |speed| FilmProblem {
-        form: Form::AsPrinted,
-        ..film(PressureLaw::Barus(barus), speed)
-    };
+    let barus = Barus { alpha: 1.0 / greatest(&plain, &system, &constant) };
+    let printed = |speed| FilmProblem { form: Form::AsPrinted, ..film(PressureLaw::Barus(barus), speed) };
     let Err(NoFilm::Fold { last, asked }) = printed(SPEED).solve(&system) else {
         panic!("an as-printed film past its fold");
     };

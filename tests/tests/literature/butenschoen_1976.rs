@@ -31,10 +31,7 @@ impl Entry {
 
 /// B/D of the table; thirds are printed with six digits.
 fn slenderness(printed: f64) -> f64 {
-    [1.0 / 3.0, 1.0 / 6.0]
-        .into_iter()
-        .find(|third| (third - printed).abs() < 1e-5)
-        .unwrap_or(printed)
+    [1.0 / 3.0, 1.0 / 6.0].into_iter().find(|third| (third - printed).abs() < 1e-5).unwrap_or(printed)
 }
 
 /// So carries four decimals, So_V four or five digits, angles three decimals; trailing zeros are lost.
@@ -80,11 +77,7 @@ fn entries(table: &Value, key: &str, special: &[&Value]) -> Vec<Entry> {
 
 fn special(table: &Value) -> Vec<&Value> {
     let lists = ["suspected_misprints", "coarse_grid"];
-    lists
-        .iter()
-        .filter_map(|name| table[*name].as_array())
-        .flatten()
-        .collect()
+    lists.iter().filter_map(|name| table[*name].as_array()).flatten().collect()
 }
 
 #[test]
@@ -98,10 +91,7 @@ fn turning_journal() {
     assert_eq!((recomputed(&loads), recomputed(&angles)), (3, 4));
     let both: Vec<_> = loads.iter().zip(&angles).collect();
     each(&both, |(load, angle)| {
-        let ring = Ring {
-            film_start: true,
-            ..Ring::new(load.slenderness, load.eccentricity)
-        };
+        let ring = Ring { film_start: true, ..Ring::new(load.slenderness, load.eccentricity) };
         let film = ring.solve();
         load.check("So", &film, film.sommerfeld_number(), 4e-3)?;
         angle.check("beta", &film, film.attitude(), 4e-3)
@@ -117,11 +107,7 @@ fn squeezed_journal() {
     assert_eq!(entries.iter().filter(|entry| entry.recomputed.is_some()).count(), 7);
     each(&entries, |entry| {
         // The mesh that the program chooses leaves up to 5e-4: enough for 1 %.
-        let ring = Ring {
-            squeezed: true,
-            size: None,
-            ..Ring::new(entry.slenderness, entry.eccentricity)
-        };
+        let ring = Ring { squeezed: true, size: None, ..Ring::new(entry.slenderness, entry.eccentricity) };
         let film = ring.solve();
         entry.check("So_V", &film, film.sommerfeld_number(), 1e-2)
     });

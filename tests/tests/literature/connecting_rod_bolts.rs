@@ -43,14 +43,8 @@ fn stresses() {
 #[test]
 fn without_the_roundings_of_the_print() {
     let rounded = joint();
-    let joint = CapBolts {
-        rod_length: 0.230,
-        shell: rounded.shell.map(|shell| Shell {
-            radius: 0.0335,
-            ..shell
-        }),
-        ..rounded
-    };
+    let joint =
+        CapBolts { rod_length: 0.230, shell: rounded.shell.map(|shell| Shell { radius: 0.0335, ..shell }), ..rounded };
     prints(rounded.inertia_force(2500.0 * PI / 30.0), 25629.1, 0.1);
     prints(joint.inertia_force(2500.0 * PI / 30.0), 25625.3, 0.1);
     prints(joint.shell_force(), 5957.62, 0.01);

@@ -30,25 +30,13 @@ fn check(row: &Row) {
     // reduced pressure; where alpha p is large it grows by mu/mu0 (54 in one row), so q is compared.
     let law = &solved.study.problem.lubricant.pressure_law;
     let q = |p: f64| {
-        if coarse {
-            law.reduced_pressure(p * SUPPLY_PRESSURE)
-        } else {
-            p
-        }
+        if coarse { law.reduced_pressure(p * SUPPLY_PRESSURE) } else { p }
     };
     let p_max = solved.quantity("pressure_max") / SUPPLY_PRESSURE;
-    assert!(
-        (q(p_max) / q(expected("p_max")) - 1.0).abs() < 1e-3,
-        "{}: p_max {p_max}",
-        row.name()
-    );
+    assert!((q(p_max) / q(expected("p_max")) - 1.0).abs() < 1e-3, "{}: p_max {p_max}", row.name());
     if !coarse {
         let mu_max = solved.quantity("viscosity_max") / row.mu0;
-        assert!(
-            (mu_max / expected("mu_max") - 1.0).abs() < 1e-3,
-            "{}: mu_max {mu_max}",
-            row.name()
-        );
+        assert!((mu_max / expected("mu_max") - 1.0).abs() < 1e-3, "{}: mu_max {mu_max}", row.name());
     }
     if row.viscosity != "as-printed" {
         let flux = poiseuille_feed_flux(&solved, 0.0085, 130f64.to_radians());

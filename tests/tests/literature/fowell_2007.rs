@@ -60,19 +60,11 @@ fn pad(setup: &Value, depth: f64, cavitation: Cavitation) -> (FilmProblem, FilmS
         .collect();
     let (inlet, outlet) = (number(setup, "h_max"), number(setup, "h_min"));
     let mut film = plain_film(length, 0.0, 0.0, 0.0);
-    film.bearing = Bearing {
-        radius,
-        length,
-        clearance: outlet,
-        end_pressure: ambient,
-    };
+    film.bearing = Bearing { radius, length, clearance: outlet, end_pressure: ambient };
     film.journal.axial_velocity = number(setup, "U");
     film.lubricant.viscosity = number(setup, "mu");
     film.film_thickness = vec![
-        Arc::new(Pad {
-            start: 0.5 * (inlet + outlet),
-            slope: (outlet - inlet) / length,
-        }),
+        Arc::new(Pad { start: 0.5 * (inlet + outlet), slope: (outlet - inlet) / length }),
         Arc::new(GrooveDepth { depth, inside }),
     ];
     film.cavitation = cavitation;
@@ -148,11 +140,7 @@ fn plain_pad() {
     for cavitation in [Cavitation::None, Cavitation::Jfo { pressure: 0.0 }] {
         let (film, system, width) = pad(setup, 0.0, cavitation);
         let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        close(
-            flows(&film, &system, &solution).regions[0].net / width,
-            flow,
-            1e-6 * flow,
-        );
+        close(flows(&film, &system, &solution).regions[0].net / width, flow, 1e-6 * flow);
         let lowest = pressures(&film, &system, &solution.unknown);
         let lowest = lowest.iter().map(|node| node[1]).fold(f64::INFINITY, f64::min);
         close(lowest, 1e5, 1.0);

@@ -37,10 +37,7 @@ pressure = "0.7 bar"
 
 fn groove(case: &Value, size: f64) -> Solved {
     let width = 1e3 * number(case, "groove_axial_m");
-    bearing(
-        &format!(r#"groove = {{ from = "82.5 deg", to = "97.5 deg", width = "{width} mm" }}"#),
-        size,
-    )
+    bearing(&format!(r#"groove = {{ from = "82.5 deg", to = "97.5 deg", width = "{width} mm" }}"#), size)
 }
 
 #[track_caller]
@@ -95,11 +92,7 @@ fn round_hole() {
     let alone = number(case, "F_film_alone");
     close(part("load_x").hypot(part("load_y")), alone, 4e-3 * alone);
     let flow = number(case, "supply_flow");
-    close(
-        film.quantity("feed_flow.supply") / (2.0 * FLOW_UNIT),
-        flow,
-        1.5e-2 * flow,
-    );
+    close(film.quantity("feed_flow.supply") / (2.0 * FLOW_UNIT), flow, 1.5e-2 * flow);
 }
 
 /// Where the line at the widest film is flooded at the cavitation pressure, the film breaks only once: the model of

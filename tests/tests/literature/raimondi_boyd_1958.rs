@@ -14,11 +14,7 @@ fn full_bearing() {
     let rows = reference("raimondi_boyd", "rows");
     assert_eq!(rows.len(), 21);
     each(&rows, |row| {
-        let ring = Ring {
-            film_start: true,
-            size: None,
-            ..Ring::of(row)
-        };
+        let ring = Ring { film_start: true, size: None, ..Ring::of(row) };
         let film = ring.solve();
         let tolerance = if ring.eccentricity == 0.97 { 0.033 } else { 0.02 };
         let expected = number(row, "S");

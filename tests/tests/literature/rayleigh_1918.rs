@@ -22,27 +22,15 @@ const STEP: f64 = 0.35;
 /// The film over a step of that depth [m] and its system, so many arc lengths long.
 fn step(depth: f64, arcs: f64) -> (FilmProblem, FilmSystem) {
     let length = arcs * RADIUS * ARC;
-    let liner = Liner {
-        radius: RADIUS,
-        length,
-        arc: Some((0.0, ARC)),
-    };
+    let liner = Liner { radius: RADIUS, length, arc: Some((0.0, ARC)) };
     let margin = 0.002 * RADIUS;
     let shape = Shape {
         centre: [0.5 * (margin + RADIUS * STEP), 0.0],
         half: [0.5 * (RADIUS * STEP - margin), 0.5 * length - margin],
         corner: 0.0,
     };
-    let groove = Feature {
-        name: "groove".into(),
-        shape,
-        meshed: true,
-    };
-    let blueprint = Blueprint {
-        liner,
-        features: vec![groove],
-        line: None,
-    };
+    let groove = Feature { name: "groove".into(), shape, meshed: true };
+    let blueprint = Blueprint { liner, features: vec![groove], line: None };
     let mesh = generate(&blueprint, &|_| 0.1 * RADIUS * ARC).expect("a good drawing");
     let mut inside = vec![false; mesh.triangles().len()];
     for &cell in &mesh.region("groove").expect("the groove").cells {
@@ -81,9 +69,7 @@ fn pressure_at_the_step() {
     let lengths = [margin, RADIUS * STEP - margin, RADIUS * (ARC - STEP)];
     let heights = [h2, h1, h2];
     // Flow q per width: sum over parts of (12 mu / h^3) (U h / 2 - q) L = 0.
-    let drive: f64 = (0..3)
-        .map(|k| 0.5 * SPEED * RADIUS * lengths[k] / heights[k].powi(2))
-        .sum();
+    let drive: f64 = (0..3).map(|k| 0.5 * SPEED * RADIUS * lengths[k] / heights[k].powi(2)).sum();
     let resistance: f64 = (0..3).map(|k| lengths[k] / heights[k].powi(3)).sum();
     let flow = drive / resistance;
     let expected = 12.0 * VISCOSITY / h2.powi(3) * (flow - 0.5 * SPEED * RADIUS * h2) * lengths[2];
@@ -99,9 +85,5 @@ fn depth_zero_is_no_groove() {
     film.film_thickness.pop();
     let without = film.solve(&system).unwrap().unknown;
     let greatest = with.iter().fold(0.0f64, |m, p| m.max(p.abs()));
-    assert!(
-        with.iter()
-            .zip(&without)
-            .all(|(a, b)| (a - b).abs() <= 1e-12 * greatest)
-    );
+    assert!(with.iter().zip(&without).all(|(a, b)| (a - b).abs() <= 1e-12 * greatest));
 }

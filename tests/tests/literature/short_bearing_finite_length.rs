@@ -59,9 +59,7 @@ impl Case {
                 _ => found[k] / self.wanted[k] - 1.0,
             };
             if off.abs() > tolerances[k] {
-                let Case {
-                    model, squeeze, speed, ..
-                } = self;
+                let Case { model, squeeze, speed, .. } = self;
                 return Err(format!(
                     "{model} E {squeeze} {speed} rpm: {name} {} is {off:.2e} off {}",
                     found[k], self.wanted[k]
@@ -120,11 +118,8 @@ fn short() {
         let speed = film.study.problem.journal.speed;
         let across = film.quantity("load") * film.quantity("attitude_angle").to_radians().sin();
         let of_pressure = 0.5 * speed * 0.8 * CLEARANCE * across;
-        let off = [
-            power.pressure / of_pressure - 1.0,
-            (power.pressure + power.motion) / power.driven - 1.0,
-            power.imbalance,
-        ];
+        let off =
+            [power.pressure / of_pressure - 1.0, (power.pressure + power.motion) / power.driven - 1.0, power.imbalance];
         match off[0].abs() < 1e-3 && off[1].abs() < 1e-9 && off[2] < 1e-9 {
             true => Ok(()),
             false => Err(format!("E {} {} rpm: {off:?}", row.squeeze, row.speed)),

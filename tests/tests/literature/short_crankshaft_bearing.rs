@@ -19,22 +19,14 @@ use oilwedge_tests::short_crankshaft::{Document, RELATIVE_VISCOSITY, SLIPS, SPEE
 /// Compares a printed cell; a slip is compared with its own value, and must be one.
 fn check(table: &str, row: &Row, k: usize, column: &str, value: f64) {
     let (e, n) = (row.number("E"), row.number("n"));
-    let slip = SLIPS
-        .iter()
-        .find(|slip| (slip.0, slip.1, slip.2, slip.3, slip.4) == (table, e, n, k, column));
+    let slip = SLIPS.iter().find(|slip| (slip.0, slip.1, slip.2, slip.3, slip.4) == (table, e, n, k, column));
     let Some(&(.., own)) = slip else {
         return row.assert_prints(column, value);
     };
     let digit = if own == 0.1 { 1e-12 } else { 0.5e-4 };
     let digit = if column == "phi[rad]" { 0.5e-6 } else { digit };
-    assert!(
-        (value - own).abs() <= digit,
-        "{table}, {column} of E = {e}, n = {n}: {value}, own {own}"
-    );
-    assert!(
-        !row.prints(column, value),
-        "{table}, {column} of E = {e}, n = {n} is no slip"
-    );
+    assert!((value - own).abs() <= digit, "{table}, {column} of E = {e}, n = {n}: {value}, own {own}");
+    assert!(!row.prints(column, value), "{table}, {column} of E = {e}, n = {n} is no slip");
 }
 
 #[test]
@@ -140,14 +132,8 @@ fn the_closed_form_has_the_right_values() {
         let film = film(&row);
         for column in row.columns().skip(2) {
             let (value, expected) = (right(&film, column), row.number(column));
-            assert!(
-                (value - expected).abs() <= 1e-6 * expected.abs(),
-                "{column}: {value}, {expected}"
-            );
-            assert!(
-                (value - expected).abs() <= 6e-8 * expected.abs(),
-                "{column}: {value}, {expected}"
-            );
+            assert!((value - expected).abs() <= 1e-6 * expected.abs(), "{column}: {value}, {expected}");
+            assert!((value - expected).abs() <= 6e-8 * expected.abs(), "{column}: {value}, {expected}");
             cells += 1;
         }
     }

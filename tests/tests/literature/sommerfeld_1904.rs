@@ -57,10 +57,7 @@ const SHORT: f64 = 0.2 * RADIUS;
 
 /// So of a film between sealed ends, and its greatest error of pressure, over the greatest one.
 fn long_film(columns: u32) -> [f64; 2] {
-    let film = FilmProblem {
-        theory: Theory::Long,
-        ..plain_film(SHORT, ECCENTRICITY, PI, SPEED)
-    };
+    let film = FilmProblem { theory: Theory::Long, ..plain_film(SHORT, ECCENTRICITY, PI, SPEED) };
     let mesh = ring(columns, 4, SHORT, 0.0);
     let mut regions = ends(&mesh, SHORT, Some(0.0));
     for region in regions.iter_mut().filter(|region| region.kind == BoundaryKind::End) {

@@ -15,10 +15,7 @@ fn film_start_at_the_widest_film() {
     let rows = reference("plain360_swift_stieber", "rows");
     assert_eq!(rows.len(), 22);
     each(&rows, |row| {
-        let ring = Ring {
-            film_start: true,
-            ..Ring::of(row)
-        };
+        let ring = Ring { film_start: true, ..Ring::of(row) };
         let film = ring.solve();
         film.compare(row, 1e-3, 0.05, 2e-3)?;
         let expected = number(row, "RC_f");

@@ -22,20 +22,13 @@ const DIAMETER: f64 = 0.0745;
 const LENGTH: f64 = 0.0257;
 const PSI: f64 = 0.092e-3 / DIAMETER;
 const FEED_PRESSURE: f64 = 0.35e6;
-const BALANCE: ThermalBalance = ThermalBalance {
-    inlet: ZERO_CELSIUS + 75.0,
-    heat_capacity: 1.8e6,
-    housing: None,
-};
+const BALANCE: ThermalBalance = ThermalBalance { inlet: ZERO_CELSIUS + 75.0, heat_capacity: 1.8e6, housing: None };
 
 fn oil() -> ThermalOil {
     let line = Walther::through((ZERO_CELSIUS + 40.0, 55e-6), (ZERO_CELSIUS + 100.0, 8.19e-6));
     ThermalOil {
         law: TemperatureLaw::Walther(line.expect("a line")),
-        density: Density {
-            at_20: 885.0,
-            expansion: EXPANSION,
-        },
+        density: Density { at_20: 885.0, expansion: EXPANSION },
         sheared: 1.0,
     }
 }
@@ -72,19 +65,12 @@ fn film(temperature: f64, turns: f64, force: f64) -> Film {
 }
 
 fn heat(film: &Film) -> ThermalFlows {
-    ThermalFlows {
-        power: film.power,
-        flow: film.flows[0] + film.flows[1],
-        carried_over: 0.0,
-    }
+    ThermalFlows { power: film.power, flow: film.flows[0] + film.flows[1], carried_over: 0.0 }
 }
 
 #[track_caller]
 fn prints(what: &str, value: f64, printed: f64, digit: f64) {
-    assert!(
-        (value - printed).abs() <= 0.501 * digit,
-        "{what}: {value}, printed {printed}"
-    );
+    assert!((value - printed).abs() <= 0.501 * digit, "{what}: {value}, printed {printed}");
 }
 
 /// The last digits of [`CAR`]; the flow is the sum of two printed ones.
@@ -92,49 +78,13 @@ const LAST_DIGITS: [f64; 7] = [0.01, 0.01, 1e-3, 1e-4, 0.01, 0.01, 2e-4];
 
 #[test]
 fn three_speeds() {
-    for (
-        turns,
-        force,
-        [
-            effective,
-            outlet,
-            viscosity,
-            number,
-            eps,
-            least,
-            angle,
-            friction,
-            power,
-            side,
-            fed,
-        ],
-    ) in [
-        (
-            1100.0,
-            901.5,
-            [
-                76.65, 78.29, 12.519, 0.4979, 0.7069, 13.48, 38.3, 9.140, 43.66, 0.2094, 0.2324,
-            ],
-        ),
-        (
-            1900.0,
-            1557.1,
-            [
-                78.40, 81.81, 11.899, 0.5238, 0.7143, 13.14, 37.6, 8.787, 125.23, 0.3655, 0.2477,
-            ],
-        ),
-        (
-            3200.0,
-            2622.6,
-            [
-                81.20, 87.40, 10.996, 0.5669, 0.7255, 12.63, 36.6, 8.268, 334.27, 0.6253, 0.2733,
-            ],
-        ),
+    for (turns, force, [effective, outlet, viscosity, number, eps, least, angle, friction, power, side, fed]) in [
+        (1100.0, 901.5, [76.65, 78.29, 12.519, 0.4979, 0.7069, 13.48, 38.3, 9.140, 43.66, 0.2094, 0.2324]),
+        (1900.0, 1557.1, [78.40, 81.81, 11.899, 0.5238, 0.7143, 13.14, 37.6, 8.787, 125.23, 0.3655, 0.2477]),
+        (3200.0, 2622.6, [81.20, 87.40, 10.996, 0.5669, 0.7255, 12.63, 36.6, 8.268, 334.27, 0.6253, 0.2733]),
     ] {
-        let found = find(&BALANCE, Start::at(300.0), 1e-12, |t| {
-            Ok::<_, ()>(heat(&film(t, turns, force)))
-        })
-        .expect("a balance");
+        let found =
+            find(&BALANCE, Start::at(300.0), 1e-12, |t| Ok::<_, ()>(heat(&film(t, turns, force)))).expect("a balance");
         let t = found.temperature;
         prints("t", t - ZERO_CELSIUS, effective, 0.01);
         prints("t_out", BALANCE.ends(t, 0.0)[1] - ZERO_CELSIUS, outlet, 0.01);
@@ -145,12 +95,7 @@ fn three_speeds() {
         prints("So", film.number, number, 1e-4);
         prints("eps", film.eccentricity, eps, 1e-4);
         prints("h_min", 46.0 * (1.0 - film.eccentricity), least, 0.01);
-        prints(
-            "beta",
-            attitude(film.eccentricity, LENGTH / DIAMETER).to_degrees(),
-            angle,
-            0.1,
-        );
+        prints("beta", attitude(film.eccentricity, LENGTH / DIAMETER).to_degrees(), angle, 0.1);
         prints("f/psi", film.friction, friction, 1e-3);
         prints("P", film.power, power, 0.01);
         prints("Q_3", 6e4 * film.flows[0], side, 1e-4);
@@ -166,19 +111,13 @@ fn the_crossing_of_both_curves() {
     for (k, (friction, carried)) in (0..).zip(friction.into_iter().zip(carried)) {
         let t = ZERO_CELSIUS + 80.0 + 5.0 * f64::from(k);
         let film = heat(&film(t, 3200.0, 2622.6));
-        assert!(
-            (film.power / friction - 1.0).abs() < 1e-3,
-            "{t}: {} {friction}",
-            film.power
-        );
+        assert!((film.power / friction - 1.0).abs() < 1e-3, "{t}: {} {friction}", film.power);
         let found = BALANCE.carried(t, &film);
         assert!((found / carried - 1.0).abs() < 1e-3, "{t}: {found} {carried}");
     }
     for start in [0.0, 350.0, 380.0, 600.0] {
-        let found = find(&BALANCE, Start::at(start), 1e-12, |t| {
-            Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))
-        })
-        .expect("a balance");
+        let found = find(&BALANCE, Start::at(start), 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6))))
+            .expect("a balance");
         prints("root", found.temperature - ZERO_CELSIUS, 81.20, 0.01);
     }
 }
@@ -201,10 +140,8 @@ fn the_table_by_the_standards_twin() {
 /// sheared oil, as Swift-Stieber's cavity does here, and bring all the oil that the widening gap could take.
 #[test]
 fn the_film_beside_the_fits() {
-    let by_fits = find(&BALANCE, Start::at(350.0), 1e-12, |t| {
-        Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))
-    })
-    .expect("a balance");
+    let by_fits =
+        find(&BALANCE, Start::at(350.0), 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))).expect("a balance");
     let numbers = |model: &str| {
         let scene = variant("20_heat_balance", |scene| {
             table(scene, "mesh").insert("size".into(), "5 mm".into());
@@ -212,14 +149,8 @@ fn the_film_beside_the_fits() {
         });
         let result = run(&scene, &RunOptions::default()).expect("a film").result;
         assert!(result.balances.thermal < 1e-6, "{model}: {}", result.balances.thermal);
-        [
-            "temperature_effective",
-            "friction_power",
-            "side_flow",
-            "feed_flow.hole",
-            "film_thickness_min",
-        ]
-        .map(|name| result.by_name(name).expect(name).value)
+        ["temperature_effective", "friction_power", "side_flow", "feed_flow.hole", "film_thickness_min"]
+            .map(|name| result.by_name(name).expect(name).value)
     };
     let [swift, jakobsson] = ["reynolds", "jfo"].map(numbers);
     let fits = film(by_fits.temperature, 3200.0, 2622.6);
@@ -231,8 +162,5 @@ fn the_film_beside_the_fits() {
     // The hole alone feeds less than the gap would take: less oil, and less of the ring is sheared.
     assert!((jakobsson[2] / jakobsson[3] - 1.0).abs() < 1e-6, "{jakobsson:?}");
     assert!(jakobsson[2] < 0.75 * swift[2] && jakobsson[1] < 0.85 * swift[1]);
-    assert!(
-        (0.5..3.0).contains(&(jakobsson[0] - swift[0])),
-        "{jakobsson:?} {swift:?}"
-    );
+    assert!((0.5..3.0).contains(&(jakobsson[0] - swift[0])), "{jakobsson:?} {swift:?}");
 }

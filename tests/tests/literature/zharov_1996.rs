@@ -15,27 +15,14 @@ const SCALE: f64 = 10.0;
 fn check(block: &Value, illegible: Option<usize>) {
     let column = |name: &str| numbers(&block[name]);
     let [h_0, h_1, h_2] = ["h0", "h1", "h2"].map(column);
-    let bearings: Vec<Sections> = (0..h_0.len())
-        .map(|k| Sections {
-            middle: h_0[k],
-            ends: [h_1[k], h_2[k]],
-        })
-        .collect();
+    let bearings: Vec<Sections> = (0..h_0.len()).map(|k| Sections { middle: h_0[k], ends: [h_1[k], h_2[k]] }).collect();
     let (deviations, equivalents) = (column("Delta_gamma"), column("h_star"));
     let legible = || (0..bearings.len()).filter(|&k| Some(k) != illegible);
     for k in legible() {
         let deviation = bearings[k].deviation();
-        assert!(
-            (deviation - deviations[k]).abs() < 0.05,
-            "bearing {}: {deviation}",
-            k + 1
-        );
+        assert!((deviation - deviations[k]).abs() < 0.05, "bearing {}: {deviation}", k + 1);
         let equivalent = bearings[k].equivalent_film(SCALE);
-        assert!(
-            (equivalent - equivalents[k]).abs() <= 0.05 + 1e-9,
-            "bearing {}: {equivalent}",
-            k + 1
-        );
+        assert!((equivalent - equivalents[k]).abs() <= 0.05 + 1e-9, "bearing {}: {equivalent}", k + 1);
     }
     let all: Vec<Sections> = legible().map(|k| bearings[k]).collect();
     let crown = common_crown(&all).expect("bearings");

@@ -34,10 +34,7 @@ fn a_load_given_in_three_frames_has_one_orbit() {
     for sense in [1.0, -1.0] {
         let turning = Turning {
             speed: sense * 3000.0 * TAU / 60.0,
-            rod: Some(Linkage {
-                radius: RADIUS_OF_CRANK,
-                rod_length: ROD_LENGTH,
-            }),
+            rod: Some(Linkage { radius: RADIUS_OF_CRANK, rod_length: ROD_LENGTH }),
         };
         let path_of = |frame: Frame, name: &str| {
             let mut table = "angle [deg], Fx [N], Fy [N]\n".to_owned();
@@ -53,18 +50,11 @@ fn a_load_given_in_three_frames_has_one_orbit() {
             let text = SCENE.replace("FILE", &file).replace("FRAME", name);
             let text = text.replace("3000 rpm", &format!("{} rpm", 3000.0 * sense));
             let scene = parse(&text, Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));
-            let options = RunOptions {
-                bars: false,
-                ..RunOptions::default()
-            };
+            let options = RunOptions { bars: false, ..RunOptions::default() };
             run(&scene, &options).expect("an orbit").orbit.expect("a path")
         };
-        let [shell, cylinder, pin] = [
-            (Frame::Shell, "shell"),
-            (Frame::Cylinder, "cylinder"),
-            (Frame::Pin, "pin"),
-        ]
-        .map(|(frame, name)| path_of(frame, name));
+        let [shell, cylinder, pin] = [(Frame::Shell, "shell"), (Frame::Cylinder, "cylinder"), (Frame::Pin, "pin")]
+            .map(|(frame, name)| path_of(frame, name));
         for other in [cylinder, pin] {
             let off = (0..360).map(|angle| {
                 let [a, b] = [&shell, &other].map(|path| path.place(f64::from(angle)).expect("a place"));
@@ -88,23 +78,14 @@ fn a_moment_in_the_table_tilts_the_journal_or_is_refused() {
     let table = "angle [deg], Fx [N], Fy [N], Mx [N.m], My [N.m]\n".to_owned() + &rows.collect::<String>();
     std::fs::write(&file, table).expect("a table");
     let file = file.to_str().expect("a name").replace('\\', "/");
-    let text = SCENE
-        .replace("FILE", &file)
-        .replace("FRAME", "shell")
-        .replace("load = {", "load = { KEY");
+    let text = SCENE.replace("FILE", &file).replace("FRAME", "shell").replace("load = {", "load = { KEY");
     let found = |key: &str| {
         let scene = parse(&text.replace("KEY", key), Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));
-        let options = RunOptions {
-            bars: false,
-            ..RunOptions::default()
-        };
+        let options = RunOptions { bars: false, ..RunOptions::default() };
         run(&scene, &options)
     };
     let refused = found("").expect_err("the tilt is given").to_string();
-    assert!(
-        refused.contains("columns Mx and My") && refused.contains("load.at"),
-        "{refused}"
-    );
+    assert!(refused.contains("columns Mx and My") && refused.contains("load.at"), "{refused}");
     let tilted = found("at = \"0 mm\",").expect("an orbit").orbit.expect("a path");
     let [.., z_x, _] = tilted.place(0.0).expect("a place");
     assert!(z_x.abs() > 1e-3 * tilted.clearance, "{z_x}");
@@ -121,11 +102,7 @@ fn orbit(turned: &dyn Fn([f64; 2]) -> [f64; 2], speed: f64) -> Orbit {
         let [x, y] = turned(force).map(|part| unit * part);
         [x, y, 0.0, 0.0]
     };
-    let of = |order: f64, cos: [f64; 2], sin: [f64; 2]| Harmonic {
-        order,
-        cos: force(cos),
-        sin: force(sin),
-    };
+    let of = |order: f64, cos: [f64; 2], sin: [f64; 2]| Harmonic { order, cos: force(cos), sin: force(sin) };
     let orders = vec![of(0.0, [0.5, 0.1], [0.0; 2]), of(1.0, [0.3, 0.0], [0.0, 0.4])];
     let turning = Turning { speed, rod: None };
     let cycle = DutyCycle::of_harmonics(orders, TAU, Frame::Shell, turning);
@@ -137,13 +114,8 @@ fn orbit(turned: &dyn Fn([f64; 2]) -> [f64; 2], speed: f64) -> Orbit {
         support: None,
         mass: 0.0,
     };
-    let options = OrbitOptions {
-        tolerance: 1e-2,
-        closure: 0.0,
-        cycles: 1,
-        deadline: Deadline::default(),
-        observer: None,
-    };
+    let options =
+        OrbitOptions { tolerance: 1e-2, closure: 0.0, cycles: 1, deadline: Deadline::default(), observer: None };
     let [x, y] = turned([0.2 * CLEARANCE, 0.1 * CLEARANCE]);
     motion.orbit([x, y, 0.0, 0.0], &options).expect("an orbit")
 }

@@ -31,10 +31,7 @@ fn the_short_map_leads_as_the_short_film() {
         sin: [unit * sin[0], unit * sin[1], 0.0, 0.0],
     };
     let orders = vec![of(0.0, [0.1, 0.0], [0.0; 2]), of(1.0, [0.15, 0.0], [0.0, 0.15])];
-    let turning = Turning {
-        speed: SPEED,
-        rod: None,
-    };
+    let turning = Turning { speed: SPEED, rod: None };
     let cycle = DutyCycle::of_harmonics(orders, TAU, Frame::Shell, turning);
     let motion = Motion {
         problem: &problem,
@@ -44,23 +41,11 @@ fn the_short_map_leads_as_the_short_film() {
         support: None,
         mass: 0.0,
     };
-    let options = OrbitOptions {
-        tolerance: 1e-5,
-        closure: 0.0,
-        cycles: 1,
-        deadline: Deadline::default(),
-        observer: None,
-    };
+    let options =
+        OrbitOptions { tolerance: 1e-5, closure: 0.0, cycles: 1, deadline: Deadline::default(), observer: None };
     let start = [0.3 * CLEARANCE, 0.2 * CLEARANCE];
-    let film = motion
-        .orbit([start[0], start[1], 0.0, 0.0], &options)
-        .expect("an orbit");
-    let travel = Travel {
-        map: &ShortMap,
-        bearing: problem.bearing,
-        viscosity: VISCOSITY,
-        cycle: &cycle,
-    };
+    let film = motion.orbit([start[0], start[1], 0.0, 0.0], &options).expect("an orbit");
+    let travel = Travel { map: &ShortMap, bearing: problem.bearing, viscosity: VISCOSITY, cycle: &cycle };
     let map = travel.orbit(start, 1e-7, 0.0, 1).expect("an orbit by the map");
     let [a, b] = [&film.steps, &map.steps].map(|steps| steps.last().expect("an end").at);
     let off = (a[0] - b[0]).hypot(a[1] - b[1]) / CLEARANCE;
@@ -83,22 +68,14 @@ orbit = { cycles = 5 }
 #[test]
 fn the_map_of_the_finite_film_leads_as_the_film() {
     let scene = parse(SCENE, Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars: false, ..RunOptions::default() };
     let found = run(&scene, &options).expect("a film");
     let path = found.orbit.expect("a path");
     let [short, finite] = <[_; 2]>::try_from(by_maps(&scene, &path).expect("a film")).expect("two maps");
     let film = found.result.quantity(&CYCLE_FILM_THICKNESS_MIN).expect("a film").value;
     let off = |by: &Result<oilwedge_study::orbit::ByMap, String>| {
         let by = by.as_ref().unwrap_or_else(|reason| panic!("{reason}"));
-        let least = by
-            .quantities
-            .iter()
-            .find(|it| it.row == &CYCLE_FILM_THICKNESS_MIN)
-            .expect("a film")
-            .value;
+        let least = by.quantities.iter().find(|it| it.row == &CYCLE_FILM_THICKNESS_MIN).expect("a film").value;
         (least / film - 1.0).abs()
     };
     let finite_difference = finite.as_ref().expect("a map").film_difference;
@@ -117,16 +94,8 @@ fn what_has_no_map_is_named() {
     for (from, to, told) in [
         ("cycles = 5", "mass = \"1 kg\"", "mass"),
         ("\"reynolds\"", "\"none\"", "cavitation model"),
-        (
-            "\"10 mPa.s\"",
-            "\"10 mPa.s\"\noil.barus.alpha = \"2e-8 1/Pa\"",
-            "viscosity",
-        ),
-        (
-            "load = {",
-            "ends.pressure = \"1 bar\"\nload = {",
-            "pressure than the ends",
-        ),
+        ("\"10 mPa.s\"", "\"10 mPa.s\"\noil.barus.alpha = \"2e-8 1/Pa\"", "viscosity"),
+        ("load = {", "ends.pressure = \"1 bar\"\nload = {", "pressure than the ends"),
         ("load = {", "load = { at = \"1 mm\",", "tilts"),
         ("orbit = { cycles = 5 }", "", "no [orbit]"),
     ] {

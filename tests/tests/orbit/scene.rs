@@ -32,17 +32,11 @@ fn the_big_end_of_the_shipped_scene_is_that_of_finite_volumes() {
     for (row, reference, uncertain, part) in rows {
         let (value, bar) = number(row);
         assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
-        assert!(
-            (value - reference).abs() <= bar + uncertain,
-            "{}: {value} {bar}",
-            row.name
-        );
+        assert!((value - reference).abs() <= bar + uncertain, "{}: {value} {bar}", row.name);
     }
     // 256.86 and 17.27 deg.
-    for (row, reference) in [
-        (&CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, 256.86),
-        (&CYCLE_PRESSURE_MAX_CRANK_ANGLE, 17.27),
-    ] {
+    for (row, reference) in [(&CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, 256.86), (&CYCLE_PRESSURE_MAX_CRANK_ANGLE, 17.27)]
+    {
         let (value, bar) = number(row);
         assert!((value - reference).abs() <= bar, "{}: {value} {bar}", row.name);
     }
@@ -78,10 +72,7 @@ pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
 
 /// The usual options but for bars.
 fn without_bars(scene: &Scene) -> RunOptions {
-    RunOptions {
-        bars: false,
-        ..RunOptions::of(scene)
-    }
+    RunOptions { bars: false, ..RunOptions::of(scene) }
 }
 
 #[test]
@@ -90,10 +81,7 @@ fn too_few_cycles_are_an_answer_with_numbers() {
     let result = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
     assert_eq!(result.status, Status::NotConverged);
     assert!(
-        result
-            .reason
-            .as_deref()
-            .is_some_and(|reason| reason.starts_with("not closed after 1 cycle")),
+        result.reason.as_deref().is_some_and(|reason| reason.starts_with("not closed after 1 cycle")),
         "{:?}",
         result.reason
     );
@@ -105,17 +93,10 @@ fn too_few_cycles_are_an_answer_with_numbers() {
 fn an_orbit_is_the_same_without_bars_and_is_drawn_film_by_film() {
     let scene = parsed(SCENE).expect("a scene");
     let with = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
-    let options = RunOptions {
-        bars: false,
-        frames: 4,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { bars: false, frames: 4, ..RunOptions::of(&scene) };
     let without = run(&scene, &options).expect("an orbit");
     let film = |result: &RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).map(|it| it.value);
-    assert_eq!(
-        (film(&with.result), with.result.status),
-        (film(&without.result), Status::Converged)
-    );
+    assert_eq!((film(&with.result), with.result.status), (film(&without.result), Status::Converged));
     let bar = |result: &RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).and_then(|it| it.error());
     assert!(bar(&with.result).is_some_and(|bar| bar > 0.0));
     assert!(with.frames.is_empty());
@@ -123,35 +104,19 @@ fn an_orbit_is_the_same_without_bars_and_is_drawn_film_by_film() {
     assert_eq!(without.frames.len(), 4);
     for (frame, angle) in without.frames.iter().zip([0.0, 90.0, 180.0, 270.0]) {
         assert!((frame.crank_angle - angle).abs() < 1e-9);
-        let (_, axis) = frame
-            .picture
-            .lines
-            .iter()
-            .find(|(name, _)| name == "journal_axis")
-            .expect("an axis");
+        let (_, axis) = frame.picture.lines.iter().find(|(name, _)| name == "journal_axis").expect("an axis");
         let [x, y, ..] = path.place(angle).expect("a place");
         let [from, to] = axis[0];
-        assert!(
-            (from[0] - x).hypot(from[1] - y) < 1e-9 && (to[2] - from[2] - 0.025).abs() < 1e-12,
-            "{axis:?}"
-        );
+        assert!((from[0] - x).hypot(from[1] - y) < 1e-9 && (to[2] - from[2] - 0.025).abs() < 1e-12, "{axis:?}");
     }
 }
 
 #[test]
 fn what_has_no_orbit_is_refused() {
     for (from, to, told) in [
-        (
-            "\"guembel\"",
-            "\"jfo\"",
-            "bearing.theory: is \"short\", but cavitation.model is \"jfo\"",
-        ),
+        ("\"guembel\"", "\"jfo\"", "bearing.theory: is \"short\", but cavitation.model is \"jfo\""),
         ("load = ", "ends = ", "orbit: stands without [load]"),
-        (
-            "mesh.size = \"6 mm\"",
-            "mesh.tolerance = \"1 %\"",
-            "mesh.tolerance: stands beside [orbit]",
-        ),
+        ("mesh.size = \"6 mm\"", "mesh.tolerance = \"1 %\"", "mesh.tolerance: stands beside [orbit]"),
         ("cycles = 5", "cycles = 1.5", "orbit.cycles: is no whole number"),
         ("cycles = 5", "tolerance = 1", "orbit.tolerance: is not between"),
         ("cycles = 5", "mass = \"-1 kg\"", "orbit.mass: is negative"),
@@ -161,9 +126,7 @@ fn what_has_no_orbit_is_refused() {
         match told {
             "" => {
                 let scene = found.expect("a scene");
-                let refused = run(&scene, &RunOptions::of(&scene))
-                    .expect_err("no steady film")
-                    .to_string();
+                let refused = run(&scene, &RunOptions::of(&scene)).expect_err("no steady film").to_string();
                 assert!(refused.contains("add [orbit]"), "{refused}");
             }
             told => {
@@ -177,10 +140,7 @@ fn what_has_no_orbit_is_refused() {
 /// With a balance of heat the mean flow carries off the mean power, and all bars know that of the temperature.
 #[test]
 fn one_temperature_balances_the_heat_of_a_cycle() {
-    let text = SCENE.replace(
-        "oil.viscosity = \"10 mPa.s\"",
-        "oil.grade = \"SAE 30\"\nheat.inlet = \"70 C\"",
-    );
+    let text = SCENE.replace("oil.viscosity = \"10 mPa.s\"", "oil.grade = \"SAE 30\"\nheat.inlet = \"70 C\"");
     let scene = parsed(&text).expect("a scene");
     let found = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
     let result = &found.result;
@@ -196,10 +156,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
     // The usual heat capacity of oil, 1.8 MJ/(m3 K); fresh oil, so that the mean is midway.
     let carried = 1.8e6 * flow * (outlet - 70.0);
     assert!((carried / power - 1.0).abs() < 1e-3, "{carried} {power}");
-    assert!(
-        (outlet - 70.0 - 2.0 * (temperature - 70.0)).abs() < 1e-9,
-        "{outlet} {temperature}"
-    );
+    assert!((outlet - 70.0 - 2.0 * (temperature - 70.0)).abs() < 1e-9, "{outlet} {temperature}");
     assert!(result.balances.thermal < 1e-3, "{:?}", result.balances);
     // Maps have the viscosity at the temperature that was found.
     let path = found.orbit.as_ref().expect("a path");
@@ -207,10 +164,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
         let map = map.expect("an orbit");
         assert!(map.film_difference < 1e-2, "{map:?}");
     }
-    let parts = result
-        .quantity(&CYCLE_FILM_THICKNESS_MIN)
-        .and_then(|it| it.bar)
-        .expect("a bar");
+    let parts = result.quantity(&CYCLE_FILM_THICKNESS_MIN).and_then(|it| it.bar).expect("a bar");
     assert!(parts.temperature > 0.0);
     let report = result.temperature.as_ref().expect("a verdict");
     let asked: Vec<_> = report.criteria.iter().map(|it| (&*it.what, it.value)).collect();
@@ -223,10 +177,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
     assert_eq!(asked, wanted);
     assert!(report.curve.is_empty() && report.is_fit, "{report:?}");
     // As warm a film without the balance is the same.
-    let given = text.replace(
-        "heat.inlet = \"70 C\"",
-        &format!("oil.temperature = \"{temperature} C\""),
-    );
+    let given = text.replace("heat.inlet = \"70 C\"", &format!("oil.temperature = \"{temperature} C\""));
     let given = parsed(&given).expect("a scene");
     let given = run(&given, &without_bars(&given)).expect("an orbit").result;
     let (alone, balanced) = (given.quantity(&CYCLE_POWER_LOSS).expect("a power").value, power);
@@ -250,10 +201,7 @@ fn limits_are_those_of_the_cycle() {
     // Farther below than the bar is wide: a limit inside it would be undecided.
     let below = 0.9 * greatest;
     let exceeded = limit(&format!("pressure_max = \"{below} bar\""));
-    assert_eq!(
-        (told(&exceeded), exceeded.criteria[0].verdict),
-        (vec!["greatest pressure".to_owned()], Verdict::Fail)
-    );
+    assert_eq!((told(&exceeded), exceeded.criteria[0].verdict), (vec!["greatest pressure".to_owned()], Verdict::Fail));
 }
 
 /// An orbit that was not closed goes on where it ended.
@@ -262,27 +210,15 @@ fn an_orbit_is_continued() {
     let one = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-6")).expect("a scene");
     let first = run(&one, &without_bars(&one)).expect("an orbit").result;
     let facts = first.orbit.expect("an orbit");
-    let options = RunOptions {
-        earlier: Some(EarlierOrbit {
-            cycles: facts.cycles.len(),
-            end: facts.end,
-        }),
-        ..without_bars(&one)
-    };
+    let options =
+        RunOptions { earlier: Some(EarlierOrbit { cycles: facts.cycles.len(), end: facts.end }), ..without_bars(&one) };
     let second = run(&one, &options).expect("an orbit").result.orbit.expect("an orbit");
     let two = parsed(&SCENE.replace("cycles = 5", "cycles = 2, closure = 1e-6")).expect("a scene");
-    let both = run(&two, &without_bars(&two))
-        .expect("an orbit")
-        .result
-        .orbit
-        .expect("an orbit");
+    let both = run(&two, &without_bars(&two)).expect("an orbit").result.orbit.expect("an orbit");
     assert_eq!(second.earlier_cycles, 1);
     let apart = (0..2).map(|k| (second.end[k] - both.end[k]).abs()).fold(0.0, f64::max);
     assert!(apart < 1e-4, "{apart}");
-    assert!(
-        second.cycles[0].closure < 0.1 * facts.cycles[0].closure,
-        "{second:?} {facts:?}"
-    );
+    assert!(second.cycles[0].closure < 0.1 * facts.cycles[0].closure, "{second:?} {facts:?}");
 }
 
 /// The synthetic big end with oil at 2 bar in its groove, mass-conserving: least film 5.577 um and greatest pressure 45.6 MPa by structured finite volumes, extrapolated from four grids
@@ -292,10 +228,7 @@ fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let scene = read(&path("28_big_end_orbit_conserving")).expect("a scene");
     let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
-    for (row, reference, part) in [
-        (&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.01),
-        (&CYCLE_PRESSURE_MAX, 45.6e6, 0.01),
-    ] {
+    for (row, reference, part) in [(&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.01), (&CYCLE_PRESSURE_MAX, 45.6e6, 0.01)] {
         let value = result.quantity(row).expect(row.name).value;
         assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
     }
@@ -308,11 +241,7 @@ fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let last = cycles.last().expect("a cycle");
     assert!(last.oil_imbalance.is_some_and(|oil| oil < 1e-8), "{last:?}");
     assert!(last.oil_closure.is_some_and(|oil| oil < 1e-3), "{last:?}");
-    assert!(
-        result.balances.mass < 1e-8 && result.balances.force < 1e-4,
-        "{:?}",
-        result.balances
-    );
+    assert!(result.balances.mass < 1e-8 && result.balances.force < 1e-4, "{:?}", result.balances);
 }
 
 /// The scene with a groove at 2 bar all around, and a cavity that conserves its oil.
@@ -328,10 +257,7 @@ fn conserving() -> String {
 fn a_finer_mesh_is_within_the_bars_of_an_orbit_that_conserves_its_oil() {
     let solved = |size: &str, bars: bool| {
         let scene = parsed(&conserving().replace("6 mm", size)).expect("a scene");
-        let options = RunOptions {
-            bars,
-            ..RunOptions::of(&scene)
-        };
+        let options = RunOptions { bars, ..RunOptions::of(&scene) };
         run(&scene, &options).expect("an orbit").result
     };
     let (coarse, fine) = (solved("6 mm", true), solved("4 mm", false));
@@ -340,12 +266,7 @@ fn a_finer_mesh_is_within_the_bars_of_an_orbit_that_conserves_its_oil() {
         let quantity = coarse.quantity(row).expect(row.name);
         let bar = quantity.bar.expect(row.name);
         let better = fine.quantity(row).expect(row.name).value;
-        assert!(
-            (quantity.value - better).abs() <= bar.total(),
-            "{}: {} {bar:?} {better}",
-            row.name,
-            quantity.value
-        );
+        assert!((quantity.value - better).abs() <= bar.total(), "{}: {} {bar:?} {better}", row.name, quantity.value);
         assert!(bar.discretisation > 0.0 && bar.time > 0.0, "{}: {bar:?}", row.name);
     }
 }
@@ -356,11 +277,7 @@ fn a_film_without_supply_is_told_to_follow_from_its_start() {
     let told = |text: &str| {
         let scene = parsed(text).expect("a scene");
         let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
-        assert!(
-            result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(),
-            "{:?}",
-            result.reason
-        );
+        assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(), "{:?}", result.reason);
         result.warnings.iter().any(|warning| warning.kind.code == "from_start")
     };
     let once = conserving().replace("tolerance", "cycles = 1, tolerance");

@@ -28,21 +28,9 @@ fn unit_of_force() -> f64 {
 }
 
 fn orbit(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, start: [f64; 2], tolerance: f64, cycles: usize) -> Orbit {
-    let motion = Motion {
-        problem: &film.0,
-        system: &film.1,
-        gap: Gap::of(&film.0, &film.1),
-        cycle,
-        support: None,
-        mass: 0.0,
-    };
-    let options = OrbitOptions {
-        tolerance,
-        closure: 0.0,
-        cycles,
-        deadline: Deadline::default(),
-        observer: None,
-    };
+    let motion =
+        Motion { problem: &film.0, system: &film.1, gap: Gap::of(&film.0, &film.1), cycle, support: None, mass: 0.0 };
+    let options = OrbitOptions { tolerance, closure: 0.0, cycles, deadline: Deadline::default(), observer: None };
     let [x, y] = start.map(|part| part * CLEARANCE);
     motion.orbit([x, y, 0.0, 0.0], &options).expect("an orbit")
 }
@@ -56,24 +44,14 @@ fn end(orbit: &Orbit) -> [f64; 2] {
 /// Harmonics of order, cosine and sine towards x and y, in units of the force.
 fn harmonics(orders: &[(f64, [f64; 2], [f64; 2])], period: f64) -> DutyCycle {
     let force = |[x, y]: [f64; 2]| [x * unit_of_force(), y * unit_of_force(), 0.0, 0.0];
-    let orders = orders.iter().map(|&(order, cos, sin)| Harmonic {
-        order,
-        cos: force(cos),
-        sin: force(sin),
-    });
-    let turning = Turning {
-        speed: SPEED,
-        rod: None,
-    };
+    let orders = orders.iter().map(|&(order, cos, sin)| Harmonic { order, cos: force(cos), sin: force(sin) });
+    let turning = Turning { speed: SPEED, rod: None };
     DutyCycle::of_harmonics(orders.collect(), period, Frame::Shell, turning)
 }
 
 /// `F = (0.02 + 0.01 cos tau, 0.005 sin 2 tau) mu omega R^2/psi^2`.
-const TWO_HARMONICS: [(f64, [f64; 2], [f64; 2]); 3] = [
-    (0.0, [0.02, 0.0], [0.0; 2]),
-    (1.0, [0.01, 0.0], [0.0; 2]),
-    (2.0, [0.0; 2], [0.0, 0.005]),
-];
+const TWO_HARMONICS: [(f64, [f64; 2], [f64; 2]); 3] =
+    [(0.0, [0.02, 0.0], [0.0; 2]), (1.0, [0.01, 0.0], [0.0; 2]), (2.0, [0.0; 2], [0.0, 0.005])];
 
 /// `q = e/(1 - eps^2)^(3/2)` obeys `q' = (i/2) q + F/(8 pi b^3)` for any load: where the journal is after one turn.
 #[test]
@@ -92,15 +70,7 @@ fn a_full_short_film_whirls_as_the_closed_solution() {
 #[test]
 fn a_full_short_film_returns_after_twenty_turns() {
     let cycle = harmonics(&TWO_HARMONICS, 20.0 * TAU);
-    let on = |mesh: [u32; 2]| {
-        end(&orbit(
-            &short(0.25, Cavitation::None, mesh),
-            &cycle,
-            [0.2, 0.3],
-            1e-8,
-            1,
-        ))
-    };
+    let on = |mesh: [u32; 2]| end(&orbit(&short(0.25, Cavitation::None, mesh), &cycle, [0.2, 0.3], 1e-8, 1));
     let [rough, fine] = [[32, 2], [64, 4]].map(on);
     let [x, y] = [0, 1].map(|d| fine[d] + (fine[d] - rough[d]) / 15.0);
     assert!((x - 0.2).hypot(y - 0.3) < 1e-6, "{x} {y} {rough:?} {fine:?}");
@@ -150,11 +120,7 @@ fn a_turning_load_leads_round_a_circle() {
 fn a_load_at_rest_leads_to_its_equilibrium() {
     let film = short(0.25, HALF, [32, 2]);
     let force = [0.1 * unit_of_force(), 0.0];
-    let duty = Duty {
-        force,
-        moment: [0.0; 2],
-        speed: SPEED,
-    };
+    let duty = Duty { force, moment: [0.0; 2], speed: SPEED };
     let cycle = DutyCycle::constant(duty, 2.0 * TAU, SPEED);
     let [x, y] = end(&orbit(&film, &cycle, [0.3, 0.0], 1e-8, 12));
     let mut start = film.0.clone();
@@ -172,11 +138,7 @@ fn a_journal_that_does_not_turn_sinks_in_the_time_of_the_closed_film() {
     let force = 100.0;
     let psi = CLEARANCE / RADIUS;
     let unit = VISCOSITY * RADIUS * RADIUS * b.powi(3) / (force * psi * psi);
-    let duty = Duty {
-        force: [force, 0.0],
-        moment: [0.0; 2],
-        speed: 0.0,
-    };
+    let duty = Duty { force: [force, 0.0], moment: [0.0; 2], speed: 0.0 };
     for (eps, time) in [(0.5, 15.5647955), (0.8, 88.2397495), (0.9, 268.01361)] {
         let cycle = DutyCycle::constant(duty, 1.0, 1.0 / (time * unit));
         let [x, y] = end(&orbit(&film, &cycle, [0.0, 0.0], 1e-5, 1));
@@ -189,11 +151,7 @@ fn a_journal_that_does_not_turn_sinks_in_the_time_of_the_closed_film() {
 #[test]
 fn a_rotor_with_mass_settles_in_the_same_place() {
     let film = short(0.25, HALF, [32, 2]);
-    let duty = Duty {
-        force: [0.3 * unit_of_force(), 0.0],
-        moment: [0.0; 2],
-        speed: SPEED,
-    };
+    let duty = Duty { force: [0.3 * unit_of_force(), 0.0], moment: [0.0; 2], speed: SPEED };
     let cycle = DutyCycle::constant(duty, 2.0 * TAU, SPEED);
     let [x, y] = end(&orbit(&film, &cycle, [0.5, 0.0], 1e-4, 10));
     let motion = Motion {
@@ -204,16 +162,9 @@ fn a_rotor_with_mass_settles_in_the_same_place() {
         support: None,
         mass: 0.1 * 0.3 * unit_of_force() / (CLEARANCE * SPEED * SPEED),
     };
-    let options = OrbitOptions {
-        tolerance: 1e-4,
-        closure: 0.0,
-        cycles: 20,
-        deadline: Deadline::default(),
-        observer: None,
-    };
-    let heavy = motion
-        .orbit([0.5 * CLEARANCE, 0.0, 0.0, 0.0], &options)
-        .expect("an orbit");
+    let options =
+        OrbitOptions { tolerance: 1e-4, closure: 0.0, cycles: 20, deadline: Deadline::default(), observer: None };
+    let heavy = motion.orbit([0.5 * CLEARANCE, 0.0, 0.0, 0.0], &options).expect("an orbit");
     let [with_x, with_y] = end(&heavy);
     assert!((x - with_x).hypot(y - with_y) < 1e-3, "{x} {y} {with_x} {with_y}");
 }
@@ -222,11 +173,7 @@ fn a_rotor_with_mass_settles_in_the_same_place() {
 #[test]
 fn a_path_that_leaves_the_bearing_between_two_steps_is_told() {
     let film = short(0.25, HALF, [32, 2]);
-    let duty = Duty {
-        force: [0.3 * unit_of_force(), 0.0],
-        moment: [0.0; 2],
-        speed: SPEED,
-    };
+    let duty = Duty { force: [0.3 * unit_of_force(), 0.0], moment: [0.0; 2], speed: SPEED };
     let cycle = DutyCycle::constant(duty, 2.0 * TAU, SPEED);
     let motion = Motion {
         problem: &film.0,
@@ -239,11 +186,7 @@ fn a_path_that_leaves_the_bearing_between_two_steps_is_told() {
     let orbit = orbit(&film, &cycle, [0.5, 0.0], 1e-2, 1);
     let (dt, place) = (1e-3, [0.9 * CLEARANCE, 0.0, 0.0, 0.0]);
     let rate = CLEARANCE / dt;
-    let span = Span {
-        times: [0.0, dt],
-        places: [place; 2],
-        rates: [[rate, 0.0, 0.0, 0.0], [-rate, 0.0, 0.0, 0.0]],
-    };
+    let span = Span { times: [0.0, dt], places: [place; 2], rates: [[rate, 0.0, 0.0, 0.0], [-rate, 0.0, 0.0, 0.0]] };
     // In the middle at 0.9 + 1/4.
     let found = motion.between(&orbit.steps[0], &span, 0.5 * dt, 1e-4);
     let reason = found.expect_err("no film");

@@ -9,10 +9,7 @@ use super::scene::parsed;
 
 fn solved(text: &str, bars: bool) -> (RunResult, Option<[f64; 4]>) {
     let scene = parsed(text).unwrap_or_else(|reason| panic!("{reason}"));
-    let options = RunOptions {
-        bars,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { bars, ..RunOptions::of(&scene) };
     let found = run(&scene, &options).expect("an answer");
     (found.result, found.orbit.and_then(|orbit| orbit.place(359.9999)))
 }
@@ -32,10 +29,7 @@ fn a_journal_under_a_constant_load_sinks_in_the_time_of_the_closed_film() {
     let (result, place) = solved(text, false);
     assert_eq!(result.status, Status::NotConverged);
     let reason = result.reason.as_deref().unwrap_or_default();
-    assert!(
-        reason.starts_with("sinking: the journal does not turn, 100 % of the load"),
-        "{reason}"
-    );
+    assert!(reason.starts_with("sinking: the journal does not turn, 100 % of the load"), "{reason}");
     assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
     let [force, clearance, time, viscosity, length, radius] = [500.0, 30e-6, 0.02_f64, 10e-3, 25e-3_f64, 25e-3];
     let wanted = force * clearance * clearance * time / (std::f64::consts::PI * viscosity * length.powi(3) * radius);
@@ -55,10 +49,7 @@ fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
         let [load, oil] = ["harmonics", "[orbit]"].map(|key| damper.find(key).expect(key));
         let turning = damper[..load].replace("0 rpm", "24000 rpm");
         let force = if damper.contains("2 kN") { "2 kN" } else { "1 kN" };
-        format!(
-            "{turning}force = \"{force}\"\nangle = \"0 deg\"\n{}",
-            damper[oil..].replace("[orbit]", "")
-        )
+        format!("{turning}force = \"{force}\"\nangle = \"0 deg\"\n{}", damper[oil..].replace("[orbit]", ""))
     };
     let film = |text: &str, row: &Row| {
         let (result, _) = solved(text, true);
@@ -69,10 +60,7 @@ fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
             let place = result.quantity(&CYCLE_FILM_THICKNESS_MIN_ANGLE).expect("a place");
             assert!(place.error().is_some_and(|bar| bar > 10.0), "{:?}", place.error());
             let power = result.quantity(&CYCLE_POWER_LOSS).expect("a power").value;
-            assert!(
-                power > 1.0 && result.quantity(&CYCLE_FRICTION_POWER).is_none(),
-                "{power}"
-            );
+            assert!(power > 1.0 && result.quantity(&CYCLE_FRICTION_POWER).is_none(), "{power}");
         }
         let quantity = result.quantity(row).expect("a film");
         (quantity.value, quantity.error().expect("a bar"))
@@ -95,8 +83,5 @@ fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
             "[[feed]]\ngroup = \"groove\"\ngroove = { width = \"6 mm\" }\npressure = \"2 bar\"\n[journal]",
         );
     let ((whirling, bar), (still, other)) = both(&fed);
-    assert!(
-        (whirling - still).abs() < bar + other,
-        "{whirling} {bar}, {still} {other}"
-    );
+    assert!((whirling - still).abs() < bar + other, "{whirling} {bar}, {still} {other}");
 }

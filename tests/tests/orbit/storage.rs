@@ -39,10 +39,7 @@ fn follow(
         ..still.clone()
     };
     let short = BEGINNING * (times[1] - times[0]);
-    let full = FilmProblem {
-        journal: journal(times[0] - short),
-        ..still.clone()
-    };
+    let full = FilmProblem { journal: journal(times[0] - short), ..still.clone() };
     let before = Before::at_rest(1.0 / short, full.oil_of_full_film(system).expect("volumes"));
     let problem = at(times[0], &before);
     let mut film = problem.solve_from(system, Neighbour::None).expect("a film");
@@ -62,12 +59,7 @@ fn follow(
             impulse = [0, 1].map(|d| impulse[d] + dt * weights[stage] * force[d]);
         }
         oil = stages.pop().expect("stages");
-        each(&Seen {
-            time: pair[1],
-            film: &film,
-            oil: &oil,
-            impulse,
-        });
+        each(&Seen { time: pair[1], film: &film, oil: &oil, impulse });
     }
 }
 
@@ -109,11 +101,7 @@ fn strip(columns: u32) -> FilmSystem {
         let [a, b, c, d] = [vertex(i, 0), vertex(i + 1, 0), vertex(i + 1, 1), vertex(i, 1)];
         [[a, b, c], [a, c, d]]
     });
-    let side = |j: u32| {
-        (0..columns)
-            .map(|i| [vertex(i, j), vertex(i + 1, j)])
-            .collect::<Vec<_>>()
-    };
+    let side = |j: u32| (0..columns).map(|i| [vertex(i, j), vertex(i + 1, j)]).collect::<Vec<_>>();
     let raw = RawMesh {
         points: points.collect(),
         triangles: triangles.collect(),
@@ -175,35 +163,26 @@ fn errors_of_plates(columns: u32, number: u32) -> [f64; 2] {
     let places = system.space().positions();
     let (mut front, mut full_again) = (0.0f64, f64::INFINITY);
     // The steps meet every hundredth.
-    follow(
-        &problem,
-        &system,
-        journal,
-        &steps(0.0, 0.75, 75 * number),
-        |&Seen { time, film, oil, .. }| {
-            let size = 1.0 / f64::from(columns);
-            let fraction = film.film_fraction.as_ref().expect("a fraction");
-            let broken = |(dof, place): (usize, &[f64; 2])| {
-                (place[1] == 0.0 && film.cavity[dof]).then_some((place[0], fraction.values[dof]))
-            };
-            let mut broken: Vec<(f64, f64)> = places.iter().enumerate().filter_map(broken).collect();
-            broken.sort_by(|a, b| a.0.total_cmp(&b.0));
-            if let (Some((_, edge)), [first, next, ..]) =
-                (FRONT.iter().find(|(at, _)| (at - time).abs() < 1e-9), &broken[..])
-            {
-                // The first cell of the cavity is full as far as its oil reaches beyond that of the next one.
-                let full = ((first.1 - next.1) / (1.0 - next.1)).clamp(0.0, 1.0);
-                front = front.max((first.0 + (full - 0.5) * size - edge).abs());
-            }
-            if time > 0.6 && broken.is_empty() {
-                full_again = full_again.min(time);
-            }
-            assert!(
-                (oil.received - (oil.total() - 0.5 / f64::from(columns))).abs() < 1e-10 * oil.total(),
-                "{time}"
-            );
-        },
-    );
+    follow(&problem, &system, journal, &steps(0.0, 0.75, 75 * number), |&Seen { time, film, oil, .. }| {
+        let size = 1.0 / f64::from(columns);
+        let fraction = film.film_fraction.as_ref().expect("a fraction");
+        let broken = |(dof, place): (usize, &[f64; 2])| {
+            (place[1] == 0.0 && film.cavity[dof]).then_some((place[0], fraction.values[dof]))
+        };
+        let mut broken: Vec<(f64, f64)> = places.iter().enumerate().filter_map(broken).collect();
+        broken.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if let (Some((_, edge)), [first, next, ..]) =
+            (FRONT.iter().find(|(at, _)| (at - time).abs() < 1e-9), &broken[..])
+        {
+            // The first cell of the cavity is full as far as its oil reaches beyond that of the next one.
+            let full = ((first.1 - next.1) / (1.0 - next.1)).clamp(0.0, 1.0);
+            front = front.max((first.0 + (full - 0.5) * size - edge).abs());
+        }
+        if time > 0.6 && broken.is_empty() {
+            full_again = full_again.min(time);
+        }
+        assert!((oil.received - (oil.total() - 0.5 / f64::from(columns))).abs() < 1e-10 * oil.total(), "{time}");
+    });
     [front, (full_again - FULL_AGAIN).abs()]
 }
 
@@ -212,10 +191,7 @@ fn squeezed_plates_cavitate_and_reform_as_the_closed_front() {
     let coarse = errors_of_plates(100, 2);
     let fine = errors_of_plates(400, 5);
     assert!(fine[0] < 2e-3 && fine[1] < 2e-3, "{fine:?}");
-    assert!(
-        coarse[0] > fine[0] && coarse[0] < 1e-2 && coarse[1] < 1e-2,
-        "{coarse:?} {fine:?}"
-    );
+    assert!(coarse[0] > fine[0] && coarse[0] < 1e-2 && coarse[1] < 1e-2, "{coarse:?} {fine:?}");
 }
 
 /// A ring whose journal goes round, with a cavity at this part of the unit of pressure: impulse of the force and oil in the film at common times of the second
@@ -225,9 +201,7 @@ fn second_turn(number: u32, cavity: f64) -> Vec<[f64; 3]> {
     let system = ring_system(16, 2, length, None);
     let mut problem = plain_film(length, 0.0, 0.0, SPEED);
     problem.terms.push(Arc::new(Squeeze));
-    problem.cavitation = Cavitation::Jfo {
-        pressure: cavity * pressure_scale(),
-    };
+    problem.cavitation = Cavitation::Jfo { pressure: cavity * pressure_scale() };
     let journal = |time: f64| {
         let (sin, cos) = (SPEED * time).sin_cos();
         JournalState {
@@ -240,21 +214,15 @@ fn second_turn(number: u32, cavity: f64) -> Vec<[f64; 3]> {
     let unit = pressure_scale() * RADIUS * RADIUS * turn;
     let volume = std::f64::consts::TAU * RADIUS * CLEARANCE * length;
     let (mut found, mut step, mut sum) = (Vec::new(), 0, [0.0; 2]);
-    follow(
-        &problem,
-        &system,
-        journal,
-        &steps(0.0, 2.0 * turn, 2 * number),
-        |Seen { oil, impulse, .. }| {
-            step += 1;
-            if step > number {
-                sum = [0, 1].map(|d| sum[d] + impulse[d] / unit);
-                if step % (number / COMMON) == 0 {
-                    found.push([sum[0], sum[1], oil.total() / volume]);
-                }
+    follow(&problem, &system, journal, &steps(0.0, 2.0 * turn, 2 * number), |Seen { oil, impulse, .. }| {
+        step += 1;
+        if step > number {
+            sum = [0, 1].map(|d| sum[d] + impulse[d] / unit);
+            if step % (number / COMMON) == 0 {
+                found.push([sum[0], sum[1], oil.total() / volume]);
             }
-        },
-    );
+        }
+    });
     found
 }
 

@@ -24,11 +24,7 @@ fn flows_balance() {
     }
     let printed = shipped("06_flexpde_as_printed");
     assert!(printed.measured.flows.imbalance > 0.01);
-    assert!(
-        warnings(&printed.study, &printed.measured)
-            .iter()
-            .any(|it| it.contains("no mass balance"))
-    );
+    assert!(warnings(&printed.study, &printed.measured).iter().any(|it| it.contains("no mass balance")));
 }
 
 /// The hole as a meshed surface, and straight triangles whose rim the key `hole` makes round: the same film.
@@ -70,10 +66,7 @@ fn a_film_start_counts_unless_it_lies_at_the_widest_film() {
         close(turned.quantity("load"), periodic.quantity("load"), 2e-6);
         close(turned.quantity("attitude_angle"), 90.0, 1e-6);
         let started = ring_with_start(Some("0 deg"), angle);
-        assert!(
-            (started.quantity("load") / periodic.quantity("load") - 1.0).abs() > 0.01,
-            "{angle}"
-        );
+        assert!((started.quantity("load") / periodic.quantity("load") - 1.0).abs() > 0.01, "{angle}");
         assert!((started.quantity("attitude_angle") - 90.0).abs() > 1.0, "{angle}");
         let space = started.study.system.space();
         let turns = |x: f64| x / (std::f64::consts::TAU * 0.0375);
@@ -81,10 +74,7 @@ fn a_film_start_counts_unless_it_lies_at_the_widest_film() {
         let nodes = space.positions().into_iter().zip(&started.film.unknown);
         let pressures: Vec<f64> = nodes.filter(|([x, _], _)| on_line(*x)).map(|(_, &p)| p).collect();
         // 12 edges: 13 vertices and 12 middles.
-        assert!(
-            pressures.len() == 25 && pressures.iter().all(|&p| p == 0.0),
-            "{pressures:?}"
-        );
+        assert!(pressures.len() == 25 && pressures.iter().all(|&p| p == 0.0), "{pressures:?}");
         assert!(started.measured.flows.imbalance < 1e-10);
     }
     for whole_turn in ["0 deg", "360 deg", "-360 deg"] {
@@ -98,18 +88,13 @@ fn a_film_start_counts_unless_it_lies_at_the_widest_film() {
 fn a_film_start_needs_a_line_of_edges() {
     for angle in ["45 deg", "0.01 deg", "180 deg"] {
         let scene = variant("01_plain_ring", |scene| set(scene, "bearing", "film_start", angle));
-        let Err(error) = compile(&scene) else {
-            panic!("no line of edges runs at {angle}")
-        };
+        let Err(error) = compile(&scene) else { panic!("no line of edges runs at {angle}") };
         assert!(matches!(error, CompileError::FilmStart { .. }));
         let text = error.to_string();
         let degrees: f64 = angle.trim_end_matches(" deg").parse().expect("a number");
-        for part in [
-            "ring.msh",
-            "bearing.film_start",
-            &format!("at {degrees:.6} deg"),
-            "mesh the liner with its seam there",
-        ] {
+        for part in
+            ["ring.msh", "bearing.film_start", &format!("at {degrees:.6} deg"), "mesh the liner with its seam there"]
+        {
             assert!(text.contains(part), "no {part:?} in {text}");
         }
     }
@@ -162,9 +147,7 @@ fn reversed_speed_on_a_ring_is_its_mirror_image() {
 #[test]
 fn a_turned_ring_is_the_same_ring() {
     let ring = shipped("04_flexpde_ring");
-    let turned = solved("05_flexpde_ring_top", |scene| {
-        set(scene, "journal", "min_film_angle", "0 deg")
-    });
+    let turned = solved("05_flexpde_ring_top", |scene| set(scene, "journal", "min_film_angle", "0 deg"));
     for quantity in ["load", "attitude_angle", "side_flow"] {
         close(turned.quantity(quantity), ring.quantity(quantity), 5e-6);
     }
@@ -200,10 +183,7 @@ fn a_cap_follows_the_film() {
         let opening = value(&found, "cap_opening_force");
         close(share.value, -y.value / opening, 1e-12);
         let (error, of_y) = (share.error().expect("a bar"), y.error().expect("a bar") / opening);
-        assert!(
-            x.error().is_some() && (error / of_y - 1.0).abs() < 1e-6,
-            "{model}: {error:e} {of_y:e}"
-        );
+        assert!(x.error().is_some() && (error / of_y - 1.0).abs() < 1e-6, "{model}: {error:e} {of_y:e}");
     }
     let rest = answer(&variant("19_connecting_rod_cap", |scene| {
         scene.remove("load");
@@ -235,9 +215,7 @@ fn a_starved_pad_finds_its_position_under_load() {
 fn a_centred_journal_makes_no_pressure_in_any_form() {
     let centred = solved("01_plain_ring", |scene| {
         set(scene, "journal", "eccentricity", 0.0);
-        let barus: toml::Table = "alpha = \"2.5e-8 1/Pa\"\nform = \"as-printed\""
-            .parse()
-            .expect("a table");
+        let barus: toml::Table = "alpha = \"2.5e-8 1/Pa\"\nform = \"as-printed\"".parse().expect("a table");
         set(scene, "oil", "barus", barus);
     });
     assert!(centred.quantity("load") < 1e-6);
@@ -246,13 +224,9 @@ fn a_centred_journal_makes_no_pressure_in_any_form() {
 #[test]
 fn an_unresolved_film_is_told() {
     let warned = |eccentricity: f64| {
-        let film = solved("01_plain_ring", |scene| {
-            set(scene, "journal", "eccentricity", eccentricity)
-        });
+        let film = solved("01_plain_ring", |scene| set(scene, "journal", "eccentricity", eccentricity));
         let warnings = oilwedge_study::warnings::warnings(&film.study, &film.measured);
-        warnings
-            .iter()
-            .any(|warning| warning.starts_with("the film is not resolved"))
+        warnings.iter().any(|warning| warning.starts_with("the film is not resolved"))
     };
     assert!(!warned(0.6) && warned(0.9999));
 }

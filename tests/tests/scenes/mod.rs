@@ -42,10 +42,7 @@ fn converged(name: &str, load_coefficient: f64, attitude: f64, relative: f64) {
     let film = shipped(name);
     close(film.quantity("load_coefficient"), load_coefficient, relative);
     let error = film.quantity("attitude_angle") - attitude;
-    assert!(
-        error.abs() < 100.0 * relative,
-        "{name}: attitude off by {error:.1e} deg"
-    );
+    assert!(error.abs() < 100.0 * relative, "{name}: attitude off by {error:.1e} deg");
 }
 
 /// Load [N] or load coefficient and attitude angle [deg] that scikit-fem finds on the same mesh.

@@ -32,10 +32,7 @@ fn scene_08_flexpde_study_size() {
 #[test]
 fn the_plain_scene_is_poiseuille_couette_and_one_linear_solve() {
     let film = shipped("01_plain_ring");
-    assert_eq!(
-        oilwedge_study::effects::Effects::of(&film.study.scene).simulated,
-        ["poiseuille", "couette"]
-    );
+    assert_eq!(oilwedge_study::effects::Effects::of(&film.study.scene).simulated, ["poiseuille", "couette"]);
     let terms: Vec<_> = film.study.problem.terms.iter().map(|term| term.name()).collect();
     assert_eq!(terms, ["poiseuille", "couette"]);
     assert_eq!(film.study.problem.film_thickness.len(), 1);
@@ -114,10 +111,7 @@ fn scene_15_squeezed_ring() {
     let psi: f64 = 1e-3;
     let so = film.quantity("load") * psi * psi / (0.0375 * 0.075 * 0.4);
     close(so, 3.675, 1e-3);
-    assert!(
-        film.quantity("attitude_angle").abs() < 1e-2,
-        "the load is that of the approach"
-    );
+    assert!(film.quantity("attitude_angle").abs() < 1e-2, "the load is that of the approach");
 }
 
 /// The load of scene 12 finds the position of scene 12, whose C_w and attitude another code has.
@@ -169,15 +163,10 @@ fn scene_19_connecting_rod_cap() {
     let share = found.by_name("cap_film_share").and_then(|share| share.error());
     assert!(share.is_some_and(|error| error < 1e-9), "the load is given: {share:?}");
     let error = |name: &str| found.by_name(name).and_then(|quantity| quantity.error());
-    assert_eq!(
-        (error("cap_force"), error("bolt_stress_amplitude")),
-        (Some(0.0), Some(0.0))
-    );
+    assert_eq!((error("cap_force"), error("bolt_stress_amplitude")), (Some(0.0), Some(0.0)));
     // Of a load that turns only what points to the cap pulls at it.
     let at = |angle: &str| {
-        let found = answer(&variant("19_connecting_rod_cap", |scene| {
-            set(scene, "cap", "angle", angle)
-        }));
+        let found = answer(&variant("19_connecting_rod_cap", |scene| set(scene, "cap", "angle", angle)));
         value(&found, "cap_film_share")
     };
     close(at("330 deg"), 0.5 * value(&found, "cap_film_share"), 1e-9);
@@ -189,25 +178,14 @@ fn scene_19_connecting_rod_cap() {
 #[test]
 fn scenes_21_and_22_crankshaft_bearing() {
     let cases = [
-        (
-            "21_short_crankshaft_bearing",
-            [2622.56, 31.8504],
-            [3500.8515, 30.500153],
-        ),
-        (
-            "22_squeezed_crankshaft_bearing",
-            [8839.39, 14.3979],
-            [11968.476, 13.936722],
-        ),
+        ("21_short_crankshaft_bearing", [2622.56, 31.8504], [3500.8515, 30.500153]),
+        ("22_squeezed_crankshaft_bearing", [8839.39, 14.3979], [11968.476, 13.936722]),
     ];
     for (name, full, short) in cases {
         for (theory, [load, attitude]) in [("full", full), ("short", short)] {
             let found = answer(&variant(name, |scene| set(scene, "bearing", "theory", theory)));
             close(value(&found, "load"), load, 5e-3);
-            assert!(
-                (value(&found, "attitude_angle") - attitude).abs() < 0.1,
-                "{name}, {theory}"
-            );
+            assert!((value(&found, "attitude_angle") - attitude).abs() < 0.1, "{name}, {theory}");
         }
     }
 }
@@ -256,21 +234,10 @@ fn scene_25_whirl() {
     let (sin, cos) = of("min_film_angle").to_radians().sin_cos();
     let turned = |[[xx, xy], [yx, yy]]: [[f64; 2]; 2]| cos * cos * xx - cos * sin * (xy + yx) + sin * sin * yy;
     let unit = 8e-3 * 300.0 * 0.05f64.powi(4) / 80e-6f64.powi(3);
-    close(
-        of("stiffness_xx") / unit,
-        turned([[2.2008, 1.0257], [-1.8429, 0.70916]]),
-        1e-2,
-    );
-    close(
-        of("damping_xx") * 300.0 / unit,
-        turned([[3.9346, -1.4183], [-1.4183, 2.0514]]),
-        1e-2,
-    );
+    close(of("stiffness_xx") / unit, turned([[2.2008, 1.0257], [-1.8429, 0.70916]]), 1e-2);
+    close(of("damping_xx") * 300.0 / unit, turned([[3.9346, -1.4183], [-1.4183, 2.0514]]), 1e-2);
     // Routh's conditions of this K and C.
-    let (k, c) = (
-        [[2.2008, 1.0257], [-1.8429, 0.70916]],
-        [[3.9346, -1.4183], [-1.4183, 2.0514]],
-    );
+    let (k, c) = ([[2.2008, 1.0257], [-1.8429, 0.70916]], [[3.9346, -1.4183], [-1.4183, 2.0514]]);
     let spring = (k[0][0] * c[1][1] + k[1][1] * c[0][0] - k[0][1] * c[1][0] - k[1][0] * c[0][1]) / (c[0][0] + c[1][1]);
     let square: f64 =
         ((k[0][0] - spring) * (k[1][1] - spring) - k[0][1] * k[1][0]) / (c[0][0] * c[1][1] - c[0][1] * c[1][0]);
@@ -288,11 +255,7 @@ fn scene_29_mixed_lubrication() {
     assert!((of("contact_share") - 0.07874).abs() < 2e-3, "{}", of("contact_share"));
     assert!((of("attitude_angle") - 11.929).abs() < 0.02);
     // What contact rubs is its part of the friction.
-    close(
-        of("friction_contact_power") / of("friction_power"),
-        of("contact_friction_share"),
-        1e-9,
-    );
+    close(of("friction_contact_power") / of("friction_power"), of("contact_friction_share"), 1e-9);
     let thrust = 0.1 * 0.025 * of("contact_thrust") * 300.0 * std::f64::consts::PI / 30.0;
     close(of("friction_contact_power"), thrust, 1e-9);
 }

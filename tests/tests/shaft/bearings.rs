@@ -7,31 +7,16 @@ use oilwedge_tests::crankshafts::*;
 
 /// The text of a bearing of `three_films.toml`, rough and on a mesh of its own, with further keys.
 fn bearing(keys: &str) -> String {
-    let scene = changed(
-        &text("bearings/small_ring.toml"),
-        "\"30 um\"",
-        "\"30 um\"\nroughness = \"3 um\"",
-    );
-    changed(
-        &scene,
-        "[journal]",
-        &format!("[mesh]\nsize = \"3 mm\"\n\n{keys}\n[journal]"),
-    )
+    let scene = changed(&text("bearings/small_ring.toml"), "\"30 um\"", "\"30 um\"\nroughness = \"3 um\"");
+    changed(&scene, "[journal]", &format!("[mesh]\nsize = \"3 mm\"\n\n{keys}\n[journal]"))
 }
 
 /// Numbers of that bearing by itself, under the load on the right one of [`two_films`].
 fn alone(keys: &str, rows: [&Row; 2]) -> [f64; 2] {
-    let scene = changed(
-        &bearing(keys),
-        "eccentricity   = 0.7\nmin_film_angle = \"240 deg\"\n",
-        "",
-    );
+    let scene = changed(&bearing(keys), "eccentricity   = 0.7\nmin_film_angle = \"240 deg\"\n", "");
     let scene = format!("{scene}\n[load]\nforce = \"{RIGHT} kN\"\nangle = \"270 deg\"\n");
     let scene = parse(&scene, &engines("bearings/alone.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { bars: false, ..RunOptions::of(&scene) };
     let found = oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}"));
     rows.map(|row| found.result.quantity(row).expect(row.name).value)
 }
@@ -44,10 +29,9 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
     let [_, (_, cut)] = BY_STATICS;
     // The mesh of a crowned bore is graded for the position in the scene, so that the single bearing has another one.
     let (same_mesh, other_mesh) = (1e-6, 1e-4);
-    for (keys, tolerance) in [
-        ("[roughness]\nmodel = \"patir-cheng\"\n", same_mesh),
-        ("[[bore]]\ncrown = \"4 um\"\n", other_mesh),
-    ] {
+    for (keys, tolerance) in
+        [("[roughness]\nmodel = \"patir-cheng\"\n", same_mesh), ("[[bore]]\ncrown = \"4 um\"\n", other_mesh)]
+    {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("ring.toml");
         std::fs::write(&path, bearing(keys)).expect("a file");
@@ -57,16 +41,9 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
         let single = alone(keys, rows);
         for (row, single) in rows.iter().zip(single) {
             let found = numbers(&run, row)[1];
-            assert!(
-                (found / single - 1.0).abs() < tolerance,
-                "{keys}: {} {found} {single}",
-                row.name
-            );
+            assert!((found / single - 1.0).abs() < tolerance, "{keys}: {} {found} {single}", row.name);
         }
-        assert!(
-            (single[0] / plain[0] - 1.0).abs() > 1e-3,
-            "{keys}: {single:?} {plain:?}"
-        );
+        assert!((single[0] / plain[0] - 1.0).abs() > 1e-3, "{keys}: {single:?} {plain:?}");
     }
 }
 
@@ -78,26 +55,11 @@ fn each_bearing_of_a_shaft_has_its_verdicts() {
         "film_min = \"5 um\"\nmiddle_film_min = \"1 um\"\ndeviation_max = \"1 mm\"\nequivalent_film_min = \"1 nm\"";
     let limits = format!("[criteria]\n{limits}\n\n[journal]");
     let criteria = ("[journal]", &*limits);
-    let run = run(&with_bearing(
-        folder.path(),
-        "small_ring",
-        criteria,
-        &text("three_films.toml"),
-    ));
+    let run = run(&with_bearing(folder.path(), "small_ring", criteria, &text("three_films.toml")));
     let verdicts: Vec<_> = (run.result.bearings.iter())
-        .map(|bearing| {
-            bearing
-                .criteria
-                .iter()
-                .map(|it| (it.what.as_str(), it.verdict))
-                .collect::<Vec<_>>()
-        })
+        .map(|bearing| bearing.criteria.iter().map(|it| (it.what.as_str(), it.verdict)).collect::<Vec<_>>())
         .collect();
-    let kept = [
-        "least film at mid-length",
-        "deviation of the film at the ends",
-        "equivalent film",
-    ];
+    let kept = ["least film at mid-length", "deviation of the film at the ends", "equivalent film"];
     let of = |verdict| {
         let kept = kept.map(|what| (what, Verdict::Pass));
         [("least film", verdict)].into_iter().chain(kept).collect::<Vec<_>>()

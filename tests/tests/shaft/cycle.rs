@@ -24,11 +24,7 @@ fn an_engine_runs_as_one_shaft_and_cut_at_its_mains() {
     assert_eq!(whole.result.status, Status::Converged, "{:?}", whole.result.reason);
     all_films_balance_the_loads_at_every_step(&whole);
 
-    let options = RunOptions {
-        bars: false,
-        max_seconds: f64::INFINITY,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars: false, max_seconds: f64::INFINITY, ..RunOptions::default() };
     let read = ShaftScene::parse(&engine, &engines("scene.toml")).expect("a scene");
     let cut = run_cut(&read, &options).expect("a run");
     assert_eq!(cut.result.status, Status::Converged, "{:?}", cut.result.reason);
@@ -50,36 +46,22 @@ fn mains_have_the_orbits_of_single_bearings(cut: &ShaftRun, engine: &str) {
     let bearing = changed(&text("bearings/main_85.toml"), "[journal]", &format!("{MESH}[journal]"));
     for (number, throws) in BESIDE.iter().enumerate() {
         let film = single_main(engine, throws, &bearing);
-        assert!(
-            (films[number] / film - 1.0).abs() < 1e-6,
-            "{number}: {} {film}",
-            films[number]
-        );
+        assert!((films[number] / film - 1.0).abs() < 1e-6, "{number}: {} {film}", films[number]);
     }
 }
 
 fn all_films_balance_the_loads_at_every_step(whole: &ShaftRun) {
     let balances = whole.result.balances;
     assert!(
-        [balances.force, balances.moment, balances.journals, balances.power]
-            .iter()
-            .all(|off| *off < 1e-8),
+        [balances.force, balances.moment, balances.journals, balances.power].iter().all(|off| *off < 1e-8),
         "{balances:?}"
     );
     assert!(balances.power > 0.0, "its terms come by two ways");
     for bearing in &whole.result.bearings {
         // Of the order of what steps may be off by.
-        assert!(
-            bearing.energy.is_some_and(|energy| energy < 1e-2),
-            "{}: {:?}",
-            bearing.name,
-            bearing.energy
-        );
+        assert!(bearing.energy.is_some_and(|energy| energy < 1e-2), "{}: {:?}", bearing.name, bearing.energy);
     }
     // Films and cavities mirror each other in no throw: the outer bearings bear one throw each, the inner ones two.
     let loads = numbers(whole, &CYCLE_LOAD_MAX);
-    assert!(
-        loads[1] > 0.8 * loads[0] && loads.iter().all(|load| *load > 1e4),
-        "{loads:?}"
-    );
+    assert!(loads[1] > 0.8 * loads[0] && loads.iter().all(|load| *load > 1e4), "{loads:?}");
 }

@@ -16,31 +16,15 @@ fn compare(case: &ThreeFilms) {
         let found = [0, 1, 2, 3, 4].map(|k: usize| columns[k][number]);
         let force = bearing[0].hypot(bearing[1]);
         for k in 0..2 {
-            assert!(
-                (found[k] - bearing[k]).abs() < 3e-3 * force,
-                "{number}, force {k}: {} {}",
-                found[k],
-                bearing[k]
-            );
+            assert!((found[k] - bearing[k]).abs() < 3e-3 * force, "{number}, force {k}: {} {}", found[k], bearing[k]);
             let slope = found[k + 2] / scale;
-            assert!(
-                (slope - bearing[k + 2]).abs() < 5e-3 * tilt,
-                "{number}, tilt {k}: {slope} {}",
-                bearing[k + 2]
-            );
+            assert!((slope - bearing[k + 2]).abs() < 5e-3 * tilt, "{number}, tilt {k}: {slope} {}", bearing[k + 2]);
         }
         let film = 1e6 * found[4];
-        assert!(
-            (film / bearing[4] - 1.0).abs() < 1e-2,
-            "{number}, film: {film} {}",
-            bearing[4]
-        );
+        assert!((film / bearing[4] - 1.0).abs() < 1e-2, "{number}, film: {film} {}", bearing[4]);
     }
     let balances = run.result.balances;
-    assert!(
-        balances.force < 1e-8 && balances.moment < 1e-8 && balances.journals < 1e-8,
-        "{balances:?}"
-    );
+    assert!(balances.force < 1e-8 && balances.moment < 1e-8 && balances.journals < 1e-8, "{balances:?}");
 }
 
 /// On stiff supports, on a soft one, and under crossed loads that tilt the journals every way.
@@ -70,10 +54,7 @@ fn films_with_bars_balance_the_loads() {
         for (row, wanted, unsure) in rows {
             let quantity = bearing.quantity(row).expect(row.name);
             let bar = quantity.error().unwrap_or_else(|| panic!("no bar of {}", row.name));
-            println!(
-                "{} {} {} +- {bar}, not {wanted}",
-                bearing.name, row.name, quantity.value
-            );
+            println!("{} {} {} +- {bar}, not {wanted}", bearing.name, row.name, quantity.value);
             assert!(
                 bar > 0.0 && (quantity.value - wanted).abs() < bar + unsure,
                 "{} {}: {} +- {bar}, not {wanted}",
@@ -128,10 +109,7 @@ fn bearings_of_what_is_not_solved_are_refused() {
         (("[journal]", liner), "liner", "remove [liner]"),
     ] {
         let told = refused(change);
-        assert!(
-            told.contains("bearing.toml") && told.contains(key) && told.contains(way_out),
-            "{told}"
-        );
+        assert!(told.contains("bearing.toml") && told.contains(key) && told.contains(way_out), "{told}");
     }
 }
 

@@ -24,11 +24,7 @@ fn sweep_of(text: &str) -> Sweep {
 /// What it finds, without error bars, in the folder `dir`.
 fn swept(sweep: &Sweep, dir: &Path) -> SweepReport {
     let options = SweepOptions {
-        case: RunOptions {
-            bars: false,
-            max_seconds: f64::INFINITY,
-            ..RunOptions::default()
-        },
+        case: RunOptions { bars: false, max_seconds: f64::INFINITY, ..RunOptions::default() },
         ..SweepOptions::default()
     };
     run_sweep(sweep, &options, dir, &mut |_| {}).unwrap_or_else(|error| panic!("{error}"))
@@ -46,10 +42,7 @@ fn column(report: &SweepReport, name: &str) -> Vec<f64> {
 #[test]
 fn each_bearing_of_each_shaft_has_a_row() {
     let moduli = "[sweep]\n\"crankshaft.youngs_modulus\" = [\"206 GPa\", \"150 GPa\"]\n";
-    let text = format!(
-        "{}\n{moduli}speed = [\"1000 rpm\", \"2000 rpm\"]\n",
-        text("three_films.toml")
-    );
+    let text = format!("{}\n{moduli}speed = [\"1000 rpm\", \"2000 rpm\"]\n", text("three_films.toml"));
     let sweep = sweep_of(&text);
     let folder = tempfile::tempdir().expect("a folder");
     let report = swept(&sweep, folder.path());
@@ -60,12 +53,7 @@ fn each_bearing_of_each_shaft_has_a_row() {
     // By itself: the second shaft is the one of the scene.
     let alone = run(&text);
     for row in [&LOAD, &FILM_THICKNESS_MIN] {
-        assert_eq!(
-            column(&report, row.name)[3..6],
-            numbers(&alone, row)[..],
-            "{}",
-            row.name
-        );
+        assert_eq!(column(&report, row.name)[3..6], numbers(&alone, row)[..], "{}", row.name);
     }
     // A softer shaft leaves more to the middle; a slower one has thinner films.
     let (loads, films) = (column(&report, LOAD.name), column(&report, FILM_THICKNESS_MIN.name));
@@ -86,15 +74,8 @@ fn each_bearing_of_each_shaft_has_a_row() {
 
     let object = serde_json::from_str(&json(&report).expect("JSON")).expect("JSON");
     let page = sweep_page(&object).expect("a page");
-    assert!(
-        page.contains("middle") && page.contains("crankshaft.youngs"),
-        "{}",
-        page.len()
-    );
-    let options = PlotOptions {
-        selected: Vec::new(),
-        width: 180.0,
-    };
+    assert!(page.contains("middle") && page.contains("crankshaft.youngs"), "{}", page.len());
+    let options = PlotOptions { selected: Vec::new(), width: 180.0 };
     let figures = figures_of_sweep(&object, &options).expect("pictures");
     assert!(figures.iter().any(|(name, _)| name == "sweep"));
 }
@@ -130,10 +111,7 @@ fn an_engine_is_swept_over_its_speed() {
     for (film, wanted) in films[2..].iter().zip(&of_scene) {
         assert!((film / (1e6 * wanted) - 1.0).abs() < 1e-12, "{film} {wanted}");
     }
-    assert!(
-        films[..2].iter().zip(&films[2..]).all(|(slow, fast)| slow != fast),
-        "{films:?}"
-    );
+    assert!(films[..2].iter().zip(&films[2..]).all(|(slow, fast)| slow != fast), "{films:?}");
 }
 
 #[test]

@@ -42,11 +42,7 @@ fn a_limit_inside_the_bar_is_undecided() {
         (pressure - 3.0 * bar, Verdict::Fail),
     ] {
         let result = run_with(1e-5 * limit);
-        let criterion = result
-            .criteria
-            .iter()
-            .find(|it| it.what == "greatest pressure")
-            .expect("a criterion");
+        let criterion = result.criteria.iter().find(|it| it.what == "greatest pressure").expect("a criterion");
         assert_eq!(criterion.verdict, verdict, "{criterion:?}");
         assert_eq!(result.criteria[0].verdict, Verdict::Pass);
     }
@@ -55,12 +51,10 @@ fn a_limit_inside_the_bar_is_undecided() {
 /// A number that the mesh does not resolve decides nothing; the least film, which follows from the position, does.
 #[test]
 fn a_number_that_is_not_resolved_is_undecided() {
-    let result = run(
-        "[bearing]\ndiameter = \"100 mm\"\nlength = \"50 mm\"\nclearance = \"50 um\"\n\
+    let result = run("[bearing]\ndiameter = \"100 mm\"\nlength = \"50 mm\"\nclearance = \"50 um\"\n\
          [journal]\nspeed = \"30 rad/s\"\neccentricity = 0.998\nmin_film_angle = \"0 deg\"\n\
          [oil]\nviscosity = \"20 mPa.s\"\n[cavitation]\nmodel = \"reynolds\"\n[mesh]\nsize = \"60 mm\"\n\
-         [criteria]\nfilm_min = \"1 nm\"\npressure_max = \"1 GPa\"\n",
-    );
+         [criteria]\nfilm_min = \"1 nm\"\npressure_max = \"1 GPa\"\n");
     let [film, pressure] = &result.criteria[..] else {
         panic!("{:?}", result.criteria);
     };

@@ -23,10 +23,7 @@ fn the_position_of_a_load_carries_it() {
         let back = run(&scene(0.5, "\"1 %\"", &keys));
         let [load, bar] = quantity(&back, "load");
         let wanted = 1e3 * force.trim_end_matches(" kN").parse::<f64>().expect("a number");
-        assert!(
-            (load - wanted).abs() < 3.0 * bar + 2e-3 * wanted,
-            "{tables} {force}: {load}"
-        );
+        assert!((load - wanted).abs() < 3.0 * bar + 2e-3 * wanted, "{tables} {force}: {load}");
         let [angle, _] = quantity(&back, "load_angle");
         assert!((angle - 270.0).abs() < 0.5, "{angle}");
     }

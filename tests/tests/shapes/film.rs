@@ -21,27 +21,15 @@ fn shaped(mut problem: FilmProblem, profiles: &[Arc<dyn Profile>]) -> FilmProble
 }
 
 fn crown(depth: f64) -> Arc<dyn Profile> {
-    Arc::new(Crown {
-        depth,
-        half_length: 0.5 * LENGTH,
-    })
+    Arc::new(Crown { depth, half_length: 0.5 * LENGTH })
 }
 
 fn worn(depth: f64) -> Arc<dyn Profile> {
-    Arc::new(Worn {
-        radius: RADIUS,
-        depth,
-        angle: 0.4,
-        half_width: 0.6,
-    })
+    Arc::new(Worn { radius: RADIUS, depth, angle: 0.4, half_width: 0.6 })
 }
 
 fn oval(depth: f64) -> Arc<dyn Profile> {
-    Arc::new(Oval {
-        radius: RADIUS,
-        depth,
-        angle: 1.1,
-    })
+    Arc::new(Oval { radius: RADIUS, depth, angle: 1.1 })
 }
 
 /// A tilted film of this model.
@@ -51,11 +39,8 @@ fn bearing(cavitation: Cavitation) -> FilmProblem {
     problem
 }
 
-const MODELS: [Cavitation; 3] = [
-    Cavitation::None,
-    Cavitation::Reynolds { pressure: 0.0 },
-    Cavitation::Jfo { pressure: 0.0 },
-];
+const MODELS: [Cavitation; 3] =
+    [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }, Cavitation::Jfo { pressure: 0.0 }];
 
 #[test]
 fn depth_zero_is_absence() {
@@ -72,14 +57,9 @@ fn depth_zero_is_absence() {
             let zero = carried(&shaped(bearing(model), std::slice::from_ref(&profile)), &system);
             for k in 0..2 {
                 let size = plain.force[0].hypot(plain.force[1]);
-                let off = [
-                    (plain.force[k] - zero.force[k]) / size,
-                    (plain.moment[k] - zero.moment[k]) / (size * LENGTH),
-                ];
-                assert!(
-                    off.iter().all(|off| off.abs() < 1e-12),
-                    "{model:?} {profile:?}: {off:?}"
-                );
+                let off =
+                    [(plain.force[k] - zero.force[k]) / size, (plain.moment[k] - zero.moment[k]) / (size * LENGTH)];
+                assert!(off.iter().all(|off| off.abs() < 1e-12), "{model:?} {profile:?}: {off:?}");
             }
         }
     }
@@ -90,13 +70,7 @@ fn depth_zero_is_absence() {
 fn depths_add_up() {
     let system = ring_system(48, 8, LENGTH, None);
     let plain = carried(&bearing(MODELS[1]), &system);
-    let both = carried(
-        &shaped(
-            bearing(MODELS[1]),
-            &[crown(4e-6), oval(3e-6), crown(-4e-6), oval(-3e-6)],
-        ),
-        &system,
-    );
+    let both = carried(&shaped(bearing(MODELS[1]), &[crown(4e-6), oval(3e-6), crown(-4e-6), oval(-3e-6)]), &system);
     for k in 0..2 {
         assert!((plain.force[k] - both.force[k]).abs() < 1e-11 * plain.force[0].hypot(plain.force[1]));
     }
@@ -113,16 +87,10 @@ fn the_tangent_matches_differences() {
             false => system,
         };
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let coordinates = Coordinates {
-            order: 4,
-            arm: 0.5 * LENGTH,
-        };
+        let coordinates = Coordinates { order: 4, arm: 0.5 * LENGTH };
         let here = coordinates.at(&problem.journal);
         let at = |place| {
-            let problem = FilmProblem {
-                journal: coordinates.placed(&problem.journal, place),
-                ..problem.clone()
-            };
+            let problem = FilmProblem { journal: coordinates.placed(&problem.journal, place), ..problem.clone() };
             let moved = problem.solve_from(&system, Neighbour::Kept(&film)).expect("a film");
             assert_eq!(moved.cavity, film.cavity, "the set has changed");
             coordinates.forces(&load(&problem, &system, &moved).total.resultant())

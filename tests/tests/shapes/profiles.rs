@@ -20,11 +20,7 @@ fn off(row: &Value, text: &str) -> [f64; 3] {
     let symmetric = moment.iter().all(|m| *m == 0.0);
     [
         part([of("load_x") / FORCE, of("load_y") / FORCE], &force, 0.0),
-        part(
-            [of("moment_x") / MOMENT, of("moment_y") / MOMENT],
-            &moment,
-            if symmetric { arm } else { 0.0 },
-        ),
+        part([of("moment_x") / MOMENT, of("moment_y") / MOMENT], &moment, if symmetric { arm } else { 0.0 }),
         (of("film_thickness_min") / 50e-6 / number(row, "hmin") - 1.0).abs(),
     ]
 }
@@ -53,10 +49,7 @@ fn measured_points_give_the_same_film() {
         let (_, depth) = bore(name);
         let path = folder.path().join(format!("{}.csv", name.replace(' ', "_")));
         let path = measured(&path, 0.1 * number(row, "b"), [360, 20], depth);
-        let off = off(
-            row,
-            &scene_of(row, "\"0.1 %\"", &format!("file = {:?}", path.display().to_string())),
-        );
+        let off = off(row, &scene_of(row, "\"0.1 %\"", &format!("file = {:?}", path.display().to_string())));
         match off[0] < 2e-3 && off[1] < 2e-3 && off[2] < 2e-3 {
             true => Ok(()),
             false => Err(format!("{name}: {off:?}")),
@@ -73,9 +66,7 @@ fn noise_and_coarse_points_are_told() {
     // A scatter of +-3 um from a linear congruential generator.
     let mut state = 7u64;
     let mut scatter = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         if state >> 63 == 0 { 0.06 } else { -0.06 }
     };
     let noise: Vec<f64> = (0..360 * 20).map(|_| scatter()).collect();
@@ -83,26 +74,16 @@ fn noise_and_coarse_points_are_told() {
         let [i, j] = [phi.to_degrees(), 9.5 * (part + 1.0)].map(|place| place.round() as usize);
         noise[20 * (i % 360) + j]
     };
-    let noisy = measured(&folder.path().join("noisy.csv"), 0.05, [360, 20], |phi, part| {
-        depth(phi, part) + noise(phi, part)
-    });
+    let noisy =
+        measured(&folder.path().join("noisy.csv"), 0.05, [360, 20], |phi, part| depth(phi, part) + noise(phi, part));
     let coarse = measured(&folder.path().join("coarse.csv"), 0.05, [8, 3], depth);
     let plain = run(&scene_of(&row, "\"1 %\"", table));
     for (path, code) in [(noisy, "noisy_points"), (coarse, "coarse_points")] {
         let text = scene_of(&row, "\"2 %\"", &format!("file = {:?}", path.display().to_string()));
         let found = run(&text);
-        assert!(
-            found.warnings.iter().any(|warning| warning.kind.code == code),
-            "{:?}",
-            found.warnings
-        );
+        assert!(found.warnings.iter().any(|warning| warning.kind.code == code), "{:?}", found.warnings);
         let [load, smooth] = [&found, &plain].map(|result| quantity(result, "load")[0]);
         assert!((load / smooth - 1.0).abs() < 0.3, "{code}: {load} {smooth}");
     }
-    assert!(
-        plain
-            .warnings
-            .iter()
-            .all(|warning| !warning.kind.code.ends_with("points"))
-    );
+    assert!(plain.warnings.iter().all(|warning| !warning.kind.code.ends_with("points")));
 }

@@ -41,12 +41,7 @@ fn positions_and_tilts_are_those_of_finite_volumes() {
         let result = run(&scene(number(row, "b"), "\"0.1 %\"", &keys));
         let of = |name: &str| quantity(&result, name)[0];
         let (eps, towards) = (of("eccentricity"), of("min_film_angle").to_radians());
-        let found = [
-            eps * towards.cos(),
-            eps * towards.sin(),
-            1e3 * of("tilt_x"),
-            1e3 * of("tilt_y"),
-        ];
+        let found = [eps * towards.cos(), eps * towards.sin(), 1e3 * of("tilt_x"), 1e3 * of("tilt_y")];
         let wanted = ["X", "Y", "gx", "gy"].map(|key| number(row, key));
         let moment = numbers(&row["m"]);
         let is_met = (0..4).all(|k| (found[k] - wanted[k]).abs() < 1e-3)
@@ -79,14 +74,7 @@ fn moving(cavitation: Cavitation) -> (FilmProblem, FilmSystem) {
 /// What a film carries, as a load that it balances.
 fn balanced_by(problem: &FilmProblem, system: &FilmSystem) -> Load {
     let carried = carried(problem, system);
-    Load {
-        force: carried.force,
-        tilting: Some(Tilting {
-            moment: carried.moment,
-            stiffness: 0.0,
-            support: [0.0; 2],
-        }),
-    }
+    Load { force: carried.force, tilting: Some(Tilting { moment: carried.moment, stiffness: 0.0, support: [0.0; 2] }) }
 }
 
 /// A position and a tilt are given back by the force and the moment of their film, from another start.
@@ -101,10 +89,7 @@ fn position_and_tilt_are_given_back() {
         let found = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
         let coordinates = Coordinates::of(&asked, &problem.bearing);
         let (here, back) = (coordinates.at(&problem.journal), coordinates.at(&found.problem.journal));
-        assert!(
-            (0..4).all(|k| (here[k] - back[k]).abs() < 1e-9 * CLEARANCE),
-            "{here:?} {back:?}"
-        );
+        assert!((0..4).all(|k| (here[k] - back[k]).abs() < 1e-9 * CLEARANCE), "{here:?} {back:?}");
         assert!(found.residual < 1e-10 && found.parts.iter().all(|part| *part < 1e-10));
     }
 }
@@ -114,14 +99,8 @@ fn position_and_tilt_are_given_back() {
 fn a_stiff_support_gives_the_tilt() {
     let (problem, system) = moving(Cavitation::Guembel { pressure: 0.0 });
     let force = carried(&problem, &system).force;
-    let by_support = Load {
-        force,
-        tilting: Some(Tilting {
-            moment: [0.0; 2],
-            stiffness: 1e15,
-            support: problem.journal.tilt,
-        }),
-    };
+    let by_support =
+        Load { force, tilting: Some(Tilting { moment: [0.0; 2], stiffness: 1e15, support: problem.journal.tilt }) };
     let mut start = problem.clone();
     start.journal.tilt = [0.0; 2];
     let held = find(&start, &system, by_support, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
@@ -143,42 +122,21 @@ fn the_tilt_follows_the_place_of_the_load() {
     let at = |place: f64| {
         let asked = Load {
             force,
-            tilting: Some(Tilting {
-                moment: force.map(|part| place * part),
-                stiffness: 0.0,
-                support: [0.0; 2],
-            }),
+            tilting: Some(Tilting { moment: force.map(|part| place * part), stiffness: 0.0, support: [0.0; 2] }),
         };
         let velocity = CentreVelocity::default();
-        let options = SearchOptions {
-            centre_velocity: velocity,
-            ..SearchOptions::default()
-        };
+        let options = SearchOptions { centre_velocity: velocity, ..SearchOptions::default() };
         find(&problem, &system, asked, &options)
     };
-    let tilt = |place: f64| {
-        at(place)
-            .unwrap_or_else(|reason| panic!("{reason}"))
-            .problem
-            .journal
-            .tilt
-    };
+    let tilt = |place: f64| at(place).unwrap_or_else(|reason| panic!("{reason}")).problem.journal.tilt;
     let unit = CLEARANCE / LENGTH;
     assert!(tilt(0.0).iter().all(|g| g.abs() < 1e-9 * unit));
     let (up, down) = (tilt(0.003), tilt(-0.003));
     assert!((0..2).all(|d| (up[d] + down[d]).abs() < 1e-8 * unit) && up[0].hypot(up[1]) > 0.05 * unit);
     // Beyond what the film can carry the end that touches is named.
     match at(0.025) {
-        Err(NoEquilibrium::EdgeContact {
-            end,
-            carried,
-            thickness,
-            ..
-        }) => {
-            assert!(
-                end == 0.5 * LENGTH && carried < 0.99 && thickness < 0.05 * CLEARANCE,
-                "{carried} {thickness:e}"
-            );
+        Err(NoEquilibrium::EdgeContact { end, carried, thickness, .. }) => {
+            assert!(end == 0.5 * LENGTH && carried < 0.99 && thickness < 0.05 * CLEARANCE, "{carried} {thickness:e}");
         }
         other => panic!("{other:?}"),
     }
@@ -189,11 +147,7 @@ fn refused(problem: &FilmProblem, system: &FilmSystem) -> (f64, f64, bool) {
     let force = carried(problem, system).force;
     let asked = Load {
         force,
-        tilting: Some(Tilting {
-            moment: force.map(|part| 0.025 * part),
-            stiffness: 0.0,
-            support: [0.0; 2],
-        }),
+        tilting: Some(Tilting { moment: force.map(|part| 0.025 * part), stiffness: 0.0, support: [0.0; 2] }),
     };
     let reason = find(problem, system, asked, &SearchOptions::default()).map(|found| found.residual);
     let reason = reason.expect_err("a moment that no film carries");
@@ -225,10 +179,7 @@ fn reasons_of_coarse_meshes_hold_on_finer_ones() {
         let found: Vec<_> = meshes.iter().map(|&across| refused(across, model)).collect();
         let (fine, ..) = found[found.len() - 1];
         for (across, (coarse, error, _)) in meshes.iter().zip(&found[..found.len() - 1]) {
-            assert!(
-                (coarse - fine).abs() < *error,
-                "{model:?} {across}: {coarse} +- {error}, {fine}"
-            );
+            assert!((coarse - fine).abs() < *error, "{model:?} {across}: {coarse} +- {error}, {fine}");
         }
         known += found.iter().filter(|(.., is_last)| *is_last).count();
     }
@@ -259,11 +210,7 @@ fn contact_at_an_end_is_told_with_a_way_out() {
     let result = run(&scene(0.5, "\"2 %\"", keys));
     assert_eq!(result.status, Status::NoSolution);
     let reason = result.reason.unwrap_or_default();
-    for part in [
-        "contact with the liner at its end z = -25 mm",
-        "% of the moment",
-        "tilt_stiffness",
-    ] {
+    for part in ["contact with the liner at its end z = -25 mm", "% of the moment", "tilt_stiffness"] {
         assert!(reason.contains(part), "{reason}");
     }
 }
@@ -298,10 +245,7 @@ fn a_search_that_begins_in_contact_ends() {
     let [along, across] = [0.3 * CLEARANCE, 0.7 * CLEARANCE * (1.0 + 1e-4)];
     (start.journal.offset, start.journal.tilt) = ([along, 0.0], [across / (0.5 * LENGTH), 0.0]);
     let gap = Gap::of(&start, &system).least(&start.journal);
-    assert!(
-        gap < 0.0 && gap > -1e-4 * CLEARANCE && start.solve(&system).is_ok(),
-        "{gap:e}"
-    );
+    assert!(gap < 0.0 && gap > -1e-4 * CLEARANCE && start.solve(&system).is_ok(), "{gap:e}");
     let found = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     let off = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let (here, wanted) = (found.problem.journal, problem.journal);

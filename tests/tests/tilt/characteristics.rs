@@ -63,11 +63,7 @@ fn integral(eps: f64, [a, b]: [f64; 2], f: fn(f64) -> f64) -> f64 {
     let step = (b - a) / f64::from(STEPS);
     let at = |k: u32| {
         let x = a + step * f64::from(k);
-        let weight = if k == 0 || k == STEPS {
-            1.0
-        } else {
-            f64::from(2 + 2 * (k % 2))
-        };
+        let weight = if k == 0 || k == STEPS { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
         weight * f(x) / (1.0 - eps * x.cos()).powi(3)
     };
     (0..=STEPS).map(at).sum::<f64>() * step / 3.0
@@ -96,11 +92,7 @@ fn short_bearings_have_closed_forms() {
         let of =
             |part: usize, number: usize| found.parts[part].characteristics.expect("a film").numbers()[number].value;
         let values = [of(0, 0), of(0, 1), of(1, 0), of(2, 0), of(2, 2), of(3, 0), of(3, 3)];
-        let ratios: Vec<f64> = values
-            .iter()
-            .zip(wanted)
-            .map(|(value, wanted)| value / wanted)
-            .collect();
+        let ratios: Vec<f64> = values.iter().zip(wanted).map(|(value, wanted)| value / wanted).collect();
         match ratios.iter().all(|ratio| (ratio - 1.0).abs() < 5e-3) {
             true => Ok(()),
             false => Err(format!("eps {eps}: {ratios:?}")),
@@ -144,21 +136,12 @@ fn nowhere_do_the_parts_together_press_less_than_the_film() {
         let mut problem: FilmProblem = tilted(plain_film(LENGTH, 0.7, 0.0, speed), slope(tilt));
         problem.cavitation = oilwedge_reynolds::Cavitation::Reynolds { pressure: 0.0 };
         problem.terms.push(std::sync::Arc::new(terms::squeeze::Squeeze));
-        problem.journal = JournalState {
-            velocity: [squeeze * CLEARANCE, 0.0],
-            tilt_rate: slope([g_x, g_y]),
-            ..problem.journal
-        };
-        problem
-            .solve(&system)
-            .unwrap_or_else(|reason| panic!("{reason}"))
-            .unknown
+        problem.journal =
+            JournalState { velocity: [squeeze * CLEARANCE, 0.0], tilt_rate: slope([g_x, g_y]), ..problem.journal };
+        problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}")).unknown
     };
     for tilt in [[0.0; 2], [0.3, 0.2]] {
-        for rates in [
-            [SPEED, 0.1 * SPEED, 0.2 * SPEED, 0.1 * SPEED],
-            [SPEED, -0.1 * SPEED, 0.0, -0.3 * SPEED],
-        ] {
+        for rates in [[SPEED, 0.1 * SPEED, 0.2 * SPEED, 0.1 * SPEED], [SPEED, -0.1 * SPEED, 0.0, -0.3 * SPEED]] {
             let film = solved(rates, tilt);
             let parts = [0, 1, 2, 3].map(|k| {
                 let mut alone = [0.0; 4];
@@ -167,9 +150,7 @@ fn nowhere_do_the_parts_together_press_less_than_the_film() {
             });
             let most = greatest(&film);
             let sum = |node: usize| parts.iter().map(|part| part[node]).sum::<f64>();
-            let least = (0..film.len())
-                .map(|node| (sum(node) - film[node]) / most)
-                .fold(f64::INFINITY, f64::min);
+            let least = (0..film.len()).map(|node| (sum(node) - film[node]) / most).fold(f64::INFINITY, f64::min);
             assert!(least > -1e-9, "{tilt:?} {rates:?}: {least:e}");
         }
     }
@@ -178,11 +159,7 @@ fn nowhere_do_the_parts_together_press_less_than_the_film() {
 fn straight_bearings() -> Vec<GridPoint> {
     let point = |row: &Value| {
         let row = numbers(row);
-        GridPoint {
-            eccentricity: row[0],
-            slenderness: row[1],
-            values: std::array::from_fn(|k| row[2 + k]),
-        }
+        GridPoint { eccentricity: row[0], slenderness: row[1], values: std::array::from_fn(|k| row[2 + k]) }
     };
     reference("straight").iter().map(point).collect()
 }
@@ -192,32 +169,14 @@ fn straight_bearings() -> Vec<GridPoint> {
 fn straight_bearings_are_those_of_finite_volumes() {
     let scene = scene(1.0, "\"1 %\"", "eccentricity = 0.5\nmin_film_angle = \"0 deg\"");
     let scene = oilwedge_study::parse(&scene, Path::new("fit.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let places = [
-        (0.5, 0.125),
-        (0.5, 1.3),
-        (0.8, 0.5),
-        (0.96, 0.25),
-        (0.99, 1.3),
-        (0.99, 0.125),
-    ];
+    let places = [(0.5, 0.125), (0.5, 1.3), (0.8, 0.5), (0.96, 0.25), (0.99, 1.3), (0.99, 0.125)];
     let all = straight_bearings();
     each(&places, |&(eps, b)| {
         let found = straight(&scene, &RunOptions::default(), eps, b).unwrap_or_else(|error| panic!("{error}"))?;
-        let wanted = all
-            .iter()
-            .find(|point| point.eccentricity == eps && point.slenderness == b)
-            .expect("a row");
-        let off = found
-            .values
-            .iter()
-            .zip(wanted.values)
-            .map(|(value, wanted)| value / wanted - 1.0);
+        let wanted = all.iter().find(|point| point.eccentricity == eps && point.slenderness == b).expect("a row");
+        let off = found.values.iter().zip(wanted.values).map(|(value, wanted)| value / wanted - 1.0);
         let off = greatest(&off.collect::<Vec<_>>());
-        if off < 5e-3 {
-            Ok(())
-        } else {
-            Err(format!("{found:?}\n{wanted:?}: {off}"))
-        }
+        if off < 5e-3 { Ok(()) } else { Err(format!("{found:?}\n{wanted:?}: {off}")) }
     });
 }
 
@@ -252,16 +211,10 @@ fn without_a_cavity_the_sum_is_the_film() {
     let text = shipped_text().replace("\"reynolds\"", "\"none\"") + "\n[mesh]\ntolerance = \"0.2 %\"\n";
     // The line of centres elsewhere: no direction is that of an axis.
     let found = found(&text.replace("min_film_angle = \"0 deg\"", "min_film_angle = \"100 deg\""));
-    let (sum, film) = (
-        found.sum.expect("a sum").numbers(),
-        found.film.expect("a film").numbers(),
-    );
+    let (sum, film) = (found.sum.expect("a sum").numbers(), found.film.expect("a film").numbers());
     for (sum, film) in sum.iter().zip(&film) {
         let bar = sum.error.expect("a bar") + film.error.expect("a bar");
-        assert!(
-            (sum.value - film.value).abs() <= bar && bar < 0.02 * film.value.abs(),
-            "{sum:?} {film:?}"
-        );
+        assert!((sum.value - film.value).abs() <= bar && bar < 0.02 * film.value.abs(), "{sum:?} {film:?}");
     }
 }
 
@@ -274,18 +227,12 @@ fn shipped_text() -> String {
 fn scene_26_tilting_crankshaft_journal() {
     let found = found(&shipped_text());
     let rows = reference("sixteen");
-    let row = rows
-        .iter()
-        .find(|row| number(row, "gamma_y") != 0.0)
-        .expect("a row tilted across");
+    let row = rows.iter().find(|row| number(row, "gamma_y") != 0.0).expect("a row tilted across");
     for (part, motion) in found.parts.iter().zip(["u", "c", "gx", "gy"]) {
         let wanted = numbers(&row[format!("S_{motion}")]);
         let (size, values) = (greatest(&wanted), part.characteristics.expect("a film").numbers());
         for (number, wanted) in values.iter().zip(&wanted) {
-            assert!(
-                (number.value - wanted).abs() < 1e-3 * size,
-                "{motion}: {number:?} {wanted}"
-            );
+            assert!((number.value - wanted).abs() < 1e-3 * size, "{motion}: {number:?} {wanted}");
         }
     }
     assert!(found.surplus().is_some_and(|ratio| ratio > 1.15 && ratio < 1.3));

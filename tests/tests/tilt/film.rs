@@ -65,12 +65,7 @@ fn mirrored_films_carry_mirrored_moments() {
         let mut reversed = tilted(plain, [x, -y]);
         reversed.journal.speed = -SPEED;
         let reversed = values(carried(&reversed, &system));
-        assert_close(
-            here,
-            [reversed[0], -reversed[1], reversed[2], -reversed[3]],
-            1e-9,
-            "mirror",
-        );
+        assert_close(here, [reversed[0], -reversed[1], reversed[2], -reversed[3]], 1e-9, "mirror");
         // The journal leans towards its thin side at z > 0: the film carries more there.
         assert!(here[2] > 0.05 * here[0], "{here:?}");
     }

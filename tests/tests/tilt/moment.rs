@@ -31,10 +31,7 @@ fn forces_and_moments_are_those_of_finite_volumes() {
         let (force, moment) = (numbers(&row["W"]), numbers(&row["m"]));
         let greatest = |of: &[f64]| of.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         // Moments of straight journals vanish: against a thousandth of the force at an end.
-        let (of_force, of_moment) = (
-            greatest(&force),
-            greatest(&moment).max(number(row, "b") * greatest(&force)),
-        );
+        let (of_force, of_moment) = (greatest(&force), greatest(&moment).max(number(row, "b") * greatest(&force)));
         let wanted = [
             ("load_x", FORCE * force[0], FORCE * of_force),
             ("load_y", FORCE * force[1], FORCE * of_force),
@@ -80,10 +77,7 @@ fn misaligned_rings_with_a_film_start() {
             (scaled("moment_x"), m_x, so),
             (scaled("moment_y"), m_y, so),
         ];
-        match found
-            .iter()
-            .all(|(value, wanted, size)| (value - wanted).abs() < 2e-3 * size)
-        {
+        match found.iter().all(|(value, wanted, size)| (value - wanted).abs() < 2e-3 * size) {
             true => Ok(()),
             false => Err(format!("{row}: {found:?}")),
         }

@@ -99,13 +99,10 @@ impl<'a> Bordered<'a> {
         let change = self.change(place);
         let unknown = self.follower.by_both(&change, wall, self.accuracy)?;
         let mut carried = self.gradient.change(&unknown, wall);
-        let contact = self
-            .follower
-            .contact_by_both(&change, wall)
-            .map(|(by_journal, forces)| {
-                carried += by_journal;
-                forces
-            });
+        let contact = self.follower.contact_by_both(&change, wall).map(|(by_journal, forces)| {
+            carried += by_journal;
+            forces
+        });
         let forces = self.coordinates.forces(&carried);
         let forces = [0, 1, 2, 3].map(|k| self.weight * (forces[k] + self.held[k] * place[k]));
         let image = self.follower.image_with(&unknown, contact.as_deref());

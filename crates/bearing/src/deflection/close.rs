@@ -138,11 +138,7 @@ fn climbed(problem: &FilmProblem, system: (&FilmSystem, f64), counts: &mut Closi
     let rigid = Deflection::none(deflection.wall.clone());
     let at = |part: f64, wall: &Deflection| {
         let journal = nearer(&problem.journal, part);
-        FilmProblem {
-            journal,
-            ..problem.clone()
-        }
-        .deflected(Some(wall))
+        FilmProblem { journal, ..problem.clone() }.deflected(Some(wall))
     };
     let step = (CLIMB / eccentricity).min(BEGINNING);
     let mut part = BEGINNING;
@@ -159,11 +155,7 @@ fn climbed(problem: &FilmProblem, system: (&FilmSystem, f64), counts: &mut Closi
 
 /// A journal with a part of its offset and of its tilt.
 fn nearer(journal: &JournalState, part: f64) -> JournalState {
-    JournalState {
-        offset: journal.offset.map(|x| part * x),
-        tilt: journal.tilt.map(|x| part * x),
-        ..*journal
-    }
+    JournalState { offset: journal.offset.map(|x| part * x), tilt: journal.tilt.map(|x| part * x), ..*journal }
 }
 
 /// The film by Newton's method; a mass-conserving one chooses its advection schemes again under the wall that was found.
@@ -201,10 +193,7 @@ fn iterated(mut here: Trial, (system, enough): (&FilmSystem, f64), counts: &mut 
     }
     match here.left.residual < enough.max(CLOSED_ENOUGH) {
         true => Ok(here),
-        false => Err(NoFilm::Wall {
-            residual: here.left.residual,
-            steps: counts.outer,
-        }),
+        false => Err(NoFilm::Wall { residual: here.left.residual, steps: counts.outer }),
     }
 }
 
@@ -241,10 +230,7 @@ fn damped(here: &Trial, (number, step): (usize, &[f64]), system: &FilmSystem, co
         if let Some(film) = film {
             let next = judged(problem, film, system);
             if next.left.residual < here.left.residual {
-                return Some(Trial {
-                    gap: Some(next_gap),
-                    ..next
-                });
+                return Some(Trial { gap: Some(next_gap), ..next });
             }
         }
     }
@@ -254,11 +240,7 @@ fn damped(here: &Trial, (number, step): (usize, &[f64]), system: &FilmSystem, co
 /// The problem with a part of a step more of its deflection.
 fn stepped(problem: &FilmProblem, step: &[f64], part: f64) -> Option<FilmProblem> {
     let deflection = problem.deflection()?;
-    let coefficients = deflection
-        .coefficients
-        .iter()
-        .zip(step)
-        .map(|(d, step)| d + part * step);
+    let coefficients = deflection.coefficients.iter().zip(step).map(|(d, step)| d + part * step);
     let next = deflection.with(coefficients.collect());
     Some(problem.clone().deflected(Some(&next)))
 }
@@ -277,12 +259,7 @@ fn solved(
 /// A film with what it leaves of the balance of its wall.
 fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Trial {
     let left = Left::of(&problem, system, &film, contact_points(&problem, system));
-    Trial {
-        problem,
-        film,
-        left,
-        gap: None,
-    }
+    Trial { problem, film, left, gap: None }
 }
 
 impl Left {
@@ -294,26 +271,12 @@ impl Left {
         contact: Option<Arc<ContactPoints>>,
     ) -> Self {
         let Some(deflection) = problem.deflection() else {
-            return Self {
-                wall: Vec::new(),
-                residual: 0.0,
-                size: 0.0,
-                contact,
-            };
+            return Self { wall: Vec::new(), residual: 0.0, size: 0.0, contact };
         };
         let wanted = (deflection.wall).deflection((problem, system), &film.unknown, contact.as_deref());
         let size = norm(&wanted).max(norm(&deflection.coefficients));
-        let wall: Vec<f64> = wanted
-            .iter()
-            .zip(&*deflection.coefficients)
-            .map(|(wanted, d)| wanted - d)
-            .collect();
-        Self {
-            residual: if size > 0.0 { norm(&wall) / size } else { 0.0 },
-            size,
-            wall,
-            contact,
-        }
+        let wall: Vec<f64> = wanted.iter().zip(&*deflection.coefficients).map(|(wanted, d)| wanted - d).collect();
+        Self { residual: if size > 0.0 { norm(&wall) / size } else { 0.0 }, size, wall, contact }
     }
 }
 
@@ -348,10 +311,7 @@ pub fn closed_pair(
         counts.residual = residual;
         let is_stalled = residual > STALLED * before;
         if residual < enough || residual < CLOSED_ENOUGH && is_stalled {
-            return Ok(Pair {
-                problem: pair.problem.closed_by(counts),
-                ..pair
-            });
+            return Ok(Pair { problem: pair.problem.closed_by(counts), ..pair });
         }
         if step < MOST_STEPS {
             before = residual;
@@ -359,14 +319,8 @@ pub fn closed_pair(
         }
     }
     match counts.residual < CLOSED_ENOUGH {
-        true => Ok(Pair {
-            problem: pair.problem.closed_by(counts),
-            ..pair
-        }),
-        false => Err(NoFilm::Wall {
-            residual: counts.residual,
-            steps: counts.outer,
-        }),
+        true => Ok(Pair { problem: pair.problem.closed_by(counts), ..pair }),
+        false => Err(NoFilm::Wall { residual: counts.residual, steps: counts.outer }),
     }
 }
 
@@ -386,10 +340,7 @@ fn bent_further(pair: Pair, left: &Left, system: &FilmSystem, counts: &mut Closi
     };
     // Splines that are coarse beside the film may bend the wall into it.
     if least_gap(&problem, system) <= 0.0 {
-        return Err(NoFilm::Wall {
-            residual: counts.residual,
-            steps: counts.outer,
-        });
+        return Err(NoFilm::Wall { residual: counts.residual, steps: counts.outer });
     }
     let film = solved(&problem, system, Neighbour::Start(&pair.film), counts)?;
     let cubic = problem.cubic_film(system, &film, Some(&pair.cubic))?;

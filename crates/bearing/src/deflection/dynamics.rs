@@ -50,10 +50,7 @@ pub(crate) fn harmonic_response(
         Ok(sum(motion, -1.0, &images))
     };
     let at_rest = vec![0.0; follower.number()];
-    let placed = Free {
-        unknown: place,
-        contact: follower.contact_change(motion),
-    };
+    let placed = Free { unknown: place, contact: follower.contact_change(motion) };
     let free = [follower.image_of(&placed), follower.image(&rate, &at_rest)].concat();
     let nearly = |motion: &[f64]| {
         let (placed, moving) = motion.split_at(motion.len() / 2);

@@ -40,10 +40,7 @@ pub fn following_wall(
         let [by_unknown, by_wall] = gradient.of_part(part);
         *coefficients = follower.weight((&by_unknown, &by_wall), &mut known)?;
     }
-    Ok(Some(FollowingWall {
-        grid: follower.deflection.wall.grid.clone(),
-        coefficients,
-    }))
+    Ok(Some(FollowingWall { grid: follower.deflection.wall.grid.clone(), coefficients }))
 }
 
 impl Follower<'_> {
@@ -51,26 +48,18 @@ impl Follower<'_> {
     fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut Known) -> Result<Vec<f64>, Error> {
         let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);
         let mut by_all = self.by_film_transposed(by_unknown)?;
-        by_all
-            .iter_mut()
-            .zip(by_wall)
-            .for_each(|(sum, by_wall)| *sum += by_wall);
+        by_all.iter_mut().zip(by_wall).for_each(|(sum, by_wall)| *sum += by_wall);
         let operator = |mu: &[f64]| {
             let weights = grid.weights(self.problem, self.system, &self.film.unknown, mu);
             let mut forces = self.by_film_transposed(&weights)?;
             if let Some(contact) = self.contact_times(mu) {
-                forces
-                    .iter_mut()
-                    .zip(contact)
-                    .for_each(|(sum, contact)| *sum += contact);
+                forces.iter_mut().zip(contact).for_each(|(sum, contact)| *sum += contact);
             }
             let image = compliance.deflection(&forces);
             Ok::<_, Error>(mu.iter().zip(image).map(|(mu, image)| mu - image).collect())
         };
         let wanted = compliance.deflection(&by_all);
-        known
-            .solve(operator, |r| Ok(self.solve_contact(r)), &wanted, ACCURACY)?
-            .to(ACCURACY)
+        known.solve(operator, |r| Ok(self.solve_contact(r)), &wanted, ACCURACY)?.to(ACCURACY)
     }
 
     /// How a sum over the unknown with these weights of the dofs changes with the wall.

@@ -66,11 +66,7 @@ impl Known {
     ) -> Result<Solved, E> {
         let size = norm(b);
         if size == 0.0 || !size.is_finite() {
-            return Ok(Solved {
-                x: b.to_vec(),
-                steps: 0,
-                left: size,
-            });
+            return Ok(Solved { x: b.to_vec(), steps: 0, left: size });
         }
         // Products are as exact as their systems ask for.
         if accuracy < self.accuracy {
@@ -148,9 +144,7 @@ mod tests {
         let n = x.len();
         let before = |i: usize| if i > 0 { 0.7 * x[i - 1] } else { 0.0 };
         let behind = |i: usize| if i + 3 < n { -0.4 * x[i + 3] } else { 0.0 };
-        (0..n)
-            .map(|i| (2.0 + i as f64) * x[i] + before(i) + behind(i))
-            .collect()
+        (0..n).map(|i| (2.0 + i as f64) * x[i] + before(i) + behind(i)).collect()
     }
 
     fn as_it_is<E>(r: &[f64]) -> Result<Vec<f64>, E> {

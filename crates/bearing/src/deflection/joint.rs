@@ -133,11 +133,7 @@ impl<'a> Joint<'a> {
         let wall = solved.x;
         let (forces, _) = self.by_wall(&wall)?;
         let place = self.tangent.solve(moved(force, -1.0, forces));
-        Ok(Moves {
-            place,
-            contact: self.contact_by(place, &wall),
-            wall,
-        })
+        Ok(Moves { place, contact: self.contact_by(place, &wall), wall })
     }
 
     /// How many products with the tangent the systems have taken.
@@ -150,17 +146,12 @@ impl<'a> Joint<'a> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn pushed(&self, change: &JournalChange, rate: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
-        let Follower {
-            problem, system, film, ..
-        } = self.follower;
+        let Follower { problem, system, film, .. } = self.follower;
         let shape = self.follower.shape(rate);
         let mut free = self.follower.free(change)?;
         let by_wall = problem.unknown_change(system, film, FilmChange::GapRate(&shape))?;
         free.unknown.iter_mut().zip(by_wall).for_each(|(a, b)| *a += b);
-        Ok((
-            self.coordinates.forces(&carried(&self.gradient, &free)),
-            self.follower.image_of(&free),
-        ))
+        Ok((self.coordinates.forces(&carried(&self.gradient, &free)), self.follower.image_of(&free)))
     }
 
     /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m].
@@ -174,10 +165,7 @@ impl<'a> Joint<'a> {
     fn contact_by(&self, place: Vector, wall: &[f64]) -> Vec<f64> {
         let mut forces = self.follower.contact_times(wall).unwrap_or_default();
         for (pressed, by) in self.contact_by_place.iter().zip(place) {
-            forces
-                .iter_mut()
-                .zip(pressed)
-                .for_each(|(force, pressed)| *force += by * pressed);
+            forces.iter_mut().zip(pressed).for_each(|(force, pressed)| *force += by * pressed);
         }
         forces
     }

@@ -98,10 +98,7 @@ pub(crate) fn carried_touching(
     let gradient = follower.load_gradient();
     let of = |change: &JournalChange| {
         let followed = follower.followed(follower.free(change)?, accuracy)?;
-        Ok(Carried {
-            by_film: followed.carried(&gradient),
-            deflection: followed.deflection,
-        })
+        Ok(Carried { by_film: followed.carried(&gradient), deflection: followed.deflection })
     };
     changes.iter().map(of).collect()
 }
@@ -141,21 +138,15 @@ pub fn displaced_with_wall(
     let Some(deflection) = problem.deflection() else {
         return problem.displaced(system, film, change);
     };
-    let moved = FilmProblem {
-        journal: problem.journal.changed(change),
-        ..problem.clone()
-    }
-    .deflected(Some(&deflection.with_more(wall)));
+    let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() }
+        .deflected(Some(&deflection.with_more(wall)));
     let shape = deflection.change(wall.to_vec());
     let changes = [FilmChange::from(change), FilmChange::Gap(&shape)];
     let unknown = || {
         let mut unknown = vec![0.0; film.unknown.len()];
         for change in changes {
             let more = problem.unknown_change(system, film, change)?;
-            unknown
-                .iter_mut()
-                .zip(more)
-                .for_each(|(unknown, more)| *unknown += more);
+            unknown.iter_mut().zip(more).for_each(|(unknown, more)| *unknown += more);
         }
         Ok(unknown)
     };

@@ -43,17 +43,9 @@ pub(crate) fn settled(problem: &FilmProblem, system: &FilmSystem, forces: &[f64]
     // d' - d, and C f_t - (d' - d) - C f.
     let mut more = vec![0.0; deflection.coefficients.len()];
     let left_by = |points: &ContactPoints, more: &[f64]| {
-        let apart: Vec<f64> = points
-            .forces()
-            .iter()
-            .zip(forces)
-            .map(|(law, tangent)| law - tangent)
-            .collect();
+        let apart: Vec<f64> = points.forces().iter().zip(forces).map(|(law, tangent)| law - tangent).collect();
         let bent = compliance.deflection(&apart);
-        bent.iter()
-            .zip(more)
-            .map(|(bent, more)| bent - more)
-            .collect::<Vec<f64>>()
+        bent.iter().zip(more).map(|(bent, more)| bent - more).collect::<Vec<f64>>()
     };
     let mut left = left_by(&points, &more);
     let first = norm(&left);

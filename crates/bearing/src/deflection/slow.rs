@@ -36,15 +36,8 @@ impl Follower<'_> {
         let rate = place.as_rate();
         let mut free = self.free(&rate)?;
         let more = (self.problem).unknown_change(self.system, self.film, FilmChange::GapRate(&of_wall))?;
-        (free.unknown.iter_mut())
-            .zip(more)
-            .for_each(|(unknown, more)| *unknown += more);
-        Ok(Slow {
-            by_rate: self.followed(free, accuracy)?,
-            by_place,
-            rate,
-            of_wall,
-        })
+        (free.unknown.iter_mut()).zip(more).for_each(|(unknown, more)| *unknown += more);
+        Ok(Slow { by_rate: self.followed(free, accuracy)?, by_place, rate, of_wall })
     }
 }
 
@@ -89,16 +82,9 @@ pub fn hastened(
     let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;
     let of_rate = follower.shape(&slow.by_rate.deflection);
     let bent = (follower.deflection.with_more(&slow.by_rate.deflection)).faster(&slow.of_wall.coefficients);
-    let hastened = FilmProblem {
-        journal: problem.journal.changed(&slow.rate),
-        ..problem.clone()
-    }
-    .deflected(Some(&bent));
-    let changes = [
-        FilmChange::from(&slow.rate),
-        FilmChange::GapRate(&slow.of_wall),
-        FilmChange::Gap(&of_rate),
-    ];
+    let hastened =
+        FilmProblem { journal: problem.journal.changed(&slow.rate), ..problem.clone() }.deflected(Some(&bent));
+    let changes = [FilmChange::from(&slow.rate), FilmChange::GapRate(&slow.of_wall), FilmChange::Gap(&of_rate)];
     let film = problem.along_tangent(system, film, &changes, &slow.by_rate.unknown);
     Ok((hastened, film))
 }

@@ -94,11 +94,7 @@ impl<'a> Follower<'a> {
         let of_wall = |deflection: &'a Deflection| {
             let touch = |points: Arc<ContactPoints>| {
                 let tangent = points.tangent();
-                Touch {
-                    touching: Touching::of(&tangent, &deflection.wall.compliance),
-                    points,
-                    tangent,
-                }
+                Touch { touching: Touching::of(&tangent, &deflection.wall.compliance), points, tangent }
             };
             Ok(Self {
                 problem,
@@ -116,10 +112,7 @@ impl<'a> Follower<'a> {
 
     /// As it is, with a film much like it by which its systems are nearly solved.
     pub(super) fn nearly(self, near: Option<Self>) -> Self {
-        Self {
-            near: near.map(Box::new),
-            ..self
-        }
+        Self { near: near.map(Box::new), ..self }
     }
 
     /// How many coefficients a deflection has.
@@ -151,10 +144,7 @@ impl<'a> Follower<'a> {
             Some(residual) => self.problem.answer(self.film, &residual, OF_ACCURACY * accuracy)?,
             None => self.problem.unknown_change(self.system, self.film, change)?,
         };
-        Ok(Free {
-            unknown,
-            contact: self.contact_change(change),
-        })
+        Ok(Free { unknown, contact: self.contact_change(change) })
     }
 
     /// Change of the unknown with a `change` of the journal and a deflection `bent` [m], for systems that are solved to an `accuracy`.
@@ -244,25 +234,15 @@ impl<'a> Follower<'a> {
     /// The linear systems could not be solved.
     pub(super) fn followed(&self, free: Free, accuracy: f64) -> Result<Followed, Error> {
         let by_contact = free.by_contact();
-        Ok(Followed {
-            by_contact,
-            ..self.bent(&self.image_of(&free), free.unknown, accuracy)?
-        })
+        Ok(Followed { by_contact, ..self.bent(&self.image_of(&free), free.unknown, accuracy)? })
     }
 
     /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other; to an `accuracy`.
     fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
         let deflection = self.solve(free, accuracy)?.x;
         let more = self.by_deflection(&deflection, accuracy)?;
-        unknown
-            .iter_mut()
-            .zip(more)
-            .for_each(|(unknown, more)| *unknown += more);
-        Ok(Followed {
-            deflection,
-            unknown,
-            by_contact: Resultant::default(),
-        })
+        unknown.iter_mut().zip(more).for_each(|(unknown, more)| *unknown += more);
+        Ok(Followed { deflection, unknown, by_contact: Resultant::default() })
     }
 
     /// How what the journal carries changes with film and wall.

@@ -52,11 +52,7 @@ impl Touching {
                 matrix[(k, column)] -= compliance * entry;
             }
         }
-        Some(Self {
-            splines,
-            stiffness,
-            factor: matrix.lu(),
-        })
+        Some(Self { splines, stiffness, factor: matrix.lu() })
     }
 
     /// Solves `x - C A x = r` with the contact of these splines; r itself where that is singular.

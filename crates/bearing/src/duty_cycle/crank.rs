@@ -63,10 +63,7 @@ impl Linkage {
         let rate = self.inclination_rate(angle);
         let second = (sin_beta * rate * rate - self.ratio() * sin) / cos_beta;
         let first = -self.radius * sin - self.rod_length * sin_beta * rate;
-        [
-            first,
-            -self.radius * cos - self.rod_length * (cos_beta * rate * rate + sin_beta * second),
-        ]
+        [first, -self.radius * cos - self.rod_length * (cos_beta * rate * rate + sin_beta * second)]
     }
 
     /// Velocity of the piston [m/s], away from the crank, at a crank angle [rad] and an angular speed [rad/s].
@@ -159,20 +156,14 @@ impl Crank {
     pub fn gas_work(&self, steps: u32) -> f64 {
         let step = self.gas.period() / f64::from(steps);
         let angles = (0..steps).map(|k| step * f64::from(k));
-        -step
-            * angles
-                .map(|angle| self.gas_force(angle) * self.linkage.piston_velocity(angle, 1.0))
-                .sum::<f64>()
+        -step * angles.map(|angle| self.gas_force(angle) * self.linkage.piston_velocity(angle, 1.0)).sum::<f64>()
     }
 
     /// Force of the rod on the pin [N] in the frame of the cylinder, at a crank angle [rad] and an angular speed [rad/s].
     pub fn force_on_pin(&self, angle: f64, speed: f64) -> [f64; 2] {
         let thrust = self.gas_force(angle) + self.reciprocating_mass * self.linkage.piston_acceleration(angle, speed);
         let centrifugal = self.rotating_mass * self.linkage.radius * speed * speed;
-        [
-            centrifugal * angle.cos() - thrust,
-            centrifugal * angle.sin() + thrust * self.linkage.inclination(angle).tan(),
-        ]
+        [centrifugal * angle.cos() - thrust, centrifugal * angle.sin() + thrust * self.linkage.inclination(angle).tan()]
     }
 
     /// Force of the throws on a main journal [N] in the frame of the cylinders, at a crank angle [rad] and an angular speed [rad/s].
@@ -181,10 +172,7 @@ impl Crank {
             let own = angle - throw.angle;
             let [f_x, f_y] = self.force_on_pin(own, speed);
             let centrifugal = throw.web_mass * self.linkage.radius * speed * speed;
-            [
-                x + throw.share * (f_x + centrifugal * own.cos()),
-                y + throw.share * (f_y + centrifugal * own.sin()),
-            ]
+            [x + throw.share * (f_x + centrifugal * own.cos()), y + throw.share * (f_y + centrifugal * own.sin())]
         })
     }
 }

@@ -32,17 +32,11 @@ pub(super) struct Acting {
 impl Acting {
     /// Of force and moment in one list.
     pub(super) fn of_parts([x, y, m_x, m_y]: [f64; 4]) -> Self {
-        Self {
-            force: [x, y],
-            moment: [m_x, m_y],
-        }
+        Self { force: [x, y], moment: [m_x, m_y] }
     }
 
     fn turned(&self, angle: f64) -> Self {
-        Self {
-            force: turned(self.force, angle),
-            moment: turned(self.moment, angle),
-        }
+        Self { force: turned(self.force, angle), moment: turned(self.moment, angle) }
     }
 }
 
@@ -80,11 +74,7 @@ impl Turning {
 
     pub(super) fn duty(&self, acting: Acting, frame: Frame, angle: f64) -> Duty {
         let acting = acting.turned(self.angle_of(frame, angle));
-        Duty {
-            force: acting.force,
-            moment: acting.moment,
-            speed: self.speed_at(angle),
-        }
+        Duty { force: acting.force, moment: acting.moment, speed: self.speed_at(angle) }
     }
 }
 

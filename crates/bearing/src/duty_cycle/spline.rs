@@ -74,12 +74,7 @@ impl<const N: usize> PeriodicSpline<N> {
             return Err(NoSpline::Value(k));
         }
         let slopes = slopes(&knots, &values, period);
-        Ok(Self {
-            period,
-            knots,
-            values,
-            slopes,
-        })
+        Ok(Self { period, knots, values, slopes })
     }
 
     /// This curve with limited slopes: between two points its values stay between theirs, but for a smooth extreme that lies there.
@@ -89,17 +84,13 @@ impl<const N: usize> PeriodicSpline<N> {
         let steps: Vec<f64> = (0..count).map(|k| distance(&self.knots, k, self.period)).collect();
         let (before, next) = (|k: usize| (k + count - 1) % count, |k: usize| (k + 1) % count);
         for part in 0..N {
-            let chords: Vec<f64> = (0..count)
-                .map(|k| chord(&self.knots, &self.values, self.period, [k, part]))
-                .collect();
+            let chords: Vec<f64> =
+                (0..count).map(|k| chord(&self.knots, &self.values, self.period, [k, part])).collect();
             let bend = |k: usize| 2.0 * (chords[k] - chords[before(k)]) / (steps[before(k)] + steps[k]);
             let even: Vec<f64> = (0..count).map(|k| minmod(bend(k), bend(next(k)))).collect();
             for (k, slope) in self.slopes.iter_mut().enumerate() {
                 let j = before(k);
-                let parabolas = minmod(
-                    chords[j] + 0.5 * steps[j] * even[j],
-                    chords[k] - 0.5 * steps[k] * even[k],
-                );
+                let parabolas = minmod(chords[j] + 0.5 * steps[j] * even[j], chords[k] - 0.5 * steps[k] * even[k]);
                 let change = (chords[j] * steps[j]).abs().max((chords[k] * steps[k]).abs());
                 let passing = (AT_EXTREMES * parabolas.abs()).min(change / steps[j].max(steps[k]));
                 let steepest = passing.max(STEEPEST * minmod(chords[j], chords[k]).abs());
@@ -159,9 +150,7 @@ fn slopes<const N: usize>(knots: &[f64], values: &[[f64; N]], period: f64) -> Ve
         let (here, next) = (bends[k][part], bends[(k + 1) % knots.len()][part]);
         chord(knots, values, period, [k, part]) - distance(knots, k, period) * (2.0 * here + next) / 6.0
     };
-    (0..knots.len())
-        .map(|k| std::array::from_fn(|part| slope(k, part)))
-        .collect()
+    (0..knots.len()).map(|k| std::array::from_fn(|part| slope(k, part))).collect()
 }
 
 /// The second derivatives at the knots.
@@ -211,9 +200,7 @@ mod tests {
     /// Uneven knots on a turn, beginning at `first`.
     fn knots(count: usize, first: f64) -> Vec<f64> {
         let even = |k: usize| TAU * k as f64 / count as f64;
-        (0..count)
-            .map(|k| first + even(k) + 0.3 / count as f64 * (3.0 * even(k)).sin())
-            .collect()
+        (0..count).map(|k| first + even(k) + 0.3 / count as f64 * (3.0 * even(k)).sin()).collect()
     }
 
     fn through_sine(count: usize) -> PeriodicSpline<2> {
@@ -267,9 +254,7 @@ mod tests {
 
     /// Numbers from 0 to 1 of a linear congruential generator.
     fn random(state: &mut u64) -> f64 {
-        *state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (*state >> 11) as f64 / (1u64 << 53) as f64
     }
 

@@ -63,12 +63,7 @@ impl DutyCycle {
             (0..2).for_each(|d| mean[d] += half * (force[d] + next_force[d]));
             mean_magnitude += half * (magnitude(force) + magnitude(next_force));
         }
-        Some(RowsSummary {
-            count: rows.len(),
-            peak,
-            mean,
-            mean_magnitude,
-        })
+        Some(RowsSummary { count: rows.len(), peak, mean, mean_magnitude })
     }
 
     /// Extremes and means over the period.
@@ -79,13 +74,8 @@ impl DutyCycle {
         let magnitude = |[x, y]: [f64; 2]| x.hypot(y);
         let extreme = |sign: f64| {
             let value = |angle: f64| sign * magnitude(self.at(angle).force);
-            let samples = duties
-                .iter()
-                .map(|(angle, duty)| (*angle, sign * magnitude(duty.force)));
-            let first = samples.fold(
-                (0.0, f64::NEG_INFINITY),
-                |best, it| if it.1 > best.1 { it } else { best },
-            );
+            let samples = duties.iter().map(|(angle, duty)| (*angle, sign * magnitude(duty.force)));
+            let first = samples.fold((0.0, f64::NEG_INFINITY), |best, it| if it.1 > best.1 { it } else { best });
             let refined = greatest(value, [first.0 - step, first.0 + step]);
             let angle = if value(refined) > first.1 { refined } else { first.0 };
             let angle = angle.rem_euclid(self.period);
@@ -105,13 +95,9 @@ impl DutyCycle {
                 true => self.half_speed_amplitude() / mean_magnitude,
                 false => 0.0,
             },
-            greatest_moment: duties
-                .iter()
-                .map(|(_, duty)| magnitude(duty.moment))
-                .fold(0.0, f64::max),
-            speeds: speeds.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], speed| {
-                [least.min(speed), most.max(speed)]
-            }),
+            greatest_moment: duties.iter().map(|(_, duty)| magnitude(duty.moment)).fold(0.0, f64::max),
+            speeds: speeds
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], speed| [least.min(speed), most.max(speed)]),
         }
     }
 }
@@ -128,9 +114,7 @@ impl DutyCycle {
         let (mut turned, mut sum) = (0.0, [0.0; 2]);
         for k in 0..SAMPLES {
             // The middle of a step, where the midpoint rule has the angle turned too.
-            let Duty {
-                force: [x, y], speed, ..
-            } = self.at(step * (f64::from(k) + 0.5));
+            let Duty { force: [x, y], speed, .. } = self.at(step * (f64::from(k) + 0.5));
             let half = 0.25 * step * speed / self.angular_speed;
             turned += half;
             let (sin, cos) = turned.sin_cos();

@@ -4,10 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::*;
 
-const LINKAGE: Linkage = Linkage {
-    radius: 0.0625,
-    rod_length: 0.23,
-};
+const LINKAGE: Linkage = Linkage { radius: 0.0625, rod_length: 0.23 };
 
 fn crank() -> Crank {
     Crank {
@@ -15,12 +12,7 @@ fn crank() -> Crank {
         reciprocating_mass: 3.43,
         rotating_mass: 2.025,
         bore: 0.125,
-        gas: GasPressure::Curve(PressureCurve {
-            peak: 8e6,
-            angle: 0.2,
-            sharpness: 14.0,
-            period: 2.0 * TAU,
-        }),
+        gas: GasPressure::Curve(PressureCurve { peak: 8e6, angle: 0.2, sharpness: 14.0, period: 2.0 * TAU }),
     }
 }
 
@@ -30,11 +22,7 @@ fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
 
 #[test]
 fn a_constant_load_is_the_same_at_all_angles() {
-    let duty = Duty {
-        force: [1.0, 2.0],
-        moment: [3.0, 4.0],
-        speed: 5.0,
-    };
+    let duty = Duty { force: [1.0, 2.0], moment: [3.0, 4.0], speed: 5.0 };
     let cycle = DutyCycle::constant(duty, TAU, 7.0);
     assert_eq!((cycle.at(-3.0), cycle.at(100.0)), (duty, duty));
     assert_eq!((cycle.period(), cycle.angular_speed()), (TAU, 7.0));
@@ -58,10 +46,7 @@ fn derivatives_of_the_crank_are_those_of_its_place() {
 
 #[test]
 fn the_axes_of_frames_are_where_they_should_be() {
-    let turning = Turning {
-        speed: 100.0,
-        rod: Some(LINKAGE),
-    };
+    let turning = Turning { speed: 100.0, rod: Some(LINKAGE) };
     let angle: f64 = 1.1;
     // The rod points from the pin to the small end on the axis of the cylinder.
     let (sin, cos) = angle.sin_cos();
@@ -71,18 +56,10 @@ fn the_axes_of_frames_are_where_they_should_be() {
     assert!(near(along, [LINKAGE.rod_length, 0.0], 1e-14), "{along:?}");
     // The throw lies along x of the pin's frame.
     let throw = turning.to_shell([LINKAGE.radius * cos, LINKAGE.radius * sin], Frame::Cylinder, angle);
-    assert!(near(
-        turning.from_shell(throw, Frame::Pin, angle),
-        [LINKAGE.radius, 0.0],
-        1e-14
-    ));
+    assert!(near(turning.from_shell(throw, Frame::Pin, angle), [LINKAGE.radius, 0.0], 1e-14));
     let at_rest = Turning { speed: -1.0, rod: None };
     assert_eq!(at_rest.to_shell([1.0, 2.0], Frame::Cylinder, angle), [1.0, 2.0]);
-    assert!(near(
-        at_rest.to_shell([1.0, 0.0], Frame::Pin, FRAC_PI_2),
-        [0.0, -1.0],
-        1e-15
-    ));
+    assert!(near(at_rest.to_shell([1.0, 0.0], Frame::Pin, FRAC_PI_2), [0.0, -1.0], 1e-15));
 }
 
 #[test]
@@ -94,11 +71,7 @@ fn a_load_given_in_three_frames_is_one_load() {
             let point = |k: usize| {
                 let (force, moment) = ([1e4 * angle(k).cos(), 3e3], [10.0, 20.0 * angle(k).sin()]);
                 let [force, moment] = [force, moment].map(|vector| turning.from_shell(vector, frame, angle(k)));
-                LoadPoint {
-                    angle: angle(k),
-                    force,
-                    moment,
-                }
+                LoadPoint { angle: angle(k), force, moment }
             };
             let points: Vec<_> = (0..90).map(point).collect();
             DutyCycle::of_table(&points, 2.0 * TAU, frame, turning).expect("a load")
@@ -131,20 +104,13 @@ fn the_film_of_a_big_end_carries_what_the_rod_exerts() {
     let cycle = DutyCycle::of_big_end(crank(), 209.0);
     let peak = cycle.at(0.2);
     // The gas presses the shell on the pin at the side of the small end: the film pushes the shell towards it.
-    assert!(
-        peak.force[0] > 7e4 && peak.force[1].abs() < 0.1 * peak.force[0],
-        "{peak:?}"
-    );
+    assert!(peak.force[0] > 7e4 && peak.force[1].abs() < 0.1 * peak.force[0], "{peak:?}");
     let on_pin = crank().force_on_pin(0.2, 209.0);
     assert!((peak.force[0].hypot(peak.force[1]) - on_pin[0].hypot(on_pin[1])).abs() < 1e-9);
 }
 
 fn throw(angle: f64, share: f64) -> Throw {
-    Throw {
-        angle,
-        share,
-        web_mass: 0.0,
-    }
+    Throw { angle, share, web_mass: 0.0 }
 }
 
 #[test]
@@ -163,10 +129,7 @@ fn main_bearings_carry_what_the_pins_are_pressed_with() {
         assert!(near(both, [-pin[0], -pin[1]], 1e-9), "{angle}: {both:?} {pin:?}");
         assert_eq!((l.speed, l.moment), (209.0, [0.0; 2]));
         // Throws that fire a turn apart make a load that repeats in a turn.
-        assert!(
-            near(between.at(angle).force, between.at(angle + TAU).force, 1e-8),
-            "{angle}"
-        );
+        assert!(near(between.at(angle).force, between.at(angle + TAU).force, 1e-8), "{angle}");
     }
     let back = DutyCycle::of_main(crank(), vec![throw(0.0, 0.3)], -209.0);
     let (forth, back) = (left.at(1.0), back.at(1.0));
@@ -177,19 +140,11 @@ fn main_bearings_carry_what_the_pins_are_pressed_with() {
 fn counterweights_balance_a_rotating_mass() {
     let rotating = Crank {
         reciprocating_mass: 0.0,
-        gas: GasPressure::Curve(PressureCurve {
-            peak: 0.0,
-            angle: 0.0,
-            sharpness: 1.0,
-            period: TAU,
-        }),
+        gas: GasPressure::Curve(PressureCurve { peak: 0.0, angle: 0.0, sharpness: 1.0, period: TAU }),
         ..crank()
     };
     let main = |web_mass: f64| {
-        let throws = vec![Throw {
-            web_mass,
-            ..throw(0.4, 0.5)
-        }];
+        let throws = vec![Throw { web_mass, ..throw(0.4, 0.5) }];
         DutyCycle::of_main(rotating.clone(), throws, 100.0).at(1.0).force
     };
     assert!(near(main(-2.025), [0.0; 2], 1e-9));
@@ -199,16 +154,8 @@ fn counterweights_balance_a_rotating_mass() {
 
 #[test]
 fn a_load_with_a_frequency_of_its_own_goes_by_that() {
-    let pulsating = Harmonic {
-        order: 1.0,
-        cos: [2.0, 0.0, 0.0, 0.0],
-        sin: [0.0; 4],
-    };
-    let constant = Harmonic {
-        order: 0.0,
-        cos: [0.0, 3.0, 0.0, 0.0],
-        sin: [0.0; 4],
-    };
+    let pulsating = Harmonic { order: 1.0, cos: [2.0, 0.0, 0.0, 0.0], sin: [0.0; 4] };
+    let constant = Harmonic { order: 0.0, cos: [0.0, 3.0, 0.0, 0.0], sin: [0.0; 4] };
     let share = |harmonic: Harmonic, speed: f64| {
         let turning = Turning { speed, rod: None };
         let cycle = DutyCycle::of_harmonics(vec![harmonic], TAU, Frame::Shell, turning).at_frequency(50.0);
@@ -227,11 +174,7 @@ fn a_load_with_a_frequency_of_its_own_goes_by_that() {
 #[test]
 fn the_load_at_half_the_speed_of_the_journal_is_found() {
     let turns = |order: f64, sense: f64, speed: f64| {
-        let rotating = Harmonic {
-            order,
-            cos: [2.0, 0.0, 0.0, 0.0],
-            sin: [0.0, 2.0 * sense, 0.0, 0.0],
-        };
+        let rotating = Harmonic { order, cos: [2.0, 0.0, 0.0, 0.0], sin: [0.0, 2.0 * sense, 0.0, 0.0] };
         let turning = Turning { speed, rod: None };
         let cycle = DutyCycle::of_harmonics(vec![rotating], 2.0 * TAU, Frame::Shell, turning);
         cycle.summary().half_speed_share

@@ -27,17 +27,10 @@ impl Coefficients {
     pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, frequency: f64) -> Result<Self, Error> {
         let whirl = Whirl::new(problem, system, film, frequency)?;
         let follower = Follower::of(problem, system, film)?;
-        let mut coefficients = Self {
-            order: Self::order_of(problem),
-            ..Self::default()
-        };
+        let mut coefficients = Self { order: Self::order_of(problem), ..Self::default() };
         for column in 0..coefficients.order {
             let (offset, tilt) = motion(column);
-            let place = JournalChange {
-                offset,
-                tilt,
-                ..JournalChange::default()
-            };
+            let place = JournalChange { offset, tilt, ..JournalChange::default() };
             let response = whirl.response(offset, tilt)?;
             let [by_place, by_rate] = match &follower {
                 None => of_film(problem, system, film, &place, response),
@@ -68,11 +61,7 @@ impl Coefficients {
     }
 
     fn each(&self, of: impl Fn(&Square) -> Square) -> Self {
-        Self {
-            stiffness: of(&self.stiffness),
-            damping: of(&self.damping),
-            order: self.order,
-        }
+        Self { stiffness: of(&self.stiffness), damping: of(&self.damping), order: self.order }
     }
 
     /// Times a factor.
@@ -102,9 +91,8 @@ impl Coefficients {
             for (i, row) in turned.iter_mut().enumerate() {
                 for (j, entry) in row.iter_mut().enumerate() {
                     let parts = (0..4).map(|part| (part / 2, part % 2));
-                    *entry = parts
-                        .map(|(a, b)| turn[i % 2][a] * of[i - i % 2 + a][j - j % 2 + b] * turn[j % 2][b])
-                        .sum();
+                    *entry =
+                        parts.map(|(a, b)| turn[i % 2][a] * of[i - i % 2 + a][j - j % 2 + b] * turn[j % 2][b]).sum();
                 }
             }
             turned
@@ -151,10 +139,7 @@ fn of_film(
     place: &JournalChange,
     [by_place, by_rate]: [Vec<f64>; 2],
 ) -> [Resultant; 2] {
-    [
-        load_change(problem, system, film, &[place.into()], &by_place),
-        oil_change(problem, system, film, &by_rate),
-    ]
+    [load_change(problem, system, film, &[place.into()], &by_place), oil_change(problem, system, film, &by_rate)]
 }
 
 /// Forces and moments in the order of the rows.
@@ -172,11 +157,7 @@ mod tests {
             let entry = |i: usize, j: usize| (seed + 3.1 * i as f64 + 7.3 * j as f64).sin();
             [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| entry(i, j)))
         };
-        Coefficients {
-            stiffness: of(0.4),
-            damping: of(1.9),
-            order: 4,
-        }
+        Coefficients { stiffness: of(0.4), damping: of(1.9), order: 4 }
     }
 
     /// The work of a motion is that in any frame.
@@ -192,9 +173,7 @@ mod tests {
             };
             let ([a, b], [c, d]) = (turned([motion[0], motion[1]]), turned([motion[2], motion[3]]));
             let work = |of: &Square, by: [f64; 4]| -> f64 {
-                (0..4)
-                    .map(|i| by[i] * (0..4).map(|j| of[i][j] * by[j]).sum::<f64>())
-                    .sum()
+                (0..4).map(|i| by[i] * (0..4).map(|j| of[i][j] * by[j]).sum::<f64>()).sum()
             };
             let there = of.in_frame(angle, speed);
             for (here, there) in [(of.stiffness, there.stiffness), (of.damping, there.damping)] {

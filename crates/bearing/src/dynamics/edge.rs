@@ -28,11 +28,5 @@ pub fn edge_parts(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolutio
         edge_products(problem, system, film, &duals, &responses)
     };
     let both = of(0).into_iter().zip(of(1));
-    Ok(both
-        .map(|(stiffness, damping)| Coefficients {
-            stiffness,
-            damping,
-            order,
-        })
-        .collect())
+    Ok(both.map(|(stiffness, damping)| Coefficients { stiffness, damping, order }).collect())
 }

@@ -59,16 +59,8 @@ impl Dynamics {
             false => at.first().copied(),
         };
         Ok(match judged {
-            Some(judged) => Self {
-                stability: stability(&judged.coefficients),
-                judged,
-                at,
-            },
-            None => Self {
-                stability: Stability::Undetermined,
-                judged: films.at(0.0)?,
-                at,
-            },
+            Some(judged) => Self { stability: stability(&judged.coefficients), judged, at },
+            None => Self { stability: Stability::Undetermined, judged: films.at(0.0)?, at },
         })
     }
 
@@ -89,11 +81,7 @@ impl Dynamics {
             Some(judged) => *judged,
             None => films.at(other.judged.whirl)?,
         };
-        Ok(Self {
-            stability: stability(&judged.coefficients),
-            judged,
-            at,
-        })
+        Ok(Self { stability: stability(&judged.coefficients), judged, at })
     }
 }
 

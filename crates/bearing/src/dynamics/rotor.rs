@@ -62,10 +62,7 @@ pub fn stability(of: &Coefficients) -> Stability {
     match k > 0.0 && determinant(stiffness) > 0.0 {
         false => Stability::Never,
         true if square <= 0.0 => Stability::Always,
-        true => Stability::Below(Threshold {
-            mass: k / square,
-            frequency: square.sqrt(),
-        }),
+        true => Stability::Below(Threshold { mass: k / square, frequency: square.sqrt() }),
     }
 }
 
@@ -93,10 +90,7 @@ pub fn whirling(of: &Coefficients, mass: f64) -> Option<Whirling> {
     let whirls = roots(monic)
         .into_iter()
         .filter(|[re, im]| *im > CREEPS * re.hypot(*im))
-        .map(|[re, im]| Whirling {
-            decrement: -TAU * re / im,
-            frequency: im,
-        });
+        .map(|[re, im]| Whirling { decrement: -TAU * re / im, frequency: im });
     whirls.min_by(|a, b| a.decrement.total_cmp(&b.decrement))
 }
 
@@ -127,11 +121,7 @@ fn roots(coefficients: [f64; 4]) -> [Complex; 4] {
     const STILL: f64 = 1e-15;
     // In units of a bound of the roots (Fujiwara).
     let bound = |(k, a): (usize, &f64)| 2.0 * a.abs().powf(1.0 / (4 - k) as f64);
-    let unit = coefficients
-        .iter()
-        .enumerate()
-        .map(bound)
-        .fold(f64::MIN_POSITIVE, f64::max);
+    let unit = coefficients.iter().enumerate().map(bound).fold(f64::MIN_POSITIVE, f64::max);
     let scaled = [0, 1, 2, 3].map(|k| coefficients[k] / unit.powi(4 - k as i32));
     let value = |s: Complex| {
         let horner = |sum: Complex, a: &f64| {
@@ -168,19 +158,12 @@ mod tests {
 
     fn of(stiffness: [[f64; 2]; 2], damping: [[f64; 2]; 2]) -> Coefficients {
         let square = |[[a, b], [c, d]]: [[f64; 2]; 2]| [[a, b, 0.0, 0.0], [c, d, 0.0, 0.0], [0.0; 4], [0.0; 4]];
-        Coefficients {
-            stiffness: square(stiffness),
-            damping: square(damping),
-            order: 2,
-        }
+        Coefficients { stiffness: square(stiffness), damping: square(damping), order: 2 }
     }
 
     /// A short bearing with a half film at the eccentricity 0.5: `tests/data/tilted_bearings.json`.
     fn short() -> Coefficients {
-        of(
-            [[2.92325, 3.97664], [-0.8577, 2.20994]],
-            [[6.61476, 2.24496], [2.24496, 3.05392]],
-        )
+        of([[2.92325, 3.97664], [-0.8577, 2.20994]], [[6.61476, 2.24496], [2.24496, 3.05392]])
     }
 
     #[test]
@@ -188,15 +171,9 @@ mod tests {
         let Stability::Below(Threshold { mass, frequency }) = stability(&short()) else {
             panic!("{:?}", stability(&short()));
         };
-        assert!(
-            (mass - 6.4604).abs() < 2e-4 && (frequency - 0.51464).abs() < 2e-5,
-            "{mass} {frequency}"
-        );
+        assert!((mass - 6.4604).abs() < 2e-4 && (frequency - 0.51464).abs() < 2e-5, "{mass} {frequency}");
         let there = whirling(&short(), mass).expect("it whirls");
-        assert!(
-            there.decrement.abs() < 1e-12 && (there.frequency - frequency).abs() < 1e-12,
-            "{there:?}"
-        );
+        assert!(there.decrement.abs() < 1e-12 && (there.frequency - frequency).abs() < 1e-12, "{there:?}");
         let decrement = |part: f64| whirling(&short(), part * mass).expect("it whirls").decrement;
         assert!(decrement(0.9) > 0.0 && decrement(1.1) < 0.0);
     }
@@ -206,14 +183,8 @@ mod tests {
         let damping = [[2.0, 0.1], [0.1, 1.0]];
         assert_eq!(stability(&of([[3.0, 0.2], [0.2, 2.0]], damping)), Stability::Always);
         assert_eq!(stability(&of([[-3.0, 0.2], [0.2, 2.0]], damping)), Stability::Never);
-        assert_eq!(
-            stability(&of([[3.0, 0.0], [0.0, 2.0]], [[0.0; 2]; 2])),
-            Stability::Undetermined
-        );
-        assert_eq!(
-            stability(&of([[3.0, 0.0], [0.0, 2.0]], [[1.0, 0.0], [0.0, -0.1]])),
-            Stability::Undetermined
-        );
+        assert_eq!(stability(&of([[3.0, 0.0], [0.0, 2.0]], [[0.0; 2]; 2])), Stability::Undetermined);
+        assert_eq!(stability(&of([[3.0, 0.0], [0.0, 2.0]], [[1.0, 0.0], [0.0, -0.1]])), Stability::Undetermined);
     }
 
     /// One degree of freedom: `M s^2 + C s + K`, and a second one that creeps.
@@ -226,10 +197,7 @@ mod tests {
             (found.frequency / im - 1.0).abs() < 1e-12 && (found.decrement + TAU * re / im).abs() < 1e-12,
             "{found:?}"
         );
-        assert_eq!(
-            whirling(&of([[1.0, 0.0], [0.0, 1.0]], [[90.0, 0.0], [0.0, 50.0]]), m),
-            None
-        );
+        assert_eq!(whirling(&of([[1.0, 0.0], [0.0, 1.0]], [[90.0, 0.0], [0.0, 50.0]]), m), None);
     }
 
     #[test]
@@ -237,12 +205,7 @@ mod tests {
         for scale in [1e-6, 1.0, 1e7f64] {
             let wanted = [[-1.0, 2.0], [-1.0, -2.0], [-0.25, 0.0], [-3.0, 0.0]];
             // (s^2 + 2 s + 5)(s^2 + 3.25 s + 0.75)
-            let coefficients = [
-                3.75 * scale.powi(4),
-                17.75 * scale.powi(3),
-                12.25 * scale * scale,
-                5.25 * scale,
-            ];
+            let coefficients = [3.75 * scale.powi(4), 17.75 * scale.powi(3), 12.25 * scale * scale, 5.25 * scale];
             let found = roots(coefficients);
             for [re, im] in wanted {
                 let off = |[a, b]: &Complex| (a / scale - re).hypot(b / scale - im);

@@ -52,11 +52,7 @@ pub(super) fn own_whirl(at: impl Fn(f64) -> Result<AtWhirl, Error>, speed: f64) 
         }
         let is_low = found > 0.0;
         // An end that stays twice counts half, so that it does not stay for ever.
-        let weight = if was_low.replace(is_low) == Some(is_low) {
-            0.5
-        } else {
-            1.0
-        };
+        let weight = if was_low.replace(is_low) == Some(is_low) { 0.5 } else { 1.0 };
         match is_low {
             true => (low, high.1) = ((next, found), weight * high.1),
             false => (high, low.1) = ((next, found), weight * low.1),
@@ -73,10 +69,7 @@ mod tests {
     /// A bearing whose cross stiffness, and with it the whirl, falls with the frequency.
     fn bearing(whirl: f64) -> AtWhirl {
         let cross = 2.0 - whirl;
-        let mut coefficients = Coefficients {
-            order: 2,
-            ..Coefficients::default()
-        };
+        let mut coefficients = Coefficients { order: 2, ..Coefficients::default() };
         for d in 0..2 {
             (coefficients.stiffness[d][d], coefficients.damping[d][d]) = (1.0, 2.0);
         }
@@ -88,9 +81,7 @@ mod tests {
     #[test]
     fn the_whirl_is_its_own() {
         for speed in [0.4, 1.0, 3.0] {
-            let found = own_whirl(|whirl| Ok(bearing(whirl)), speed)
-                .expect("solved")
-                .expect("a whirl");
+            let found = own_whirl(|whirl| Ok(bearing(whirl)), speed).expect("solved").expect("a whirl");
             let wanted = 2.0 / (2.0 * speed + 1.0);
             assert!((found.whirl - wanted).abs() < 1e-8, "{speed}: {} {wanted}", found.whirl);
             assert!(matches!(stability(&found.coefficients), Stability::Below(_)));
@@ -104,9 +95,7 @@ mod tests {
             (at.coefficients.stiffness[0][1], at.coefficients.stiffness[1][0]) = (0.1, 0.1);
             at
         };
-        let found = own_whirl(|whirl| Ok(stable(whirl)), 1.0)
-            .expect("solved")
-            .expect("judged");
+        let found = own_whirl(|whirl| Ok(stable(whirl)), 1.0).expect("solved").expect("judged");
         assert_eq!((found.whirl, stability(&found.coefficients)), (0.0, Stability::Always));
     }
 }

@@ -53,10 +53,7 @@ impl FiniteMap {
             .into_par_iter()
             .map(|k| level(problem, system, (1.0 - (-DISTANCE * k as f64).exp()).max(LEAST)))
             .collect();
-        Ok(Self {
-            levels: levels?,
-            films: (count + 1) * (DIRECTIONS as usize + 1),
-        })
+        Ok(Self { levels: levels?, films: (count + 1) * (DIRECTIONS as usize + 1) })
     }
 }
 

@@ -22,11 +22,7 @@ impl FilmMap for ShortMap {
         let mixed = over(&|g| 0.5 * g.sin().powi(2) - eps * g.cos());
         let across = over(&|g| 0.5 * g - 0.25 * (2.0 * g).sin());
         let rest = 1.0 - eps * eps;
-        let [xx, xy, yy] = [
-            along / (rest * rest * rest.sqrt()),
-            mixed / (rest * rest),
-            across / (rest * rest.sqrt()),
-        ];
+        let [xx, xy, yy] = [along / (rest * rest * rest.sqrt()), mixed / (rest * rest), across / (rest * rest.sqrt())];
         let (sin, cos) = angle.sin_cos();
         [xx * cos + xy * sin, xy * cos + yy * sin]
     }

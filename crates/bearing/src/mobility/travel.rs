@@ -56,11 +56,7 @@ impl Travel<'_> {
             let end = [end[0] / clearance, end[1] / clearance];
             let closed = (end[0] - place[0]).hypot(end[1] - place[1]);
             place = end;
-            found = Some(MapOrbit {
-                steps,
-                cycles: number,
-                closure: closed,
-            });
+            found = Some(MapOrbit { steps, cycles: number, closure: closed });
             if closed < closure {
                 break;
             }
@@ -88,19 +84,13 @@ impl Travel<'_> {
         let across = force[1] * axis[0] - force[0] * axis[1];
         let [a, b] = self.map.mobility(eccentricity, size, across.abs().atan2(along));
         let b = b.copysign(across);
-        [
-            a * axis[0] - b * axis[1] + turning[0],
-            a * axis[1] + b * axis[0] + turning[1],
-        ]
+        [a * axis[0] - b * axis[1] + turning[0], a * axis[1] + b * axis[0] + turning[1]]
     }
 
     /// One cycle from a place.
     fn cycle(&self, start: Place, tolerance: f64) -> Option<Vec<Step>> {
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let pace = Pace {
-            period,
-            error_power: SCHEME.error_power,
-        };
+        let pace = Pace { period, error_power: SCHEME.error_power };
         let (mut time, mut place, mut rate) = (0.0, start, self.rate(0.0, start));
         let mut steps = vec![self.recorded(time, place, rate)];
         let mut dt = 1e-3 * period;

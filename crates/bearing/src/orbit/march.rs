@@ -65,10 +65,7 @@ pub struct CycleOil {
 impl CycleOil {
     fn between(begin: &Oil, end: &Oil) -> Self {
         let missing = end.total() - begin.total() - (end.received - begin.received);
-        Self {
-            closure: end.differs(begin),
-            imbalance: missing.abs() / (end.passed - begin.passed).max(end.total()),
-        }
+        Self { closure: end.differs(begin), imbalance: missing.abs() / (end.passed - begin.passed).max(end.total()) }
     }
 }
 
@@ -114,19 +111,12 @@ impl Motion<'_> {
     /// # Errors
     /// [`NoOrbit`]: why there is none.
     pub fn orbit(&self, start: Vector, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
-        let accuracy = Accuracy {
-            tolerance: options.tolerance,
-            scale: self.peak_load(),
-        };
+        let accuracy = Accuracy { tolerance: options.tolerance, scale: self.peak_load() };
         let mut films = 0;
         let period = self.cycle.period() / self.cycle.angular_speed();
         let here = (self.beginning(start, period, accuracy, &mut films))
             .map_err(|reason| self.told(reason, 0.0, 1, self.least_gap(start)))?;
-        let mut traveller = Traveller {
-            here,
-            acceleration: [0.0; 4],
-            before: None,
-        };
+        let mut traveller = Traveller { here, acceleration: [0.0; 4], before: None };
         let mut cycles = Vec::new();
         let mut last = Vec::new();
         for number in 1..=options.cycles {
@@ -140,11 +130,7 @@ impl Motion<'_> {
                 }
                 Ok(None) => {
                     let end = OrbitEnd::Ended;
-                    return Ok(Orbit {
-                        steps: last,
-                        cycles,
-                        end,
-                    });
+                    return Ok(Orbit { steps: last, cycles, end });
                 }
                 Err(reason) => return Err(reason),
             };
@@ -152,30 +138,18 @@ impl Motion<'_> {
             let by_wall = wall.zip(traveller.here.problem.deflection());
             let by_wall = by_wall.map_or(0.0, |(begin, end)| begin.distance(end));
             let by_place = length(moved(traveller.here.at, -1.0, begin));
-            cycle.closure = by_place
-                .max(by_wall)
-                .max(self.closure_of_velocity(velocity, traveller.here.velocity));
-            cycle.oil = oil
-                .zip(traveller.here.oil.as_ref())
-                .map(|(begin, end)| CycleOil::between(&begin, end));
+            cycle.closure = by_place.max(by_wall).max(self.closure_of_velocity(velocity, traveller.here.velocity));
+            cycle.oil = oil.zip(traveller.here.oil.as_ref()).map(|(begin, end)| CycleOil::between(&begin, end));
             cycles.push(cycle);
             last = steps;
             if cycle.is_closed(self.problem.bearing.clearance, options.closure) {
                 let end = OrbitEnd::Closed;
-                return Ok(Orbit {
-                    steps: last,
-                    cycles,
-                    end,
-                });
+                return Ok(Orbit { steps: last, cycles, end });
             }
             traveller.here.time = 0.0;
             traveller.before = None;
         }
-        Ok(Orbit {
-            steps: last,
-            cycles,
-            end: OrbitEnd::NotClosed,
-        })
+        Ok(Orbit { steps: last, cycles, end: OrbitEnd::NotClosed })
     }
 
     /// By how much a rotor with mass would be off after the crank has turned by one radian with the difference of two velocities [m]; a journal without mass moves as its place asks.
@@ -194,18 +168,9 @@ impl Motion<'_> {
         options: &OrbitOptions,
     ) -> Result<Option<(Vec<Step>, Cycle)>, NoOrbit> {
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let mut cycle = Cycle {
-            closure: 0.0,
-            steps: 0,
-            rejected: 0,
-            films: 0,
-            oil: None,
-        };
+        let mut cycle = Cycle { closure: 0.0, steps: 0, rejected: 0, films: 0, oil: None };
         let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
-        let pace = Pace {
-            period,
-            error_power: self.scheme().error_power,
-        };
+        let pace = Pace { period, error_power: self.scheme().error_power };
         let here = &traveller.here;
         let mut dt = pace.first(self.least_gap_under(here.wall(), here.at), length(here.velocity));
         while traveller.here.time < period {
@@ -221,11 +186,7 @@ impl Motion<'_> {
                 before: traveller.before.as_ref(),
             };
             match self.step(&begin, taken, accuracy, &mut cycle.films) {
-                Ok(Made {
-                    mut end,
-                    acceleration,
-                    error,
-                }) => {
+                Ok(Made { mut end, acceleration, error }) => {
                     let part = length(error) / self.least_gap_under(end.wall(), end.at) / accuracy.tolerance;
                     dt = pace.next(taken, part);
                     if part > 1.0 && !pace.is_shortest(taken) {
@@ -236,11 +197,7 @@ impl Motion<'_> {
                         end.time = period;
                     }
                     let way = Way::between(&traveller.here, &end);
-                    *traveller = Traveller {
-                        here: end,
-                        acceleration,
-                        before: Some(way),
-                    };
+                    *traveller = Traveller { here: end, acceleration, before: Some(way) };
                     steps.push(self.recorded(traveller, error, accuracy));
                     cycle.steps += 1;
                     if let Some(observer) = options.observer {
@@ -264,10 +221,7 @@ impl Motion<'_> {
     fn recorded(&self, traveller: &Traveller, error: Vector, accuracy: Accuracy) -> Step {
         let (here, masses) = (&traveller.here, self.masses());
         let left: Vector = [0, 1, 2, 3].map(|k| here.excess[k] + masses[k] * traveller.acceleration[k]);
-        Step {
-            error,
-            ..Step::of(here, length(left) / accuracy.scale)
-        }
+        Step { error, ..Step::of(here, length(left) / accuracy.scale) }
     }
 
     /// Greatest load over the cycle [N]; where there is none, that of drag.
@@ -300,10 +254,7 @@ impl Motion<'_> {
     /// [`NoOrbit`]: there is no such film.
     pub fn between(&self, from: &Step, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
         let (at, velocity) = (span.at(time), span.rate(time));
-        let accuracy = Accuracy {
-            tolerance,
-            scale: self.peak_load(),
-        };
+        let accuracy = Accuracy { tolerance, scale: self.peak_load() };
         let found = match self.moves_by_path(from) {
             _ if from.history.is_some() || from.wall.is_some() => self.led_on(from, time, accuracy),
             _ if self.least_gap(at) <= 0.0 => Err(NoStage::Diverged),
@@ -324,11 +275,7 @@ impl Motion<'_> {
             true => -instant.excess[k] / masses[k],
             false => 0.0,
         });
-        let begin = Begin {
-            instant: &instant,
-            acceleration,
-            before: None,
-        };
+        let begin = Begin { instant: &instant, acceleration, before: None };
         let made = self.step(&begin, time - from.time, accuracy, &mut 0)?;
         Ok(Instant { time, ..made.end })
     }
@@ -342,14 +289,8 @@ impl Motion<'_> {
         let Some(history) = &step.history else {
             return self.film(step.moving(), Held { storage: None, wall }, near);
         };
-        let held = Held {
-            storage: Some(&history.before),
-            wall,
-        };
+        let held = Held { storage: Some(&history.before), wall };
         let found = self.film(step.moving(), held, Neighbour::Found(&history.trace))?;
-        Ok(Instant {
-            oil: Some(history.oil.clone()),
-            ..found
-        })
+        Ok(Instant { oil: Some(history.oil.clone()), ..found })
     }
 }

@@ -101,10 +101,7 @@ pub struct Moving {
 impl Motion<'_> {
     /// Which coordinates are free.
     pub fn coordinates(&self) -> Coordinates {
-        Coordinates {
-            order: if self.support.is_some() { 4 } else { 2 },
-            arm: 0.5 * self.problem.bearing.length,
-        }
+        Coordinates { order: if self.support.is_some() { 4 } else { 2 }, arm: 0.5 * self.problem.bearing.length }
     }
 
     /// What acts on the journal at a time [s].
@@ -148,9 +145,9 @@ impl Motion<'_> {
     pub fn asked(&self, time: f64) -> Vector {
         let Duty { force, moment, .. } = self.duty(time);
         let arm = self.coordinates().arm;
-        let tilting = self.support.map_or([0.0; 2], |support| {
-            [0, 1].map(|d| (moment[d] + support.stiffness * support.slope[d]) / arm)
-        });
+        let tilting = self
+            .support
+            .map_or([0.0; 2], |support| [0, 1].map(|d| (moment[d] + support.stiffness * support.slope[d]) / arm));
         [force[0], force[1], tilting[0], tilting[1]]
     }
 
@@ -216,15 +213,7 @@ impl Motion<'_> {
         let Moving { time, at, velocity } = moving;
         let response = self.response_by(carried, at);
         let asked = self.asked(time);
-        Instant {
-            time,
-            at,
-            velocity,
-            excess: [0, 1, 2, 3].map(|k| response[k] - asked[k]),
-            problem,
-            film,
-            oil: None,
-        }
+        Instant { time, at, velocity, excess: [0, 1, 2, 3].map(|k| response[k] - asked[k]), problem, film, oil: None }
     }
 
     /// The change of the journal where coordinate k changes by `per_offset` and its rate by `per_rate` [1/s].
@@ -234,11 +223,7 @@ impl Motion<'_> {
             self.coordinates().change(journal, &CentreVelocity::default(), vector)
         };
         let (offset, rate) = (of(per_offset), of(per_rate));
-        JournalChange {
-            velocity: rate.offset,
-            tilt_rate: rate.tilt,
-            ..offset
-        }
+        JournalChange { velocity: rate.offset, tilt_rate: rate.tilt, ..offset }
     }
 
     /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the cavity held, exact to first order. A wall that
@@ -275,9 +260,7 @@ impl Motion<'_> {
         for (k, columns) in columns.iter_mut().enumerate().take(coordinates.order) {
             let change = self.change(&problem.journal, k, [1.0, 0.0]);
             let carried = carried_slowly(&problem, self.system, &here.film, &change, FOLLOWED);
-            *columns = carried
-                .map_err(Failure::from)?
-                .map(|carried| coordinates.forces(&carried));
+            *columns = carried.map_err(Failure::from)?.map(|carried| coordinates.forces(&carried));
             if k >= 2 {
                 columns[0][k] += self.support_stiffness();
             }

@@ -142,16 +142,8 @@ impl Motion<'_> {
         };
         let direction = towards.to_degrees().rem_euclid(360.0);
         match self.mass == 0.0 && self.opening(towards) > PI - ROUNDING {
-            true => NoOrbit::OffShell {
-                angle,
-                cycle,
-                direction,
-            },
-            false => NoOrbit::AtOpening {
-                angle,
-                cycle,
-                direction,
-            },
+            true => NoOrbit::OffShell { angle, cycle, direction },
+            false => NoOrbit::AtOpening { angle, cycle, direction },
         }
     }
 
@@ -162,11 +154,7 @@ impl Motion<'_> {
             let [x, y, ..] = self.asked(time);
             y.atan2(x)
         });
-        let is_near = |direction: &f64| {
-            [-NEAR, 0.0, NEAR]
-                .iter()
-                .any(|by| self.opening(direction + by) > OPENING)
-        };
+        let is_near = |direction: &f64| [-NEAR, 0.0, NEAR].iter().any(|by| self.opening(direction + by) > OPENING);
         directions.into_iter().find(is_near)
     }
 

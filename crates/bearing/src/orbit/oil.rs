@@ -25,11 +25,7 @@ pub struct Before {
 impl Before {
     /// A stage of the length of `1/per_time` [s] after a time in which the cells held `known` [m3].
     pub fn at_rest(per_time: f64, known: Vec<f64>) -> Self {
-        Self {
-            storage: Arc::new(Storage { per_time, known }),
-            received: 0.0,
-            passed: 0.0,
-        }
+        Self { storage: Arc::new(Storage { per_time, known }), received: 0.0, passed: 0.0 }
     }
 
     /// The oil of the stage, whose film is solved.
@@ -39,11 +35,7 @@ impl Before {
     pub fn oil(&self, problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<Oil, Error> {
         let held = problem.oil_held(system, film)?.unwrap_or_default();
         let inflow: f64 = film.inflow.iter().sum();
-        let given = film
-            .inflow
-            .iter()
-            .enumerate()
-            .filter(|(dof, _)| system.supply.owner(*dof).is_some());
+        let given = film.inflow.iter().enumerate().filter(|(dof, _)| system.supply.owner(*dof).is_some());
         let entering: f64 = given.map(|(_, inflow)| inflow.max(0.0)).sum();
         let time = 1.0 / self.storage.per_time;
         Ok(Oil {
@@ -81,19 +73,12 @@ impl Oil {
         let (mut received, mut passed) = (self.received, self.passed);
         for (a, oil) in scheme.coefficients[stage][..stage].iter().zip(stages) {
             let weight = dt * a;
-            known
-                .iter_mut()
-                .zip(&oil.rate)
-                .for_each(|(known, rate)| *known += weight * rate);
+            known.iter_mut().zip(&oil.rate).for_each(|(known, rate)| *known += weight * rate);
             received += weight * oil.inflow;
             passed += weight * oil.entering;
         }
         let per_time = 1.0 / (scheme.diagonal * dt);
-        Before {
-            storage: Arc::new(Storage { per_time, known }),
-            received,
-            passed,
-        }
+        Before { storage: Arc::new(Storage { per_time, known }), received, passed }
     }
 
     /// All oil [m3].

@@ -52,11 +52,7 @@ pub struct StepHistory {
 
 impl StepHistory {
     pub(super) fn of(here: &Instant) -> Option<Self> {
-        Some(Self {
-            before: here.problem.storage.clone()?,
-            trace: here.film.trace(),
-            oil: here.oil.clone()?,
-        })
+        Some(Self { before: here.problem.storage.clone()?, trace: here.film.trace(), oil: here.oil.clone()? })
     }
 }
 
@@ -76,11 +72,7 @@ impl Step {
     }
 
     pub(super) fn moving(&self) -> Moving {
-        Moving {
-            time: self.time,
-            at: self.at,
-            velocity: self.velocity,
-        }
+        Moving { time: self.time, at: self.at, velocity: self.velocity }
     }
 }
 
@@ -98,20 +90,12 @@ pub struct Span {
 impl Span {
     /// From one step to the next.
     pub fn between(from: &Step, to: &Step) -> Self {
-        Self {
-            times: [from.time, to.time],
-            places: [from.at, to.at],
-            rates: [from.velocity, to.velocity],
-        }
+        Self { times: [from.time, to.time], places: [from.at, to.at], rates: [from.velocity, to.velocity] }
     }
 
     /// From one instant to another.
     pub(super) fn of_instants(from: &Instant, to: &Instant) -> Self {
-        Self {
-            times: [from.time, to.time],
-            places: [from.at, to.at],
-            rates: [from.velocity, to.velocity],
-        }
+        Self { times: [from.time, to.time], places: [from.at, to.at], rates: [from.velocity, to.velocity] }
     }
 
     /// The place at a time [s], which may lie beyond the ends.
@@ -123,12 +107,7 @@ impl Span {
     pub fn weights(&self, time: f64) -> [f64; 4] {
         let (dt, s) = self.local(time);
         let (t, u) = (1.0 - s, s);
-        [
-            t * t * (1.0 + 2.0 * u),
-            u * u * (1.0 + 2.0 * t),
-            dt * t * t * u,
-            -dt * u * u * t,
-        ]
+        [t * t * (1.0 + 2.0 * u), u * u * (1.0 + 2.0 * t), dt * t * t * u, -dt * u * u * t]
     }
 
     /// The rate at a time [s].
@@ -146,9 +125,7 @@ impl Span {
         let mut wall: Vec<f64> = ends.map(|(from, to)| a * from + b * to).collect();
         for (weight, rate) in [(v, from.rate()), (w, to.rate())] {
             let rates = rate.iter().flat_map(|rate| rate.iter());
-            wall.iter_mut()
-                .zip(rates)
-                .for_each(|(wall, rate)| *wall += weight * rate);
+            wall.iter_mut().zip(rates).for_each(|(wall, rate)| *wall += weight * rate);
         }
         wall
     }
@@ -173,11 +150,7 @@ mod tests {
     fn a_cubic_is_its_own_path() {
         let place = |t: f64| [1.0 + 2.0 * t - t * t + 0.5 * t * t * t, t, -t * t, 0.0];
         let rate = |t: f64| [2.0 - 2.0 * t + 1.5 * t * t, 1.0, -2.0 * t, 0.0];
-        let span = Span {
-            times: [0.5, 2.0],
-            places: [0.5, 2.0].map(place),
-            rates: [0.5, 2.0].map(rate),
-        };
+        let span = Span { times: [0.5, 2.0], places: [0.5, 2.0].map(place), rates: [0.5, 2.0].map(rate) };
         for time in [0.2, 0.5, 1.1, 2.0, 2.6] {
             for (found, right) in [(span.at(time), place(time)), (span.rate(time), rate(time))] {
                 assert!((0..4).all(|k| (found[k] - right[k]).abs() < 1e-13), "{time}: {found:?}");

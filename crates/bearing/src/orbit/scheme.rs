@@ -38,10 +38,7 @@ impl Scheme {
     /// Weights of the rates of the stages in the estimate of the error.
     pub fn error_weights(&self) -> Vec<f64> {
         let last = self.coefficients[self.stages() - 1];
-        last.iter()
-            .zip(self.embedded)
-            .map(|(last, other)| last - other)
-            .collect()
+        last.iter().zip(self.embedded).map(|(last, other)| last - other).collect()
     }
 }
 
@@ -52,12 +49,7 @@ pub const FOURTH_ORDER: Scheme = Scheme {
         &[0.0],
         &[0.25, 0.25],
         &[8611.0 / 62_500.0, -1743.0 / 31_250.0, 0.25],
-        &[
-            5_012_029.0 / 34_652_500.0,
-            -654_441.0 / 2_922_500.0,
-            174_375.0 / 388_108.0,
-            0.25,
-        ],
+        &[5_012_029.0 / 34_652_500.0, -654_441.0 / 2_922_500.0, 174_375.0 / 388_108.0, 0.25],
         &[
             15_267_082_809.0 / 155_376_265_600.0,
             -71_443_401.0 / 120_774_400.0,
@@ -65,14 +57,7 @@ pub const FOURTH_ORDER: Scheme = Scheme {
             2_285_395.0 / 8_070_912.0,
             0.25,
         ],
-        &[
-            82_889.0 / 524_892.0,
-            0.0,
-            15_625.0 / 83_664.0,
-            69_875.0 / 102_672.0,
-            -2260.0 / 8211.0,
-            0.25,
-        ],
+        &[82_889.0 / 524_892.0, 0.0, 15_625.0 / 83_664.0, 69_875.0 / 102_672.0, -2260.0 / 8211.0, 0.25],
     ],
     diagonal: 0.25,
     embedded: &[
@@ -95,11 +80,7 @@ pub const SECOND_ORDER: Scheme = Scheme {
         &[0.25 * SQRT_2, 0.25 * SQRT_2, 1.0 - 0.5 * SQRT_2],
     ],
     diagonal: 1.0 - 0.5 * SQRT_2,
-    embedded: &[
-        (1.0 - 0.25 * SQRT_2) / 3.0,
-        (1.0 + 0.75 * SQRT_2) / 3.0,
-        (1.0 - 0.5 * SQRT_2) / 3.0,
-    ],
+    embedded: &[(1.0 - 0.25 * SQRT_2) / 3.0, (1.0 + 0.75 * SQRT_2) / 3.0, (1.0 - 0.5 * SQRT_2) / 3.0],
     error_power: 3.0,
 };
 
@@ -137,10 +118,7 @@ mod tests {
     /// The greatest order whose conditions these weights meet.
     fn order(scheme: &Scheme, weights: &[f64]) -> usize {
         let meets = |(tree, value): &(Vec<f64>, f64)| (product(weights, tree) - value).abs() < 1e-14;
-        conditions(scheme)
-            .iter()
-            .take_while(|trees| trees.iter().all(meets))
-            .count()
+        conditions(scheme).iter().take_while(|trees| trees.iter().all(meets)).count()
     }
 
     #[test]

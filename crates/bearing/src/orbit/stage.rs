@@ -95,11 +95,7 @@ impl Motion<'_> {
         }
         let film = |at: Vector, near: Neighbour, films: &mut usize| {
             *films += 1;
-            let moving = Moving {
-                time: known.time,
-                at,
-                velocity: known.velocity(at),
-            };
+            let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
             let storage = known.before.as_ref().map(|before| &before.storage);
             self.film(moving, Held { storage, wall: None }, near)
         };
@@ -157,13 +153,8 @@ impl Motion<'_> {
         let Some(before) = &known.before else {
             return Ok(here);
         };
-        let oil = before
-            .oil(&here.problem, self.system, &here.film)
-            .map_err(Failure::from);
-        Ok(Instant {
-            oil: Some(Arc::new(oil.map_err(NoFilm::from)?)),
-            ..here
-        })
+        let oil = before.oil(&here.problem, self.system, &here.film).map_err(Failure::from);
+        Ok(Instant { oil: Some(Arc::new(oil.map_err(NoFilm::from)?)), ..here })
     }
 
     /// Where an orbit begins: in films without memory at the velocity in which film and support carry the load, full ones that conserve their oil after a time
@@ -179,23 +170,13 @@ impl Motion<'_> {
             return self.carried((0.0, at), [0.0; 4], accuracy, films);
         }
         let (velocity, wall) = self.without_memory(at, accuracy, films)?;
-        let moving = Moving {
-            time: 0.0,
-            at,
-            velocity,
-        };
-        let full = FilmProblem {
-            journal: self.journal(0.0, at, velocity),
-            ..self.problem.clone()
-        };
+        let moving = Moving { time: 0.0, at, velocity };
+        let full = FilmProblem { journal: self.journal(0.0, at, velocity), ..self.problem.clone() };
         let full = full.deflected(wall.as_ref());
         let held = full.oil_of_full_film(self.system).map_err(Failure::from);
         let per_time = 1.0 / (BEGINNING * period);
         let before = Before::at_rest(per_time, held.map_err(NoFilm::from)?);
-        let held = Held {
-            storage: Some(&before.storage),
-            wall: wall.as_ref(),
-        };
+        let held = Held { storage: Some(&before.storage), wall: wall.as_ref() };
         let (near, _) = self.film_under(moving, held, Neighbour::None)?;
         let known = Known {
             time: 0.0,
@@ -223,11 +204,7 @@ impl Motion<'_> {
             cavitation: self.problem.cavitation.guide().unwrap_or(self.problem.cavitation),
             ..self.problem.clone()
         };
-        let motion = Motion {
-            problem: &problem,
-            gap: self.gap.clone(),
-            ..*self
-        };
+        let motion = Motion { problem: &problem, gap: self.gap.clone(), ..*self };
         let begin = motion.carried((0.0, at), [0.0; 4], accuracy, films)?;
         Ok((begin.velocity, begin.problem.deflection().cloned()))
     }
@@ -256,10 +233,7 @@ impl Motion<'_> {
             loop {
                 let velocity = moved(here.velocity, part, step);
                 *films += 1;
-                let held = Held {
-                    storage: None,
-                    wall: here.problem.deflection(),
-                };
+                let held = Held { storage: None, wall: here.problem.deflection() };
                 match self.film(moving(velocity), held, Neighbour::Start(&here.film)) {
                     Ok(next) if length(next.excess) < length(here.excess) => {
                         here = next;

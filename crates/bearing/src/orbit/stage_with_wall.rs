@@ -130,24 +130,12 @@ impl Motion<'_> {
         films: &mut usize,
     ) -> Result<Trial, NoStage> {
         *films += 1;
-        let moving = Moving {
-            time: known.time,
-            at,
-            velocity: known.velocity(at),
-        };
-        let held = Held {
-            storage: known.before.as_ref().map(|before| &before.storage),
-            wall: Some(wall),
-        };
+        let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
+        let held = Held { storage: known.before.as_ref().map(|before| &before.storage), wall: Some(wall) };
         let (instant, contact) = self.film_under(moving, held, near)?;
         let wall = Left::of(&instant.problem, self.system, &instant.film, contact);
         let force = self.residual(known, &instant);
-        Ok(Trial {
-            parts: [length(force) / scale, wall.residual],
-            force,
-            wall,
-            instant,
-        })
+        Ok(Trial { parts: [length(force) / scale, wall.residual], force, wall, instant })
     }
 
     /// What stiffness of film and wall leaves of an error of the place and of one of the wall, in the place: both push the film as rates in the stage do.

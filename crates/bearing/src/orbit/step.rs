@@ -80,11 +80,7 @@ impl Motion<'_> {
             Some(walls) => self.damped_with_wall(&end, error, &walls.error(scheme, dt), per_time)?,
             None => self.damped_error(&end, error, dt)?,
         };
-        Ok(Made {
-            error,
-            acceleration: accelerations.last().copied().unwrap_or_default(),
-            end,
-        })
+        Ok(Made { error, acceleration: accelerations.last().copied().unwrap_or_default(), end })
     }
 
     /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it.
@@ -99,12 +95,6 @@ impl Motion<'_> {
 
 /// `first + dt sum_j weight_j rate_j`.
 fn combined(first: Vector, dt: f64, weights: &[f64], rates: &[Vector]) -> Vector {
-    let sum = |k: usize| {
-        weights
-            .iter()
-            .zip(rates)
-            .map(|(weight, rate)| weight * rate[k])
-            .sum::<f64>()
-    };
+    let sum = |k: usize| weights.iter().zip(rates).map(|(weight, rate)| weight * rate[k]).sum::<f64>();
     [0, 1, 2, 3].map(|k| first[k] + dt * sum(k))
 }

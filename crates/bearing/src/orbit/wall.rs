@@ -23,10 +23,7 @@ pub(super) struct Way {
 impl Way {
     pub(super) fn between(from: &Instant, to: &Instant) -> Self {
         let walls = from.problem.deflection().zip(to.problem.deflection());
-        Self {
-            span: Span::of_instants(from, to),
-            walls: walls.map(|(from, to)| [from.clone(), to.clone()]),
-        }
+        Self { span: Span::of_instants(from, to), walls: walls.map(|(from, to)| [from.clone(), to.clone()]) }
     }
 
     /// Where the wall is to be expected at a time [s], as coefficients [m]: on the cubic through both ends.
@@ -66,10 +63,7 @@ impl WallStages {
         let known = self.combined(&self.begin, dt, &scheme.coefficients[stage][..stage]);
         let expected = way.and_then(|way| way.wall(time));
         let straight = || self.combined(&self.begin, dt * scheme.nodes[stage], &[1.0]);
-        let stage = WallStage {
-            per_time: 1.0 / (scheme.diagonal * dt),
-            known: known.into(),
-        };
+        let stage = WallStage { per_time: 1.0 / (scheme.diagonal * dt), known: known.into() };
         (stage, expected.unwrap_or_else(straight))
     }
 
@@ -88,9 +82,7 @@ impl WallStages {
     fn combined(&self, first: &[f64], dt: f64, weights: &[f64]) -> Vec<f64> {
         let mut sum = first.to_vec();
         for (weight, rate) in weights.iter().zip(&self.rates) {
-            sum.iter_mut()
-                .zip(&**rate)
-                .for_each(|(sum, rate)| *sum += dt * weight * rate);
+            sum.iter_mut().zip(&**rate).for_each(|(sum, rate)| *sum += dt * weight * rate);
         }
         sum
     }

@@ -52,8 +52,7 @@ pub struct Section {
 impl Material {
     /// Poisson's ratio [1]; 0.3 for a beam that does not shear.
     fn poissons_ratio(&self) -> f64 {
-        self.shear_modulus
-            .map_or(0.3, |shear| 0.5 * self.youngs_modulus / shear - 1.0)
+        self.shear_modulus.map_or(0.3, |shear| 0.5 * self.youngs_modulus / shear - 1.0)
     }
 
     /// A round section with a bore [m], which may be zero.
@@ -176,11 +175,7 @@ fn dot(a: Point, b: Point) -> f64 {
 }
 
 fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn unit(vector: Point) -> Point {
@@ -192,10 +187,7 @@ fn unit(vector: Point) -> Point {
 mod tests {
     use super::*;
 
-    const STEEL: Material = Material {
-        youngs_modulus: 206e9,
-        shear_modulus: Some(79e9),
-    };
+    const STEEL: Material = Material { youngs_modulus: 206e9, shear_modulus: Some(79e9) };
 
     fn beam(material: Material) -> Beam {
         Beam {

@@ -79,11 +79,7 @@ pub fn greatest(objective: impl Fn(&[f64]) -> f64, from: &[f64], step: f64, most
         value if value.is_nan() => f64::NEG_INFINITY,
         value => value,
     };
-    let mut best = Best {
-        at: from.to_vec(),
-        value: value(from),
-        asked: 1,
-    };
+    let mut best = Best { at: from.to_vec(), value: value(from), asked: 1 };
     if from.is_empty() {
         return best;
     }
@@ -118,10 +114,7 @@ impl Simplex {
             let value = value(&at);
             points.push((at, value));
         }
-        Self {
-            asked: best.asked + best.at.len(),
-            points,
-        }
+        Self { asked: best.asked + best.at.len(), points }
     }
 
     fn climbed(mut self, value: &impl Fn(&[f64]) -> f64, step: f64, most: usize) -> Best {
@@ -135,11 +128,7 @@ impl Simplex {
         }
         self.points.sort_by(|a, b| b.1.total_cmp(&a.1));
         let (at, value) = self.points.swap_remove(0);
-        Best {
-            at,
-            value,
-            asked: self.asked,
-        }
+        Best { at, value, asked: self.asked }
     }
 
     /// Greatest distance of a point from the best one in one unknown.
@@ -157,11 +146,8 @@ impl Simplex {
             .collect();
         let mut asked = 0;
         let mut beyond = |part: f64| {
-            let at: Vec<f64> = middle
-                .iter()
-                .zip(&worst.0)
-                .map(|(middle, worst)| middle + part * (middle - worst))
-                .collect();
+            let at: Vec<f64> =
+                middle.iter().zip(&worst.0).map(|(middle, worst)| middle + part * (middle - worst)).collect();
             asked += 1;
             let value = value(&at);
             (at, value)
@@ -173,11 +159,7 @@ impl Simplex {
         } else if reflected.1 > self.points[unknowns - 1].1 {
             Some(reflected)
         } else {
-            let nearer = if reflected.1 > worst.1 {
-                beyond(0.5)
-            } else {
-                beyond(-0.5)
-            };
+            let nearer = if reflected.1 > worst.1 { beyond(0.5) } else { beyond(-0.5) };
             (nearer.1 > worst.1.max(reflected.1)).then_some(nearer)
         };
         self.asked += asked;
@@ -186,9 +168,7 @@ impl Simplex {
             None => {
                 let best = self.points[0].0.clone();
                 for (at, of) in &mut self.points[1..] {
-                    at.iter_mut()
-                        .zip(&best)
-                        .for_each(|(part, best)| *part = 0.5 * (*part + best));
+                    at.iter_mut().zip(&best).for_each(|(part, best)| *part = 0.5 * (*part + best));
                     *of = value(at);
                 }
                 self.asked += unknowns;

@@ -98,11 +98,7 @@ impl Crankshaft {
     /// The frame, with nodes on the axis at these places [m] of straight pieces.
     pub fn laid(&self, places: &[f64]) -> Laid {
         let mut laying = Laying {
-            laid: Laid {
-                frame: Frame::default(),
-                places: vec![0; places.len()],
-                throws: Vec::new(),
-            },
+            laid: Laid { frame: Frame::default(), places: vec![0; places.len()], throws: Vec::new() },
             material: self.material,
             z: 0.0,
         };
@@ -137,13 +133,7 @@ impl Laying {
     }
 
     fn beam(&mut self, nodes: [usize; 2], ends: [Point; 2], first_axis: Point, section: Section) {
-        self.laid.frame.beams.push(Beam {
-            nodes,
-            ends,
-            first_axis,
-            section,
-            material: self.material,
-        });
+        self.laid.frame.beams.push(Beam { nodes, ends, first_axis, section, material: self.material });
     }
 
     /// A straight piece from the last node to its end, and on `into` the web behind it.
@@ -182,16 +172,11 @@ impl Laying {
         let at = |z: f64| [throw.radius * cos, throw.radius * sin, z];
         let on_axis = |z: f64| [0.0, 0.0, z];
         let length = throw.pin.length + 2.0 * throw.web_thickness;
-        let [z_1, z_2] = [
-            self.z + 0.5 * throw.web_thickness,
-            self.z + length - 0.5 * throw.web_thickness,
-        ];
+        let [z_1, z_2] = [self.z + 0.5 * throw.web_thickness, self.z + length - 0.5 * throw.web_thickness];
         let middle = at(0.5 * (z_1 + z_2));
         let pin_section = self.material.round(throw.pin.diameter, throw.pin.bore);
         let along_pin = [1.0, 0.0, 0.0];
-        let web = throw
-            .web_width
-            .map(|width| self.material.rectangle(throw.web_thickness, width));
+        let web = throw.web_width.map(|width| self.material.rectangle(throw.web_thickness, width));
         let corner = |laying: &mut Self, z: f64| laying.node(at(z));
         let before = match web {
             Some(section) => {
@@ -210,10 +195,7 @@ impl Laying {
         if let Some((corner, section)) = behind {
             self.beam([corner, second], [at(z_2), on_axis(z_2)], [0.0, 0.0, 1.0], section);
         }
-        self.laid.throws.push(ThrowNodes {
-            pin,
-            webs: [first, second],
-        });
+        self.laid.throws.push(ThrowNodes { pin, webs: [first, second] });
         self.z += length;
     }
 }

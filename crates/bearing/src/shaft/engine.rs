@@ -46,19 +46,13 @@ impl Engine {
     /// The loads at a crank angle [rad] on the nodes of all pins and, behind them, of all webs, in the frame of the cylinders.
     pub fn loads(&self, angle: f64) -> Vec<NodeForce> {
         let throws = self.fires_at.len();
-        let pins = self
-            .fires_at
-            .iter()
-            .map(|phi| self.crank.force_on_pin(angle - phi, self.speed));
+        let pins = self.fires_at.iter().map(|phi| self.crank.force_on_pin(angle - phi, self.speed));
         let (sin, cos) = angle.sin_cos();
         let square = self.speed * self.speed;
         let webs = self.unbalances.iter().flatten();
         let pulls = webs.map(|[x, y]| [square * (cos * x - sin * y), square * (sin * x + cos * y)]);
         debug_assert_eq!(self.unbalances.len(), throws);
-        (0..)
-            .zip(pins.chain(pulls))
-            .map(|(place, force)| NodeForce { place, force })
-            .collect()
+        (0..).zip(pins.chain(pulls)).map(|(place, force)| NodeForce { place, force }).collect()
     }
 
     /// The load of each main bearing at these axial places [m], growing, where the shaft is cut at them; `throws` are the places of the first web, the pin and
@@ -108,19 +102,11 @@ mod tests {
     fn engine(fires_at: Vec<f64>) -> Engine {
         Engine {
             crank: Crank {
-                linkage: Linkage {
-                    radius: 0.0625,
-                    rod_length: 0.23,
-                },
+                linkage: Linkage { radius: 0.0625, rod_length: 0.23 },
                 reciprocating_mass: 3.43,
                 rotating_mass: 2.025,
                 bore: 0.125,
-                gas: GasPressure::Curve(PressureCurve {
-                    peak: 8e6,
-                    angle: 0.2,
-                    sharpness: 14.0,
-                    period: 2.0 * TAU,
-                }),
+                gas: GasPressure::Curve(PressureCurve { peak: 8e6, angle: 0.2, sharpness: 14.0, period: 2.0 * TAU }),
             },
             unbalances: vec![[[0.0; 2]; WEBS]; fires_at.len()],
             fires_at,
@@ -134,10 +120,7 @@ mod tests {
         engine.unbalances[1] = [[0.02, 0.01], [-0.03, 0.0]];
         let mains = [0.0, 0.1, 0.2, 0.3, 0.4];
         let throws: Vec<[f64; 3]> = [0.05, 0.15, 0.25, 0.35].map(|z| [z - 0.02, z, z + 0.02]).to_vec();
-        let places = throws
-            .iter()
-            .map(|place| place[1])
-            .chain(throws.iter().flat_map(|place| [place[0], place[2]]));
+        let places = throws.iter().map(|place| place[1]).chain(throws.iter().flat_map(|place| [place[0], place[2]]));
         let places: Vec<f64> = places.collect();
         let cycles = engine.on_mains(&mains, &throws);
         for k in 0..50 {

@@ -121,11 +121,7 @@ impl Films<'_> {
 
     fn scale(&self, asked: &[Vector]) -> f64 {
         match magnitude(asked) {
-            0.0 => self
-                .films
-                .iter()
-                .map(|film| film.motion().peak_load())
-                .fold(f64::MIN_POSITIVE, f64::max),
+            0.0 => self.films.iter().map(|film| film.motion().peak_load()).fold(f64::MIN_POSITIVE, f64::max),
             load => load,
         }
     }
@@ -150,28 +146,16 @@ impl Films<'_> {
         near: Option<&[Instant]>,
         films: &mut usize,
     ) -> Result<Staged, NoStage> {
-        let accuracy = Accuracy {
-            balanced: BALANCED[0],
-            settled: Some(BALANCED[1]),
-            scale: self.scale(&known.asked),
-            steep: 0.0,
-        };
+        let accuracy =
+            Accuracy { balanced: BALANCED[0], settled: Some(BALANCED[1]), scale: self.scale(&known.asked), steep: 0.0 };
         self.stage(&known, start, near, accuracy, films)
     }
 
     /// The balance, by sinking from the middle.
     fn sunk(&self, asked: &[Vector], angle: f64, deadline: Deadline, films: &mut usize) -> Result<Balance, NoBalance> {
-        let speed = self
-            .films
-            .iter()
-            .map(|film| film.problem.journal.speed.abs())
-            .fold(f64::MIN_POSITIVE, f64::max);
-        let accuracy = Accuracy {
-            balanced: ROUGHLY[0],
-            settled: Some(ROUGHLY[1]),
-            scale: self.scale(asked),
-            steep: 0.0,
-        };
+        let speed = self.films.iter().map(|film| film.problem.journal.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let accuracy =
+            Accuracy { balanced: ROUGHLY[0], settled: Some(ROUGHLY[1]), scale: self.scale(asked), steep: 0.0 };
         let mut at = self.first_places(asked);
         let mut here: Option<Vec<Instant>> = None;
         let mut dt = FIRST;
@@ -180,11 +164,7 @@ impl Films<'_> {
             if deadline.is_over() {
                 return Err(NoBalance::Ended);
             }
-            let known = Known {
-                per_time: speed / dt,
-                offset: at.clone(),
-                ..self.known(asked, angle, 0.0)
-            };
+            let known = Known { per_time: speed / dt, offset: at.clone(), ..self.known(asked, angle, 0.0) };
             match self.stage(&known, at.clone(), here.as_deref(), accuracy, films) {
                 Ok(found) => {
                     at = places(&found.instants);
@@ -223,9 +203,5 @@ fn places(instants: &[Instant]) -> Vec<Vector> {
 }
 
 fn of(found: Staged, films: usize) -> Balance {
-    Balance {
-        instants: found.instants,
-        residual: found.residual,
-        films,
-    }
+    Balance { instants: found.instants, residual: found.residual, films }
 }

@@ -83,11 +83,7 @@ impl<'a> Film<'a> {
         let [stiffness, of_tilt] = support;
         let (offset, tilt) = (1.0 / stiffness, coordinates.arm.powi(2) / of_tilt);
         let speed = problem.journal.speed;
-        let duty = Duty {
-            force: [0.0; 2],
-            moment: [0.0; 2],
-            speed,
-        };
+        let duty = Duty { force: [0.0; 2], moment: [0.0; 2], speed };
         let compliance = match coordinates.order {
             2 => [offset, offset, 0.0, 0.0],
             _ => [offset, offset, tilt, tilt],
@@ -107,12 +103,7 @@ impl<'a> Film<'a> {
     fn coarser(&self) -> Option<Self> {
         let coarser = self.system.coarser.as_ref()?;
         let problem = coarser.problem(&self.problem);
-        Some(Self {
-            gap: Gap::of(&problem, &coarser.system),
-            problem,
-            system: &coarser.system,
-            ..self.clone()
-        })
+        Some(Self { gap: Gap::of(&problem, &coarser.system), problem, system: &coarser.system, ..self.clone() })
     }
 
     /// Its equation of motion, under no load.
@@ -122,10 +113,7 @@ impl<'a> Film<'a> {
             system: self.system,
             gap: self.gap.clone(),
             cycle: &self.turning,
-            support: (self.coordinates.order == 4).then_some(TiltSupport {
-                stiffness: 0.0,
-                slope: [0.0; 2],
-            }),
+            support: (self.coordinates.order == 4).then_some(TiltSupport { stiffness: 0.0, slope: [0.0; 2] }),
             mass: 0.0,
         }
     }
@@ -145,10 +133,7 @@ impl<'a> Films<'a> {
     /// The shaft on films of the next coarser meshes, where all have one.
     pub fn coarser(&self) -> Option<Self> {
         let films: Option<Vec<_>> = self.films.iter().map(Film::coarser).collect();
-        Some(Self {
-            shaft: self.shaft,
-            films: films?,
-        })
+        Some(Self { shaft: self.shaft, films: films? })
     }
 }
 
@@ -159,11 +144,7 @@ impl Films<'_> {
     /// [`NoFilmAt`]: a journal has none.
     pub fn solved(&self, time: f64, train: &Train, near: Option<&[Instant]>) -> Result<Vec<Instant>, NoFilmAt> {
         let solve = |(bearing, film): (usize, &Film)| {
-            let moving = Moving {
-                time,
-                at: train.at[bearing],
-                velocity: train.velocity[bearing],
-            };
+            let moving = Moving { time, at: train.at[bearing], velocity: train.velocity[bearing] };
             let near = near.map_or(Neighbour::None, |near| Neighbour::Start(&near[bearing].film));
             film.motion()
                 .film(moving, crate::orbit::Held::default(), near)
@@ -183,9 +164,7 @@ impl Films<'_> {
         let by_shaft = self.shaft.forces(&displaced, angle);
         let films = instants.iter().zip(&self.films);
         let forces = films.map(|(here, film)| film.carried(here)).zip(by_shaft).zip(asked);
-        forces
-            .map(|((carried, shaft), asked)| [0, 1, 2, 3].map(|k| shaft[k] + carried[k] - asked[k]))
-            .collect()
+        forces.map(|((carried, shaft), asked)| [0, 1, 2, 3].map(|k| shaft[k] + carried[k] - asked[k])).collect()
     }
 
     /// How the force of each film changes where its offset changes by `per_offset` and the rate of that by `per_rate` [1/s].
@@ -210,9 +189,7 @@ impl Films<'_> {
             displaced[bearing] = [0, 1, 2, 3].map(|k| self.films[bearing].compliance[k] * by_film[k]);
             let mut forces = self.shaft.forces(&displaced, angle);
             forces[bearing] = moved(forces[bearing], 1.0, by_film);
-            (0..)
-                .zip(self.shaft.gathered(&forces))
-                .for_each(|(row, force)| tangent.add(row, column, force));
+            (0..).zip(self.shaft.gathered(&forces)).for_each(|(row, force)| tangent.add(row, column, force));
         }
         tangent
     }
@@ -241,22 +218,14 @@ impl Films<'_> {
 
     /// The bearing whose journal is nearest to its shell, and its least gap over the clearance.
     pub fn thinnest(&self, at: &[Vector]) -> (usize, f64) {
-        let gaps = self
-            .films
-            .iter()
-            .zip(at)
-            .map(|(film, at)| film.least_gap(*at) / film.problem.bearing.clearance);
-        (0..)
-            .zip(gaps)
-            .fold((0, f64::INFINITY), |best, it| if it.1 < best.1 { it } else { best })
+        let gaps = self.films.iter().zip(at).map(|(film, at)| film.least_gap(*at) / film.problem.bearing.clearance);
+        (0..).zip(gaps).fold((0, f64::INFINITY), |best, it| if it.1 < best.1 { it } else { best })
     }
 
     /// The greatest change over the least gap of its journal.
     pub(super) fn change(&self, at: &[Vector], way: &[Vector]) -> f64 {
         let journals = self.films.iter().zip(at.iter().zip(way));
-        journals
-            .map(|(film, (at, way))| length(*way) / film.least_gap(*at))
-            .fold(0.0, f64::max)
+        journals.map(|(film, (at, way))| length(*way) / film.least_gap(*at)).fold(0.0, f64::max)
     }
 }
 

@@ -123,9 +123,7 @@ impl Frame {
             stiffness: without_rigid(&scaled, &rigid),
             rows,
             journals: places.len(),
-            transfers: (loaded.iter())
-                .map(|&node| [0, 1].map(|towards| transfer(node, towards)))
-                .collect(),
+            transfers: (loaded.iter()).map(|&node| [0, 1].map(|towards| transfer(node, towards))).collect(),
         })
     }
 
@@ -164,11 +162,7 @@ impl Retained {
             number: OF_NODE * place.node + part,
             factor,
         };
-        (0..)
-            .zip(of_coordinates)
-            .take(place.coordinates.order)
-            .map(retained)
-            .collect()
+        (0..).zip(of_coordinates).take(place.coordinates.order).map(retained).collect()
     }
 }
 
@@ -251,9 +245,7 @@ fn without_rigid(stiffness: &Matrix, rigid: &[Rigid]) -> Matrix {
         let mut unit = vec![0.0; n];
         unit[column] = 1.0;
         let forces = project(stiffness.times(&project(unit)));
-        (0..)
-            .zip(forces)
-            .for_each(|(row, force)| projected.add(row, column, force));
+        (0..).zip(forces).for_each(|(row, force)| projected.add(row, column, force));
     }
     projected
 }
@@ -323,9 +315,7 @@ impl Shaft {
             let mut unit = vec![[0.0; 4]; self.journals];
             unit[journal][coordinate] = 1.0;
             let forces = self.gathered(&self.forces(&unit, angle));
-            (0..)
-                .zip(forces)
-                .for_each(|(row, force)| stiffness.add(row, column, force));
+            (0..).zip(forces).for_each(|(row, force)| stiffness.add(row, column, force));
         }
         stiffness
     }
@@ -346,9 +336,7 @@ impl Shaft {
 
     /// The entries of the unknowns.
     pub fn gathered(&self, vectors: &[Vector]) -> Vec<f64> {
-        (self.rows.iter())
-            .map(|&(journal, coordinate)| vectors[journal][coordinate])
-            .collect()
+        (self.rows.iter()).map(|&(journal, coordinate)| vectors[journal][coordinate]).collect()
     }
 
     /// The vectors of the journals, zero in coordinates that are not free.
@@ -365,12 +353,7 @@ impl Shaft {
 fn turned(vectors: &[Vector], angle: f64) -> Vec<Vector> {
     let (sin, cos) = angle.sin_cos();
     let turn = |[x, y, z_x, z_y]: &Vector| {
-        [
-            cos * x - sin * y,
-            sin * x + cos * y,
-            cos * z_x - sin * z_y,
-            sin * z_x + cos * z_y,
-        ]
+        [cos * x - sin * y, sin * x + cos * y, cos * z_x - sin * z_y, sin * z_x + cos * z_y]
     };
     vectors.iter().map(turn).collect()
 }

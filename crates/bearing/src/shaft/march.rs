@@ -75,9 +75,7 @@ impl Drive<'_> {
     /// How exactly the stages before the last one of a step are solved, and the last one.
     fn accuracy(&self, tolerance: f64) -> [Accuracy; 2] {
         let angle = |k: u32| self.period * f64::from(k) / f64::from(SAMPLES);
-        let peak = (0..SAMPLES)
-            .map(|k| magnitude(&(self.loads)(angle(k))))
-            .fold(f64::MIN_POSITIVE, f64::max);
+        let peak = (0..SAMPLES).map(|k| magnitude(&(self.loads)(angle(k)))).fold(f64::MIN_POSITIVE, f64::max);
         [(INNER * tolerance).max(BALANCED), BALANCED].map(|balanced| Accuracy {
             balanced,
             settled: None,
@@ -102,14 +100,8 @@ impl Drive<'_> {
             let begin = here.at();
             let Some((steps, mut cycle)) = self.cycle(&mut here, number, accuracy, &last, options)? else {
                 return match number {
-                    1 => Err(NoShaftOrbit::Ended {
-                        angle: (self.speed * here.time).to_degrees(),
-                    }),
-                    _ => Ok(ShaftOrbit {
-                        steps: last,
-                        cycles,
-                        end: OrbitEnd::Ended,
-                    }),
+                    1 => Err(NoShaftOrbit::Ended { angle: (self.speed * here.time).to_degrees() }),
+                    _ => Ok(ShaftOrbit { steps: last, cycles, end: OrbitEnd::Ended }),
                 };
             };
             cycle.films += std::mem::take(&mut films);
@@ -117,20 +109,12 @@ impl Drive<'_> {
             cycles.push(cycle);
             last = steps;
             if cycle.closure < options.closure {
-                return Ok(ShaftOrbit {
-                    steps: last,
-                    cycles,
-                    end: OrbitEnd::Closed,
-                });
+                return Ok(ShaftOrbit { steps: last, cycles, end: OrbitEnd::Closed });
             }
             here.time = 0.0;
             here.before = None;
         }
-        Ok(ShaftOrbit {
-            steps: last,
-            cycles,
-            end: OrbitEnd::NotClosed,
-        })
+        Ok(ShaftOrbit { steps: last, cycles, end: OrbitEnd::NotClosed })
     }
 
     /// The greater error of a step of this length [s] and of its path, over the tolerance, and the length of the next step [s].
@@ -138,10 +122,7 @@ impl Drive<'_> {
         let [at, off] = &made.within;
         let of_step = self.films.change(&made.end.at(), &made.error) / tolerance;
         let of_path = self.films.change(at, off) / (PATH * tolerance);
-        let by_path = Pace {
-            error_power: PATH_POWER,
-            ..pace
-        };
+        let by_path = Pace { error_power: PATH_POWER, ..pace };
         let next = pace.next(taken, of_step).min(by_path.next(taken, of_path));
         (of_step.max(of_path), next)
     }
@@ -150,9 +131,7 @@ impl Drive<'_> {
     fn apart(&self, from: &[Vector], to: &[Vector]) -> f64 {
         let ways = all_moved(to, -1.0, from);
         let films = self.films.films.iter().zip(ways);
-        films
-            .map(|(film, way)| magnitude(&[way]) / film.problem.bearing.clearance)
-            .fold(0.0, f64::max)
+        films.map(|(film, way)| magnitude(&[way]) / film.problem.bearing.clearance).fold(0.0, f64::max)
     }
 
     /// One cycle, by the steps of the last one where they suit; `None` where the deadline came.
@@ -165,16 +144,8 @@ impl Drive<'_> {
         options: &MarchOptions,
     ) -> Result<Option<(Vec<ShaftStep>, ShaftCycle)>, NoShaftOrbit> {
         let period = self.duration();
-        let pace = Pace {
-            period,
-            error_power: SCHEME.error_power,
-        };
-        let mut cycle = ShaftCycle {
-            closure: 0.0,
-            steps: 0,
-            rejected: 0,
-            films: 0,
-        };
+        let pace = Pace { period, error_power: SCHEME.error_power };
+        let mut cycle = ShaftCycle { closure: 0.0, steps: 0, rejected: 0, films: 0 };
         let none = vec![[0.0; 4]; here.instants.len()];
         let mut steps = vec![here.recorded(none)];
         let mut dt = pace.first(1.0, self.films.change(&here.at(), &here.velocity()));

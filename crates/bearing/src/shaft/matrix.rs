@@ -101,10 +101,6 @@ mod tests {
 
     #[test]
     fn a_singular_matrix_has_no_factors() {
-        assert!(
-            matrix(&[[1.0, 2.0, 0.0], [2.0, 4.0, 0.0], [0.0, 0.0, 1.0]])
-                .factors()
-                .is_none()
-        );
+        assert!(matrix(&[[1.0, 2.0, 0.0], [2.0, 4.0, 0.0], [0.0, 0.0, 1.0]]).factors().is_none());
     }
 }

@@ -66,12 +66,7 @@ impl Drive<'_> {
     pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, at: &[Vector]) -> NoShaftOrbit {
         let angle = (self.speed * time).to_degrees();
         match reason {
-            NoStage::Film(at) => NoShaftOrbit::Film {
-                angle,
-                cycle,
-                bearing: at.bearing,
-                reason: at.reason,
-            },
+            NoStage::Film(at) => NoShaftOrbit::Film { angle, cycle, bearing: at.bearing, reason: at.reason },
             NoStage::Diverged(..) => self.stuck((angle, cycle), at),
         }
     }
@@ -80,22 +75,10 @@ impl Drive<'_> {
     fn stuck(&self, (angle, cycle): (f64, usize), at: &[Vector]) -> NoShaftOrbit {
         let (bearing, gap) = self.films.thinnest(at);
         if gap >= 1.0 - GREATEST_ECCENTRICITY {
-            return NoShaftOrbit::Stuck {
-                angle,
-                cycle,
-                bearing,
-                gap,
-            };
+            return NoShaftOrbit::Stuck { angle, cycle, bearing, gap };
         }
         let clearance = self.films.films[bearing].problem.bearing.clearance;
         let [x, y, z_x, z_y] = at[bearing].map(|part| part / clearance);
-        NoShaftOrbit::SqueezedOut {
-            angle,
-            cycle,
-            bearing,
-            gap,
-            eccentricity: x.hypot(y),
-            tilt: z_x.hypot(z_y),
-        }
+        NoShaftOrbit::SqueezedOut { angle, cycle, bearing, gap, eccentricity: x.hypot(y), tilt: z_x.hypot(z_y) }
     }
 }

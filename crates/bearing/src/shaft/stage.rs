@@ -76,10 +76,7 @@ impl Known {
     fn train(&self, at: Vec<Vector>) -> Train {
         let velocity = all_moved(&at, -1.0, &self.offset);
         let rate = |way: Vector| way.map(|part| part * self.per_time);
-        Train {
-            velocity: velocity.into_iter().map(rate).collect(),
-            at,
-        }
+        Train { velocity: velocity.into_iter().map(rate).collect(), at }
     }
 }
 
@@ -151,11 +148,7 @@ impl Films<'_> {
     ) -> Result<Iterate, NoFilmAt> {
         *films += self.films.len();
         let instants = self.solved(known.time, &known.train(at), near)?;
-        Ok(Iterate {
-            residual: self.residual(&instants, &known.asked, known.angle),
-            instants,
-            slopes: None,
-        })
+        Ok(Iterate { residual: self.residual(&instants, &known.asked, known.angle), instants, slopes: None })
     }
 
     /// The change of all places by which the balance would be met; `None` where the tangent is singular.
@@ -196,11 +189,7 @@ impl Iterate {
     }
 
     fn staged(self, residual: f64) -> Staged {
-        Staged {
-            instants: self.instants,
-            residual,
-            slopes: self.slopes,
-        }
+        Staged { instants: self.instants, residual, slopes: self.slopes }
     }
 }
 

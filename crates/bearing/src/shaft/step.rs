@@ -70,10 +70,7 @@ impl Here {
     pub(super) fn recorded(&self, error: Vec<Vector>) -> ShaftStep {
         ShaftStep {
             time: self.time,
-            train: Train {
-                at: self.at(),
-                velocity: self.velocity(),
-            },
+            train: Train { at: self.at(), velocity: self.velocity() },
             carried: self.instants.iter().map(|here| here.excess).collect(),
             error,
             residual: self.residual,
@@ -96,15 +93,7 @@ struct Stages {
 impl Drive<'_> {
     pub(super) fn known(&self, time: f64, per_time: f64, offset: Vec<Vector>) -> Known {
         let angle = self.speed * time;
-        Known {
-            time,
-            angle,
-            per_time,
-            offset,
-            asked: (self.loads)(angle),
-            shift: 0.0,
-            slopes: None,
-        }
+        Known { time, angle, per_time, offset, asked: (self.loads)(angle), shift: 0.0, slopes: None }
     }
 
     /// A step of the length `dt` [s]; the last stage is solved to the second accuracy, those before to the first one.
@@ -129,10 +118,7 @@ impl Drive<'_> {
         for stage in 1..SCHEME.stages() {
             let time = from.time + dt * SCHEME.nodes[stage];
             let offset = combined(&start, dt, &SCHEME.coefficients[stage][..stage], &stages.rates);
-            let known = Known {
-                slopes: slopes.take(),
-                ..self.known(time, per_time, offset)
-            };
+            let known = Known { slopes: slopes.take(), ..self.known(time, per_time, offset) };
             let near = stages.latest.as_ref().map_or(&from.instants, |latest| &latest.instants);
             let begin = self.begin(near, &stages.guess(&start, time - from.time, time));
             let accuracy = if stage + 1 == SCHEME.stages() { last } else { inner };
@@ -158,21 +144,14 @@ impl Drive<'_> {
         };
         let path = paths((&from.instants, from.time), (&end.instants, from.time + dt));
         let passed: Vec<Vector> = path.iter().map(|path| path.at(time)).collect();
-        let slopes = [
-            self.films.slopes(&end.instants, (1.0, 0.0))?,
-            self.films.slopes(&end.instants, (0.0, 1.0))?,
-        ];
+        let slopes = [self.films.slopes(&end.instants, (1.0, 0.0))?, self.films.slopes(&end.instants, (0.0, 1.0))?];
         let none = vec![[0.0; 4]; at.len()];
         let error = combined(&none, dt, &SCHEME.error_weights(), &stages.rates);
         let angle = self.speed * (from.time + dt);
         Ok(Made {
             error: self.damped(&slopes, &error, dt, angle),
             within: [at.clone(), all_moved(&passed, -1.0, &at)],
-            end: Here {
-                before: stages.way,
-                slopes: Some(slopes),
-                ..of_stage(end, from.time + dt)
-            },
+            end: Here { before: stages.way, slopes: Some(slopes), ..of_stage(end, from.time + dt) },
         })
     }
 
@@ -198,8 +177,7 @@ impl Stages {
 
     fn add(&mut self, from: &Here, found: Staged, time: f64) {
         self.first.get_or_insert_with(|| (time, places(&found.instants)));
-        self.rates
-            .push(found.instants.iter().map(|here| here.velocity).collect());
+        self.rates.push(found.instants.iter().map(|here| here.velocity).collect());
         if time > self.farthest {
             self.way = Some(paths((&from.instants, from.time), (&found.instants, time)));
             self.farthest = time;
@@ -218,25 +196,13 @@ fn sum(a: &[Stiffness], factor: f64, b: &[Stiffness]) -> Vec<Stiffness> {
 }
 
 pub(super) fn of_stage(staged: Staged, time: f64) -> Here {
-    Here {
-        instants: staged.instants,
-        time,
-        residual: staged.residual,
-        before: None,
-        slopes: None,
-    }
+    Here { instants: staged.instants, time, residual: staged.residual, before: None, slopes: None }
 }
 
 /// The paths of journals from one time to another.
 fn paths(from: (&[Instant], f64), to: (&[Instant], f64)) -> Vec<Span> {
     let pairs = from.0.iter().zip(to.0);
-    pairs
-        .map(|(a, b)| Span {
-            times: [from.1, to.1],
-            places: [a.at, b.at],
-            rates: [a.velocity, b.velocity],
-        })
-        .collect()
+    pairs.map(|(a, b)| Span { times: [from.1, to.1], places: [a.at, b.at], rates: [a.velocity, b.velocity] }).collect()
 }
 
 /// `first + dt sum_j weight_j rate_j`.

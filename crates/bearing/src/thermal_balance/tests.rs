@@ -1,19 +1,11 @@
 use super::*;
 
-const OIL: ThermalBalance = ThermalBalance {
-    inlet: 348.15,
-    heat_capacity: 1.8e6,
-    housing: None,
-};
+const OIL: ThermalBalance = ThermalBalance { inlet: 348.15, heat_capacity: 1.8e6, housing: None };
 
 /// Friction that falls, and a flow that grows with temperature.
 fn film(temperature: f64) -> ThermalFlows {
     let thinner = (-0.03 * (temperature - 348.15)).exp();
-    ThermalFlows {
-        power: 500.0 * thinner,
-        flow: 1e-5 + 2e-6 / thinner,
-        carried_over: 0.0,
-    }
+    ThermalFlows { power: 500.0 * thinner, flow: 1e-5 + 2e-6 / thinner, carried_over: 0.0 }
 }
 
 fn found(balance: &ThermalBalance, start: f64, film: impl Fn(f64) -> ThermalFlows) -> Balanced {
@@ -32,42 +24,26 @@ fn the_slope_saves_films() {
     assert!(by(near, Some(slope)).films <= 3 && by(near, Some(slope)).films < by(near, None).films);
     for wrong in [0.01 * slope, 100.0 * slope, -slope, 0.0, f64::NAN] {
         let other = by(near, Some(wrong));
-        assert!(
-            (other.temperature - root.temperature).abs() < 1e-4,
-            "{wrong}: {other:?}"
-        );
+        assert!((other.temperature - root.temperature).abs() < 1e-4, "{wrong}: {other:?}");
     }
 }
 
 #[test]
 fn the_root_is_found_from_any_start() {
-    let housing = |conductance, ambient| ThermalBalance {
-        housing: Some(Housing { conductance, ambient }),
-        ..OIL
-    };
+    let housing = |conductance, ambient| ThermalBalance { housing: Some(Housing { conductance, ambient }), ..OIL };
     for balance in [OIL, housing(5.0, 313.15), housing(500.0, 250.0), housing(3.0, 400.0)] {
         let reference = found(&balance, balance.inlet, film);
         for start in [0.0, 250.0, 300.0, 348.15, 349.0, 355.0, 400.0, 598.0, 1e9] {
             let other = found(&balance, start, film);
-            assert!(
-                (other.temperature - reference.temperature).abs() < 1e-8,
-                "{balance:?} {start}"
-            );
-            assert!(
-                other.surplus.abs() < 1e-9 * other.film.power && other.films < 40,
-                "{other:?}"
-            );
+            assert!((other.temperature - reference.temperature).abs() < 1e-8, "{balance:?} {start}");
+            assert!(other.surplus.abs() < 1e-9 * other.film.power && other.films < 40, "{other:?}");
             let heat = balance.carried(other.temperature, &other.film) + balance.given_off(other.temperature);
             assert!((heat / other.film.power - 1.0).abs() < 1e-6);
         }
         let left = |t: f64| balance.surplus(t, &film(t));
         let t = reference.temperature;
         let slope = (left(t + 1e-3) - left(t - 1e-3)) / 2e-3;
-        assert!(
-            (reference.slope / slope - 1.0).abs() < 0.05,
-            "{} {slope}",
-            reference.slope
-        );
+        assert!((reference.slope / slope - 1.0).abs() < 0.05, "{} {slope}", reference.slope);
     }
 }
 
@@ -75,11 +51,7 @@ fn the_root_is_found_from_any_start() {
 #[test]
 fn cliffs_are_bisected() {
     for cliff in [349.0, 360.0, 500.0, 590.0] {
-        let film = |t: f64| ThermalFlows {
-            power: if t < cliff { 1e5 } else { 1e-3 },
-            flow: 1e-6,
-            carried_over: 0.0,
-        };
+        let film = |t: f64| ThermalFlows { power: if t < cliff { 1e5 } else { 1e-3 }, flow: 1e-6, carried_over: 0.0 };
         let found = found(&OIL, 348.15, film);
         assert!((found.temperature - cliff).abs() < 1e-9, "{found:?}");
         assert!(found.films <= MOST_FILMS);
@@ -89,10 +61,7 @@ fn cliffs_are_bisected() {
 /// Fresh oil q_1 and hot oil q_0 mix to the oil that enters, and what is heated is both.
 #[test]
 fn carried_over_oil_balances() {
-    let film = |t: f64| ThermalFlows {
-        carried_over: 0.7,
-        ..film(t)
-    };
+    let film = |t: f64| ThermalFlows { carried_over: 0.7, ..film(t) };
     let found = found(&OIL, 348.15, film);
     let [inlet, outlet] = OIL.ends(found.temperature, 0.7);
     assert!((inlet - (OIL.inlet + 0.7 * (outlet - inlet))).abs() < 1e-9);
@@ -117,9 +86,7 @@ fn what_has_no_balance_is_told() {
     let torn = |t: f64| if t < 350.0 { Ok(film(t)) } else { Err("torn") };
     for start in [348.15, 500.0] {
         match find(&OIL, Start::at(start), 1e-9, torn) {
-            Err(NoBalance::Ends {
-                temperature, reason, ..
-            }) => {
+            Err(NoBalance::Ends { temperature, reason, .. }) => {
                 assert!(reason == "torn" && (350.0 - temperature) < EDGE && temperature < 350.0);
             }
             other => panic!("{other:?}"),

@@ -49,17 +49,9 @@ pub struct Domain {
 }
 
 /// Where crankshaft bearings work.
-pub const CORE: Domain = Domain {
-    eccentricity: [0.8, 0.96],
-    slenderness: [0.25, 0.75],
-    allowed: 0.1,
-};
+pub const CORE: Domain = Domain { eccentricity: [0.8, 0.96], slenderness: [0.25, 0.75], allowed: 0.1 };
 /// Everywhere.
-pub const WIDE: Domain = Domain {
-    eccentricity: [0.5, 0.99],
-    slenderness: [0.125, 1.3],
-    allowed: 0.3,
-};
+pub const WIDE: Domain = Domain { eccentricity: [0.5, 0.99], slenderness: [0.125, 1.3], allowed: 0.3 };
 
 /// One characteristic of a parallel journal.
 struct Fitted {
@@ -83,12 +75,7 @@ const SEVEN: [Fitted; 7] = [
 ];
 
 const fn fitted(name: &'static str, power: i32, part: PartMotion, number: usize) -> Fitted {
-    Fitted {
-        name,
-        power,
-        part,
-        number,
-    }
+    Fitted { name, power, part, number }
 }
 
 /// The fit over a grid of straight bearings.
@@ -185,11 +172,7 @@ pub fn fit(scene: &Scene, options: &RunOptions, progress: &(dyn Fn(usize, usize)
 
 /// The formula fitted to a grid of films: a row for each characteristic.
 pub fn fitted_rows(grid: &[GridPoint]) -> Vec<FitRow> {
-    SEVEN
-        .iter()
-        .enumerate()
-        .filter_map(|(k, it)| row(it, k, grid))
-        .collect()
+    SEVEN.iter().enumerate().filter_map(|(k, it)| row(it, k, grid)).collect()
 }
 
 /// The characteristics of a parallel journal at this eccentricity and B/D, in a full ring with the bore, the clearance and the oil of a scene;
@@ -235,14 +218,8 @@ fn plain(scene: &Scene, eccentricity: f64, slenderness: f64) -> Scene {
     (plain.load_at, plain.load_moment, plain.support, plain.cap) = (None, None, None, None);
     plain.ends.pressure = 0.0;
     plain.feeds.clear();
-    plain.cavitation = Some(Cavitation {
-        model: CavitationModel::Reynolds,
-        pressure: 0.0,
-    });
-    plain.journal.position = Position::Given {
-        eccentricity,
-        min_film_angle: 0.0,
-    };
+    plain.cavitation = Some(Cavitation { model: CavitationModel::Reynolds, pressure: 0.0 });
+    plain.journal.position = Position::Given { eccentricity, min_film_angle: 0.0 };
     plain.journal.tilt = Some([0.0; 2]);
     plain
 }
@@ -261,11 +238,7 @@ fn row(it: &Fitted, k: usize, grid: &[GridPoint]) -> Option<FitRow> {
     let sign = grid.first()?.values[k].signum();
     let data: Vec<f64> = grid.iter().map(|point| point.values[k].abs().ln()).collect();
     let allowed_at = |point: &GridPoint| {
-        if CORE.contains(point) {
-            CORE.allowed
-        } else {
-            WIDE.allowed
-        }
+        if CORE.contains(point) { CORE.allowed } else { WIDE.allowed }
     };
     let allowed: Vec<f64> = grid.iter().map(allowed_at).collect();
     let model = |at: [f64; PARAMETERS]| {

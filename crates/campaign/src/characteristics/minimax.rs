@@ -23,9 +23,7 @@ pub(super) fn minimax(
     allowed: &[f64],
     starts: &[[f64; PARAMETERS]],
 ) -> Option<([f64; PARAMETERS], f64)> {
-    let fits = starts
-        .iter()
-        .filter_map(|&start| from(model, logarithms, allowed, start));
+    let fits = starts.iter().filter_map(|&start| from(model, logarithms, allowed, start));
     fits.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
@@ -42,10 +40,7 @@ fn from(model: Model<'_>, data: &[f64], allowed: &[f64], start: [f64; PARAMETERS
             best = Some((at, worst));
         }
         let scale = worst.max(f64::MIN_POSITIVE);
-        weights
-            .iter_mut()
-            .zip(&now)
-            .for_each(|(weight, error)| *weight *= error / scale + KEPT);
+        weights.iter_mut().zip(&now).for_each(|(weight, error)| *weight *= error / scale + KEPT);
         let mean = weights.iter().sum::<f64>() / weights.len() as f64;
         weights.iter_mut().for_each(|weight| *weight /= mean);
     }
@@ -55,9 +50,7 @@ fn from(model: Model<'_>, data: &[f64], allowed: &[f64], start: [f64; PARAMETERS
 /// Relative errors over those allowed.
 pub(super) fn errors(model: &[f64], data: &[f64], allowed: &[f64]) -> Vec<f64> {
     let pairs = model.iter().zip(data).zip(allowed);
-    pairs
-        .map(|((model, data), allowed)| ((model - data).exp() - 1.0) / allowed)
-        .collect()
+    pairs.map(|((model, data), allowed)| ((model - data).exp() - 1.0) / allowed).collect()
 }
 
 /// Parameters with the least weighted sum of squares, by Levenberg's damping.
@@ -74,14 +67,8 @@ fn least_squares(
         let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
         let mut right = [0.0; PARAMETERS];
         for i in 0..PARAMETERS {
-            let with = |other: &[f64]| {
-                columns[i]
-                    .iter()
-                    .zip(other)
-                    .zip(weights)
-                    .map(|((a, b), w)| w * a * b)
-                    .sum::<f64>()
-            };
+            let with =
+                |other: &[f64]| columns[i].iter().zip(other).zip(weights).map(|((a, b), w)| w * a * b).sum::<f64>();
             right[i] = -with(&now);
             for j in 0..PARAMETERS {
                 matrix[i][j] = with(&columns[j]);
@@ -117,12 +104,7 @@ fn slopes(errors: &dyn Fn([f64; PARAMETERS]) -> Option<Vec<f64>>, at: [f64; PARA
             errors(beside)
         };
         let (low, high) = (beside(-1.0)?, beside(1.0)?);
-        Some(
-            low.iter()
-                .zip(high)
-                .map(|(low, high)| (high - low) / (2.0 * step))
-                .collect(),
-        )
+        Some(low.iter().zip(high).map(|(low, high)| (high - low) / (2.0 * step)).collect())
     };
     (0..PARAMETERS).map(column).collect()
 }
@@ -155,15 +137,11 @@ mod tests {
     /// Of `e^x` over [0, 1] the quartic with the least greatest relative error is off by about 2^-9/(5! 2^4), as Chebyshev's polynomial says.
     #[test]
     fn a_polynomial_levels_its_errors() {
-        let points: Vec<f64> = (0..=60)
-            .map(|k| 0.5 - 0.5 * (std::f64::consts::PI * f64::from(k) / 60.0).cos())
-            .collect();
+        let points: Vec<f64> =
+            (0..=60).map(|k| 0.5 - 0.5 * (std::f64::consts::PI * f64::from(k) / 60.0).cos()).collect();
         let model = |q: [f64; PARAMETERS]| {
             let value = |x: f64| q.iter().rev().fold(0.0, |sum, q| sum * x + q);
-            points
-                .iter()
-                .map(|&x| Some(value(x)).filter(|v| *v > 0.0).map(f64::ln))
-                .collect::<Option<Vec<f64>>>()
+            points.iter().map(|&x| Some(value(x)).filter(|v| *v > 0.0).map(f64::ln)).collect::<Option<Vec<f64>>>()
         };
         let (_, worst) =
             minimax(&model, &points, &vec![1.0; points.len()], &[[1.0, 1.0, 0.5, 0.0, 0.0]]).expect("a fit");

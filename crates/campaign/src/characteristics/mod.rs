@@ -68,10 +68,8 @@ fn at_position(scene: &Scene, found: &RunResult) -> Option<Scene> {
     let value = |row| found.quantity(row).map(|it| it.value);
     let tilt = value(&TILT_X).zip(value(&TILT_Y)).map(|(x, y)| [x, y]);
     let mut placed = scene.clone();
-    placed.journal.position = Position::Given {
-        eccentricity: value(&ECCENTRICITY)?,
-        min_film_angle: value(&MIN_FILM_ANGLE)?.to_radians(),
-    };
+    placed.journal.position =
+        Position::Given { eccentricity: value(&ECCENTRICITY)?, min_film_angle: value(&MIN_FILM_ANGLE)?.to_radians() };
     placed.journal.tilt = tilt.or(scene.journal.tilt);
     (placed.load_at, placed.load_moment, placed.support) = (None, None, None);
     Some(placed)
@@ -90,13 +88,7 @@ impl<'a> Films<'a> {
     /// Those of a scene with a given position.
     fn of(placed: &'a Scene, options: &'a RunOptions) -> Self {
         let motion = Motion::of(placed);
-        Self {
-            placed,
-            options,
-            symmetry: Symmetry::of(placed, &motion),
-            units: Units::of(placed),
-            motion,
-        }
+        Self { placed, options, symmetry: Symmetry::of(placed, &motion), units: Units::of(placed), motion }
     }
 
     /// One part by itself.

@@ -18,12 +18,8 @@ pub(super) enum PartMotion {
 }
 
 /// All motions, in the order of reports.
-pub(super) const PARTS: [PartMotion; 4] = [
-    PartMotion::Rotation,
-    PartMotion::Squeeze,
-    PartMotion::TiltAlong,
-    PartMotion::TiltAcross,
-];
+pub(super) const PARTS: [PartMotion; 4] =
+    [PartMotion::Rotation, PartMotion::Squeeze, PartMotion::TiltAlong, PartMotion::TiltAcross];
 
 impl PartMotion {
     /// Its place among [`PARTS`].
@@ -78,10 +74,7 @@ impl Motion {
     /// That of a scene at a given position.
     pub(super) fn of(scene: &Scene) -> Self {
         let (eccentricity, angle) = match scene.journal.position {
-            Position::Given {
-                eccentricity,
-                min_film_angle,
-            } => (eccentricity, min_film_angle),
+            Position::Given { eccentricity, min_film_angle } => (eccentricity, min_film_angle),
             Position::Load { .. } | Position::Cycle => (0.0, 0.0),
         };
         let (sin, cos) = angle.sin_cos();
@@ -168,11 +161,7 @@ mod tests {
         let rotating = motion("eccentricity = 0.6\nmin_film_angle = \"0 deg\"");
         assert_eq!(PARTS.map(|part| rotating.used(part)), [30.0; 4]);
         let sinking = motion("eccentricity = 0.6\nmin_film_angle = \"0 deg\"\nsqueeze = { radial = \"-5 mm/s\" }");
-        for (used, wanted) in PARTS
-            .map(|part| sinking.used(part))
-            .into_iter()
-            .zip([30.0, -100.0, 100.0, 100.0])
-        {
+        for (used, wanted) in PARTS.map(|part| sinking.used(part)).into_iter().zip([30.0, -100.0, 100.0, 100.0]) {
             assert!((used - wanted).abs() < 1e-9, "{used} {wanted}");
         }
     }

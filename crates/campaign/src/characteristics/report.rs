@@ -166,20 +166,13 @@ impl Units {
     pub(super) fn of(scene: &Scene) -> Self {
         let radius = scene.bearing.radius();
         let force = Oil::of(scene).viscosity * (radius * radius / scene.bearing.clearance).powi(2);
-        Self {
-            force,
-            moment: force * radius,
-        }
+        Self { force, moment: force * radius }
     }
 }
 
 impl Number {
     /// One that is zero by symmetry.
-    const ZERO: Self = Self {
-        value: 0.0,
-        error: Some(0.0),
-        zero_by_symmetry: true,
-    };
+    const ZERO: Self = Self { value: 0.0, error: Some(0.0), zero_by_symmetry: true };
 }
 
 impl Carried {
@@ -193,12 +186,7 @@ impl Carried {
 
     /// Force and moment, each along and across.
     pub(super) fn new([force_along, force_across]: [Number; 2], [moment_along, moment_across]: [Number; 2]) -> Self {
-        Self {
-            force_along,
-            force_across,
-            moment_along,
-            moment_across,
-        }
+        Self { force_along, force_across, moment_along, moment_across }
     }
 
     /// Its numbers one by one.
@@ -209,12 +197,7 @@ impl Carried {
 
     /// The four numbers: force along and across, moment along and across.
     pub fn numbers(&self) -> [Number; 4] {
-        [
-            self.force_along,
-            self.force_across,
-            self.moment_along,
-            self.moment_across,
-        ]
+        [self.force_along, self.force_across, self.moment_along, self.moment_across]
     }
 
     /// Magnitude of the force.

@@ -96,16 +96,8 @@ fn is_symmetric(scene: &Scene, map: Mapping) -> bool {
         let middle = 0.5 * (arc.from + arc.to);
         !is_mirrored || same_angle(map.angle(middle), middle)
     });
-    let line = scene
-        .bearing
-        .film_start
-        .is_none_or(|start| same_angle(map.angle(start), start));
-    let feeds = || {
-        scene
-            .feeds
-            .iter()
-            .all(|feed| scene.feeds.iter().any(|other| is_image(feed, other, map)))
-    };
+    let line = scene.bearing.film_start.is_none_or(|start| same_angle(map.angle(start), start));
+    let feeds = || scene.feeds.iter().all(|feed| scene.feeds.iter().any(|other| is_image(feed, other, map)));
     arc && line && feeds()
 }
 
@@ -199,10 +191,7 @@ mod tests {
         assert_eq!(zeros(&plain, &PARTS[..2]), [false, false, true, true]);
         assert_eq!(zeros(&plain, &PARTS), [false; 4]);
         // Without a cavity the force of a tilt and the force of rotation along the line of centres vanish too.
-        let full = Symmetry {
-            is_linear: true,
-            ..plain
-        };
+        let full = Symmetry { is_linear: true, ..plain };
         assert_eq!(zeros(&full, &PARTS[..1]), [true, false, true, true]);
         assert_eq!(zeros(&full, &PARTS[2..3]), [true, true, false, true]);
         assert_eq!(zeros(&full, &PARTS[3..]), [true, true, true, false]);

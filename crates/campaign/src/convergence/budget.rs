@@ -24,11 +24,7 @@ pub struct Budget {
 impl Budget {
     /// So many seconds [s] from now.
     pub fn seconds(max_seconds: f64) -> Self {
-        Self {
-            started: Instant::now(),
-            max_seconds,
-            interrupt: Interrupt::default(),
-        }
+        Self { started: Instant::now(), max_seconds, interrupt: Interrupt::default() }
     }
 
     /// A budget that an interrupt ends too.

@@ -81,10 +81,8 @@ pub struct Price {
 /// The cost of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
 /// one that is predicted to be; of equally quick ones the first. Nothing where there are no levels.
 pub fn price_list(models: &[CostModel], measure: Measure) -> Vec<Price> {
-    let reached = (models.iter())
-        .filter_map(|model| model.levels.last())
-        .map(|level| level.error)
-        .fold(f64::INFINITY, f64::min);
+    let reached =
+        (models.iter()).filter_map(|model| model.levels.last()).map(|level| level.error).fold(f64::INFINITY, f64::min);
     if !reached.is_finite() {
         return Vec::new();
     }
@@ -109,10 +107,7 @@ pub fn with_errors(by_bars: &[Price], by_errors: Vec<Price>) -> Vec<Price> {
     let at_most = |price: Price| {
         let shown = by_bars.iter().find(|shown| shown.accuracy == price.accuracy);
         match shown.filter(|shown| shown.unknowns < price.unknowns && (!shown.extrapolated || price.extrapolated)) {
-            Some(shown) => Price {
-                measure: Measure::Error,
-                ..*shown
-            },
+            Some(shown) => Price { measure: Measure::Error, ..*shown },
             None => price,
         }
     };
@@ -168,10 +163,7 @@ impl CostModel {
     /// The exponent t of `seconds ~ unknowns^t`.
     pub fn exponent(&self) -> f64 {
         let last = &self.levels[self.levels.len().saturating_sub(LAST)..];
-        let points: Vec<_> = last
-            .iter()
-            .map(|level| (level.unknowns.ln(), level.seconds.ln()))
-            .collect();
+        let points: Vec<_> = last.iter().map(|level| (level.unknowns.ln(), level.seconds.ln())).collect();
         exponent(&points)
     }
 }
@@ -202,17 +194,9 @@ mod tests {
     fn model(strategy: Strategy, (a, s): (f64, f64), (b, t): (f64, f64), levels: i32) -> CostModel {
         let level = |k: i32| {
             let n = 100.0 * 4f64.powi(k);
-            LevelCost {
-                unknowns: n,
-                seconds: b * n.powf(t),
-                error: a * n.powf(-s),
-            }
+            LevelCost { unknowns: n, seconds: b * n.powf(t), error: a * n.powf(-s) }
         };
-        CostModel {
-            strategy,
-            order: s,
-            levels: (0..levels).map(level).collect(),
-        }
+        CostModel { strategy, order: s, levels: (0..levels).map(level).collect() }
     }
 
     #[test]
@@ -237,18 +221,8 @@ mod tests {
         // Errors 1e-1, 6e-3, 4e-4, 2.4e-5: by chance the first level is good.
         model.levels[0].error = 1e-7;
         let prices = price_list(std::slice::from_ref(&model), Measure::Bar);
-        assert!(
-            prices
-                .iter()
-                .find(|price| price.accuracy == 1e-3)
-                .is_some_and(|price| price.unknowns > 400.0)
-        );
-        assert!(
-            prices
-                .iter()
-                .find(|price| price.accuracy == 1e-2)
-                .is_some_and(|price| price.unknowns == 100.0)
-        );
+        assert!(prices.iter().find(|price| price.accuracy == 1e-3).is_some_and(|price| price.unknowns > 400.0));
+        assert!(prices.iter().find(|price| price.accuracy == 1e-2).is_some_and(|price| price.unknowns == 100.0));
     }
 
     /// A reference that is hardly better than a level makes its true error look large.
@@ -262,14 +236,8 @@ mod tests {
         assert_eq!(shown, by_bars);
         assert!(!true_errors.is_empty());
         for price in true_errors {
-            let bar = shown
-                .iter()
-                .find(|bar| bar.accuracy == price.accuracy)
-                .expect("a price");
-            assert!(
-                price.measure == Measure::Error && price.unknowns <= bar.unknowns,
-                "{price:?}"
-            );
+            let bar = shown.iter().find(|bar| bar.accuracy == price.accuracy).expect("a price");
+            assert!(price.measure == Measure::Error && price.unknowns <= bar.unknowns, "{price:?}");
         }
     }
 
@@ -278,15 +246,10 @@ mod tests {
         let linear = model(Strategy::P1Uniform, (1.0, 1.0), (1e-7, 1.0), 6);
         let quadratic = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
         let prices = price_list(&[linear, quadratic], Measure::Bar);
-        let quickest: Vec<_> = (prices.iter())
-            .map(|price| (price.strategy, price.extrapolated))
-            .collect();
+        let quickest: Vec<_> = (prices.iter()).map(|price| (price.strategy, price.extrapolated)).collect();
         let (p1, p2) = (Strategy::P1Uniform, Strategy::P2Uniform);
         // Linear elements reach 1e-5 at the last level, quadratic ones 4e-4.
-        assert_eq!(
-            quickest,
-            [(p1, false), (p1, false), (p1, false), (p1, false), (p2, true)]
-        );
+        assert_eq!(quickest, [(p1, false), (p1, false), (p1, false), (p1, false), (p2, true)]);
     }
 
     #[test]
@@ -320,10 +283,7 @@ mod tests {
             let model = model(Strategy::P2Uniform, (1.0, 2.0), (1e-6, t), 4);
             assert!((model.exponent() - found).abs() < 1e-12);
         }
-        assert_eq!(
-            model(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(),
-            USUAL_EXPONENT
-        );
+        assert_eq!(model(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(), USUAL_EXPONENT);
         assert!(price_list(&[], Measure::Bar).is_empty());
     }
 

@@ -40,10 +40,7 @@ pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<Fir
         position,
         seconds: clock.elapsed().as_secs_f64(),
     };
-    let options = SolveOptions {
-        deadline,
-        ..SolveOptions::default()
-    };
+    let options = SolveOptions { deadline, ..SolveOptions::default() };
     let mut tried = Ok(None);
     for coarse in FACTORS.iter().filter_map(|&factor| resized(scene, factor)) {
         if scene.journal.load().is_none() {

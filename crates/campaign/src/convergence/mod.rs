@@ -68,8 +68,7 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
     let mut runs = [linear, uniform, adaptive];
     let next = |runs: &[StudyRun]| {
         let open = runs.iter().enumerate().filter(|(_, run)| run.ended.is_none());
-        open.min_by(|(_, a), (_, b)| a.urgency().total_cmp(&b.urgency()))
-            .map(|(place, _)| place)
+        open.min_by(|(_, a), (_, b)| a.urgency().total_cmp(&b.urgency())).map(|(place, _)| place)
     };
     while let Some(place) = next(&runs) {
         runs[place].step(budget, observer)?;
@@ -88,11 +87,7 @@ fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
         status: Status::Converged,
         reason: None,
         effects: Effects::default(),
-        goal: GoalFacts {
-            name: goal.to_owned(),
-            symbol: String::new(),
-            unit: String::new(),
-        },
+        goal: GoalFacts { name: goal.to_owned(), symbol: String::new(), unit: String::new() },
         reference: None,
         strategies: Vec::new(),
         prices: Vec::new(),

@@ -42,11 +42,7 @@ fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
     let order = match pairs[..] {
         [pair, earlier] => {
             let observed = (distance(earlier) / distance(pair)).ln() / growth(&pair[0], &pair[1]).ln();
-            if observed.is_nan() {
-                order
-            } else {
-                observed.clamp(least_order(order), order)
-            }
+            if observed.is_nan() { order } else { observed.clamp(least_order(order), order) }
         }
         _ => order,
     };
@@ -55,9 +51,7 @@ fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
         distance(pair) * ratio / (1.0 - ratio) * growth(&pair[1], last).powf(-order)
     };
     let errors = pairs.iter().map(error);
-    errors
-        .filter(|error| error.is_finite() && *error >= 0.0)
-        .reduce(f64::max)
+    errors.filter(|error| error.is_finite() && *error >= 0.0).reduce(f64::max)
 }
 
 /// Fills in the relative errors of all levels, and makes their bars, so far relative to their own values, relative to the
@@ -69,9 +63,7 @@ pub(super) fn measure(courses: &mut [Course], reference: &Reference) {
             let distance = (level.value - reference.value).abs() / reference.value.abs();
             let known = !is_reference && reference.uncertainty.is_some();
             level.relative_error = known.then_some(distance);
-            level.relative_bar = level
-                .relative_bar
-                .map(|bar| bar * (level.value / reference.value).abs());
+            level.relative_bar = level.relative_bar.map(|bar| bar * (level.value / reference.value).abs());
         }
     }
 }
@@ -146,10 +138,7 @@ mod tests {
         courses[1].levels[1].relative_bar = Some(0.9e-3);
         courses[1].levels[1].value = courses[1].levels[0].value * (1.0 + 3e-5);
         let known = finest(&courses).and_then(|reference| reference.uncertainty);
-        assert!(
-            known.is_some_and(|known| (known / 1e-5 - 1.0).abs() < 1e-3),
-            "{known:?}"
-        );
+        assert!(known.is_some_and(|known| (known / 1e-5 - 1.0).abs() < 1e-3), "{known:?}");
     }
 
     #[test]
@@ -165,16 +154,8 @@ mod tests {
         };
         measure(&mut courses, &reference);
         let first = &courses[1].levels[0];
-        assert!(
-            first
-                .relative_error
-                .is_some_and(|error| (error - (first.value + 1000.0) / 1000.0).abs() < 1e-15)
-        );
-        assert!(
-            first
-                .relative_bar
-                .is_some_and(|bar| (bar - 0.5 * first.value / 1000.0).abs() < 1e-15)
-        );
+        assert!(first.relative_error.is_some_and(|error| (error - (first.value + 1000.0) / 1000.0).abs() < 1e-15));
+        assert!(first.relative_bar.is_some_and(|bar| (bar - 0.5 * first.value / 1000.0).abs() < 1e-15));
         assert_eq!(courses[1].levels[1].relative_error, None);
         assert!(courses[0].levels[1].relative_error.is_some());
     }

@@ -137,26 +137,13 @@ pub struct Timing {
 }
 
 /// Parts of the time of a level, in the order of the work; the last is what remains.
-pub const TIME_PARTS: [&str; 10] = [
-    "mesh",
-    "earlier",
-    "order",
-    "search",
-    "assemble",
-    "factorise",
-    "solve",
-    "bars",
-    "measure",
-    "other",
-];
+pub const TIME_PARTS: [&str; 10] =
+    ["mesh", "earlier", "order", "search", "assemble", "factorise", "solve", "bars", "measure", "other"];
 
 impl Timing {
     /// Seconds of a part; zero where it was not needed.
     pub fn part(&self, name: &str) -> f64 {
-        self.parts
-            .iter()
-            .find(|(part, _)| part == name)
-            .map_or(0.0, |(_, seconds)| *seconds)
+        self.parts.iter().find(|(part, _)| part == name).map_or(0.0, |(_, seconds)| *seconds)
     }
 }
 

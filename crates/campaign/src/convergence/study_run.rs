@@ -131,10 +131,7 @@ impl<'a> StudyRun<'a> {
     /// Triangles of the next level, roughly.
     fn cells(&self) -> f64 {
         let cells = self.mesh.triangles().len() as f64;
-        let divided = self
-            .marked
-            .as_ref()
-            .map_or(0, |marked| marked.iter().filter(|marked| **marked).count());
+        let divided = self.marked.as_ref().map_or(0, |marked| marked.iter().filter(|marked| **marked).count());
         f64::min(cells + (3.0 + TAKEN_ALONG) * divided as f64, 4.0 * cells).max(cells)
     }
 
@@ -258,10 +255,7 @@ impl<'a> StudyRun<'a> {
         };
         let names: Vec<&str> = parts[0].iter().map(|(name, _)| *name).collect();
         for (place, name) in names.into_iter().enumerate() {
-            let runs = parts
-                .iter()
-                .filter_map(|run| run.get(place))
-                .map(|(_, seconds)| *seconds);
+            let runs = parts.iter().filter_map(|run| run.get(place)).map(|(_, seconds)| *seconds);
             timing.parts.push((name.to_owned(), median(runs.collect())));
         }
         Ok((level, timing))
@@ -321,21 +315,14 @@ fn chosen(strategy: Strategy, indicator: Option<&[f64]>, cells: usize) -> Vec<bo
         (Strategy::P2Adaptive, Some(indicator)) => doerfler(indicator, SHARE),
         _ => Vec::new(),
     };
-    if marked.contains(&true) {
-        marked
-    } else {
-        vec![true; cells]
-    }
+    if marked.contains(&true) { marked } else { vec![true; cells] }
 }
 
 /// The middle one, or the mean of the two in the middle; zero of none.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
-    match (
-        values.get(middle),
-        middle.checked_sub(1).and_then(|place| values.get(place)),
-    ) {
+    match (values.get(middle), middle.checked_sub(1).and_then(|place| values.get(place))) {
         (Some(upper), Some(lower)) if values.len().is_multiple_of(2) => 0.5 * (lower + upper),
         (Some(middle), _) => *middle,
         (None, _) => 0.0,

@@ -16,9 +16,8 @@ const HALF: [f64; 2] = [0.8 * PI, 1.2 * PI];
 /// The feed in the terms of the standard with its pressure [Pa] above that of the ends; nothing where oil comes from the ends only, or why the
 /// standard has none like that.
 pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
-    let feeds: Vec<_> = (scene.feeds.iter())
-        .filter_map(|feed| Some((feed, feed.pressure? - scene.ends.pressure)))
-        .collect();
+    let feeds: Vec<_> =
+        (scene.feeds.iter()).filter_map(|feed| Some((feed, feed.pressure? - scene.ends.pressure))).collect();
     let pressure = match feeds[..] {
         [] => return Ok(None),
         [(_, a), (_, b)] if a != b => return unknown("feeds of different pressures"),
@@ -30,9 +29,7 @@ pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
 }
 
 fn unknown<T>(what: &str) -> Result<T, String> {
-    Err(format!(
-        "the standard has no flow through {what}: side_flow is left out"
-    ))
+    Err(format!("the standard has no flow through {what}: side_flow is left out"))
 }
 
 /// What one feed, or two, are to the standard.
@@ -41,10 +38,7 @@ fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result
     let places: Vec<Option<Side>> = feeds
         .iter()
         .map(|feed| {
-            let middle = feed
-                .groove
-                .and_then(|groove| groove.arc)
-                .map(|arc| 0.5 * (arc.from + arc.to));
+            let middle = feed.groove.and_then(|groove| groove.arc).map(|arc| 0.5 * (arc.from + arc.to));
             let angle = feed.hole.map(|hole| hole.angle).or(middle);
             angle.map(|angle| side(angle - load_angle.to_radians()))
         })
@@ -53,9 +47,7 @@ fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result
         (Some(hole), _, [Some(Side::Opposite)]) => Feed::HoleOpposite(hole.diameter / length),
         (Some(hole), _, [Some(Side::Across)]) => Feed::HoleAcross(hole.diameter / length),
         (Some(hole), _, [Some(Side::Across), Some(Side::Across)])
-            if feeds
-                .iter()
-                .all(|it| it.hole.map(|it| it.diameter) == Some(hole.diameter)) =>
+            if feeds.iter().all(|it| it.hole.map(|it| it.diameter) == Some(hole.diameter)) =>
         {
             Feed::TwoHolesAcross(hole.diameter / length)
         }
@@ -72,9 +64,7 @@ fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result
             }
         }
         (_, Some(groove), [Some(Side::Across), Some(Side::Across)])
-            if feeds
-                .iter()
-                .all(|it| it.groove.map(|it| it.width) == Some(groove.width)) =>
+            if feeds.iter().all(|it| it.groove.map(|it| it.width) == Some(groove.width)) =>
         {
             Feed::TwoPocketsAcross(groove.width / length)
         }

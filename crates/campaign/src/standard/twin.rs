@@ -50,18 +50,10 @@ impl Lands {
     fn of(scene: &Scene) -> Self {
         let bearing = &scene.bearing;
         let around = scene.feeds.iter().filter(|feed| feed.pressure.is_some());
-        let around = around
-            .filter_map(|feed| feed.groove)
-            .find(|groove| groove.arc.is_none());
+        let around = around.filter_map(|feed| feed.groove).find(|groove| groove.arc.is_none());
         match around {
-            Some(groove) => Self {
-                count: 2.0,
-                slenderness: 0.5 * (bearing.length - groove.width) / bearing.diameter,
-            },
-            None => Self {
-                count: 1.0,
-                slenderness: bearing.length / bearing.diameter,
-            },
+            Some(groove) => Self { count: 2.0, slenderness: 0.5 * (bearing.length - groove.width) / bearing.diameter },
+            None => Self { count: 1.0, slenderness: bearing.length / bearing.diameter },
         }
     }
 }
@@ -160,11 +152,7 @@ fn balanced(scene: &Scene, given: Given, feed: &Fed) -> Option<Vec<Quantity>> {
     };
     let film = |temperature: f64| {
         let (twin, _) = at(temperature).ok_or(())?;
-        Ok::<_, ()>(ThermalFlows {
-            power: twin.power,
-            flow: twin.flow.ok_or(())?,
-            carried_over,
-        })
+        Ok::<_, ()>(ThermalFlows { power: twin.power, flow: twin.flow.ok_or(())?, carried_over })
     };
     let balance = model.balance;
     let found = find(&balance, Start::at(first_temperature(balance.inlet)), BALANCED, film).ok()?;

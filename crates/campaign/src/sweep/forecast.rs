@@ -41,11 +41,7 @@ pub(super) fn rest(chains: &[Range<usize>], seconds: &[Vec<f64>], workers: usize
     let measured: Vec<&Vec<f64>> = seconds.iter().filter(|times| !times.is_empty()).collect();
     let cold: Vec<f64> = measured.iter().map(|times| times[0]).collect();
     let warm = |times: &[f64]| {
-        if times.len() > 1 {
-            mean(&times[1..])
-        } else {
-            mean(times)
-        }
+        if times.len() > 1 { mean(&times[1..]) } else { mean(times) }
     };
     let each: Vec<f64> = measured.iter().map(|times| warm(times)).collect();
     let (cold, each) = (mean(&cold), mean(&each));

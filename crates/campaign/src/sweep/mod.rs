@@ -128,9 +128,7 @@ impl Sweep {
     pub fn chains(&self) -> Vec<Range<usize>> {
         match self.bearings() {
             None => chains(&self.plan),
-            Some(bearings) => (0..self.shafts.len())
-                .map(|shaft| shaft * bearings..(shaft + 1) * bearings)
-                .collect(),
+            Some(bearings) => (0..self.shafts.len()).map(|shaft| shaft * bearings..(shaft + 1) * bearings).collect(),
         }
     }
 
@@ -166,9 +164,8 @@ impl Sweep {
     ) -> Result<(), E> {
         let clock = Instant::now();
         // A case starts from its neighbours, so a chain that was not finished is walked along from its beginning.
-        let chains: Vec<Range<usize>> = (self.chains().into_iter())
-            .filter(|chain| !chain.clone().all(is_kept))
-            .collect();
+        let chains: Vec<Range<usize>> =
+            (self.chains().into_iter()).filter(|chain| !chain.clone().all(is_kept)).collect();
         let workers = rayon::current_num_threads().min(chains.len());
         let (chains, samples) = samples_first(chains, workers);
         let mut seconds = vec![Vec::new(); samples];

@@ -57,10 +57,7 @@ mod tests {
         for of in [1, 2, 16, 17, 18, 40, Part::MOST] {
             let parts = (1..=of).map(|number| Part::new(number, of).expect("a part").cases(&chains));
             let parts: Vec<Range<usize>> = parts.collect();
-            assert!(
-                parts.iter().all(|cases| cases.start % 5 == 0 && cases.end % 5 == 0),
-                "{of}"
-            );
+            assert!(parts.iter().all(|cases| cases.start % 5 == 0 && cases.end % 5 == 0), "{of}");
             assert!(parts.iter().cloned().flatten().eq(0..85), "{of}");
             let counts = parts.iter().map(|cases| cases.len() / 5);
             let (least, most) = counts.fold((usize::MAX, 0), |(least, most), n| (least.min(n), most.max(n)));

@@ -153,13 +153,7 @@ pub(super) struct Walker<'a> {
 
 impl<'a> Walker<'a> {
     pub(super) fn new(options: &'a RunOptions) -> Self {
-        Self {
-            options,
-            deadline: Deadline::default(),
-            held: None,
-            visited: Vec::new(),
-            bearings: Vec::new(),
-        }
+        Self { options, deadline: Deadline::default(), held: None, visited: Vec::new(), bearings: Vec::new() }
     }
 
     /// Forgets all that a new chain must not know: a mesh that no position has shaped may stay.
@@ -239,21 +233,12 @@ impl<'a> Walker<'a> {
             None => self.visited.clear(),
             Some(_) => self.visited.push(film.position().visited(point(scene, coordinate))),
         }
-        self.held = Some(Held {
-            film,
-            graded_for,
-            solution,
-        });
+        self.held = Some(Held { film, graded_for, solution });
         Ok(found)
     }
 
     fn solve_options<'b>(&self, guess: InitialGuess<'b>) -> SolveOptions<'b> {
-        SolveOptions {
-            errors: self.options.errors(),
-            deadline: self.deadline,
-            guess,
-            ..SolveOptions::default()
-        }
+        SolveOptions { errors: self.options.errors(), deadline: self.deadline, guess, ..SolveOptions::default() }
     }
 
     /// The film as the case is solved by itself; on the system at hand where that is the same and no position has shaped it.
@@ -311,11 +296,7 @@ fn suits(graded_for: &JournalState, film: &Film) -> bool {
 /// The case on a mesh drawn for this position.
 fn redrawn(scene: &Scene, position: Position) -> Result<Held, CompileError> {
     let film = compile_near(scene, position)?;
-    Ok(Held {
-        graded_for: film.problem.journal,
-        film,
-        solution: None,
-    })
+    Ok(Held { graded_for: film.problem.journal, film, solution: None })
 }
 
 /// Coordinate and duty of a case, by which its position is predicted from those of its neighbours.
@@ -325,10 +306,7 @@ fn point(scene: &Scene, coordinate: f64) -> Point {
     let slenderness = bearing.radius() / bearing.clearance;
     let drag = Oil::of(scene).viscosity * journal.speed.abs() * slenderness.powi(2) * bearing.diameter * bearing.length;
     let duty = (x.hypot(y) / drag).ln();
-    Point {
-        coordinate,
-        duty: if duty.is_finite() { duty } else { 0.0 },
-    }
+    Point { coordinate, duty: if duty.is_finite() { duty } else { 0.0 } }
 }
 
 /// Offset of the journal over the clearance.

@@ -28,22 +28,11 @@ pub enum ColourMap {
 
 impl ColourMap {
     /// All maps.
-    pub const ALL: [ColourMap; 6] = [
-        Self::Batlow,
-        Self::Davos,
-        Self::Devon,
-        Self::Acton,
-        Self::Lajolla,
-        Self::Vik,
-    ];
+    pub const ALL: [ColourMap; 6] = [Self::Batlow, Self::Davos, Self::Devon, Self::Acton, Self::Lajolla, Self::Vik];
 
     /// The colours at equal steps from 0 to 1, six hexadecimal digits each.
     pub fn to_hex(self) -> String {
-        self.table()
-            .iter()
-            .flatten()
-            .map(|part| format!("{part:02x}"))
-            .collect()
+        self.table().iter().flatten().map(|part| format!("{part:02x}")).collect()
     }
 
     /// The colours at equal steps from 0 to 1.

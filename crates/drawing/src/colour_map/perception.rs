@@ -5,34 +5,15 @@ use super::ColourMap;
 
 /// Of linear sRGB, for protanopia, deuteranopia and tritanopia.
 const DEFICIENCIES: [[[f64; 3]; 3]; 3] = [
-    [
-        [0.152286, 1.052583, -0.204868],
-        [0.114503, 0.786281, 0.099216],
-        [-0.003882, -0.048116, 1.051998],
-    ],
-    [
-        [0.367322, 0.860646, -0.227968],
-        [0.280085, 0.672501, 0.047413],
-        [-0.011820, 0.042940, 0.968881],
-    ],
-    [
-        [1.255528, -0.076749, -0.178779],
-        [-0.078411, 0.930809, 0.147602],
-        [0.004733, 0.691367, 0.303900],
-    ],
+    [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+    [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+    [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
 ];
 const TO_XYZ: [[f64; 3]; 3] = [[41.24, 35.76, 18.05], [21.26, 71.52, 7.22], [1.93, 11.92, 95.05]];
-const CAT02: [[f64; 3]; 3] = [
-    [0.7328, 0.4296, -0.1624],
-    [-0.7036, 1.6975, 0.0061],
-    [0.0030, 0.0136, 0.9834],
-];
+const CAT02: [[f64; 3]; 3] = [[0.7328, 0.4296, -0.1624], [-0.7036, 1.6975, 0.0061], [0.0030, 0.0136, 0.9834]];
 /// Hunt-Pointer-Estevez times the inverse of CAT02.
-const HUNT: [[f64; 3]; 3] = [
-    [0.7409792, 0.2180250, 0.0410058],
-    [0.2853532, 0.6242014, 0.0904454],
-    [-0.0096280, -0.0056980, 1.0153260],
-];
+const HUNT: [[f64; 3]; 3] =
+    [[0.7409792, 0.2180250, 0.0410058], [0.2853532, 0.6242014, 0.0904454], [-0.0096280, -0.0056980, 1.0153260]];
 
 fn times(matrix: &[[f64; 3]; 3], vector: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|row| (0..3).map(|k| matrix[row][k] * vector[k]).sum())
@@ -41,11 +22,7 @@ fn times(matrix: &[[f64; 3]; 3], vector: [f64; 3]) -> [f64; 3] {
 fn linear(colour: [u8; 3]) -> [f64; 3] {
     colour.map(|part| {
         let part = f64::from(part) / 255.0;
-        if part > 0.04045 {
-            ((part + 0.055) / 1.055).powf(2.4)
-        } else {
-            part / 12.92
-        }
+        if part > 0.04045 { ((part + 0.055) / 1.055).powf(2.4) } else { part / 12.92 }
     })
 }
 
@@ -78,11 +55,7 @@ fn cam02_ucs(colour: [f64; 3]) -> [f64; 3] {
     let t = 50000.0 / 13.0 * induction * eccentricity * red_green.hypot(yellow_blue) / (r + g + 21.0 / 20.0 * b);
     let chroma = t.powf(0.9) * (lightness / 100.0).sqrt() * (1.64 - 0.29_f64.powf(n)).powf(0.73);
     let colourfulness = (1.0 + 0.0228 * chroma * level.powf(0.25)).ln() / 0.0228;
-    [
-        1.7 * lightness / (1.0 + 0.007 * lightness),
-        colourfulness * hue.cos(),
-        colourfulness * hue.sin(),
-    ]
+    [1.7 * lightness / (1.0 + 0.007 * lightness), colourfulness * hue.cos(), colourfulness * hue.sin()]
 }
 
 /// The colours of a map as they are seen: by normal vision (0) and with the deficiencies (1 to 3).
@@ -135,11 +108,7 @@ fn lightness_is_monotone_for_all_eyes() {
     for map in ColourMap::ALL {
         for vision in 0..4 {
             for branch in branches(map, seen(map, vision)) {
-                assert!(
-                    backwards(&branch) <= 0.3,
-                    "{map:?}, vision {vision}: {}",
-                    backwards(&branch)
-                );
+                assert!(backwards(&branch) <= 0.3, "{map:?}, vision {vision}: {}", backwards(&branch));
             }
         }
     }
@@ -165,9 +134,7 @@ fn the_diverging_map_is_white_at_zero_and_its_ends_differ() {
     assert!(ColourMap::Batlow.colour(0.0).luminance() > 0.98);
     for vision in 0..4 {
         let colours = seen(ColourMap::Vik, vision);
-        let most = (0..16)
-            .map(|k| distance(colours[k], colours[32 - k]))
-            .fold(0.0, f64::max);
+        let most = (0..16).map(|k| distance(colours[k], colours[32 - k])).fold(0.0, f64::max);
         assert!(most > 37.0, "vision {vision}: {most}");
     }
 }

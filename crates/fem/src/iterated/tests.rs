@@ -18,11 +18,7 @@ impl ConservationLaw for Film {
     fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (&[x, _], out) in positions.iter().zip(out) {
             let h = 1.0 + 0.82 * (std::f64::consts::TAU * x).cos();
-            *out = Conduction {
-                conductance: 1e-16 * h.powi(3),
-                flux: [1e-6 * h, 0.0],
-                source: 0.0,
-            };
+            *out = Conduction { conductance: 1e-16 * h.powi(3), flux: [1e-6 * h, 0.0], source: 0.0 };
         }
     }
     fn response(&self, _: usize, _: &[[f64; 2]], _: &[State], _: &mut [Response]) {}
@@ -36,10 +32,7 @@ fn ring(columns: u32, rows: u32, height: f64) -> Arc<Mesh> {
         .map(|k| {
             let (i, j) = (f64::from(k / (rows + 1)), f64::from(k % (rows + 1)));
             let inside = (j * (f64::from(rows) - j)).min(1.0);
-            [
-                width * (i + 0.15 * (1.7 * j).sin()),
-                step * (j + 0.1 * inside * (2.3 * i).sin()),
-            ]
+            [width * (i + 0.15 * (1.7 * j).sin()), step * (j + 0.1 * inside * (2.3 * i).sin())]
         })
         .collect();
     let cells = (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j)));
@@ -49,12 +42,7 @@ fn ring(columns: u32, rows: u32, height: f64) -> Arc<Mesh> {
             [[a, b, c], [a, c, d]]
         })
         .collect();
-    let raw = RawMesh {
-        points,
-        triangles,
-        period: Some(1.0),
-        ..RawMesh::default()
-    };
+    let raw = RawMesh { points, triangles, period: Some(1.0), ..RawMesh::default() };
     Arc::new(Mesh::build(raw).expect("a mesh"))
 }
 
@@ -84,19 +72,11 @@ impl System {
             between: Arc::new(LinearProlongation::new(&space, pattern.clone())),
             direct: Arc::new(LazyAnalysis::new(space, pattern)),
         });
-        Self {
-            matrix,
-            constraints,
-            b,
-            multigrid,
-            direct,
-        }
+        Self { matrix, constraints, b, multigrid, direct }
     }
 
     fn linearised(&self, solver: &LinearSolver) -> Linearisation {
-        solver
-            .linearise(self.matrix.clone(), self.constraints.clone())
-            .expect("positive definite")
+        solver.linearise(self.matrix.clone(), self.constraints.clone()).expect("positive definite")
     }
 }
 
@@ -112,11 +92,7 @@ fn steps_do_not_grow_with_the_mesh() {
         let multigrid = system.linearised(&system.multigrid);
         let x = multigrid.solve(&system.b).expect("solved");
         assert_eq!(multigrid.route(), Route::Multigrid);
-        assert!(
-            multigrid.steps() <= 22,
-            "{} steps on {columns} x {rows}",
-            multigrid.steps()
-        );
+        assert!(multigrid.steps() <= 22, "{} steps on {columns} x {rows}", multigrid.steps());
         let y = system.linearised(&system.direct).solve(&system.b).expect("solved");
         assert!(distance(&x, &y) < 1e-9, "{:e}", distance(&x, &y));
     }
@@ -156,11 +132,7 @@ fn other_dofs_may_be_held() {
     };
     let (x, steps) = anew(&system.multigrid);
     let (y, _) = anew(&system.direct);
-    assert!(
-        distance(&x, &y) < 1e-9 && steps <= 17,
-        "{:e} in {steps}",
-        distance(&x, &y)
-    );
+    assert!(distance(&x, &y) < 1e-9 && steps <= 17, "{:e} in {steps}", distance(&x, &y));
     assert!(x.iter().zip(&held.fixed).all(|(x, &fixed)| !fixed || *x == 0.0));
 }
 
@@ -168,10 +140,7 @@ fn other_dofs_may_be_held() {
 fn threads_do_not_change_a_bit() {
     let system = System::on(&ring(150, 60, 0.4));
     let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .expect("a pool");
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| system.linearised(&system.multigrid).solve(&system.b).expect("solved"))
     };
     assert!(on(1) == on(3));

@@ -30,19 +30,13 @@ impl UnsymmetricFactorization {
     pub(super) fn renew(&mut self, s: usize, children: impl Iterator<Item = usize>) {
         let analysis = &*self.analysis;
         let front = &analysis.fronts[s];
-        let end = analysis
-            .fronts
-            .get(s + 1)
-            .map_or(analysis.entries.len(), |next| next.entries);
+        let end = analysis.fronts.get(s + 1).map_or(analysis.entries.len(), |next| next.entries);
         let panel = &mut self.panels[front.panel..front.panel + front.extent.panel()];
         let (before, update) = self.updates.split_at_mut(front.update);
         let update = &mut update[..front.extent.update()];
         panel.fill(0.0);
         update.fill(0.0);
-        for (value, &place) in self.input[front.entries..end]
-            .iter()
-            .zip(&analysis.places[front.entries..end])
-        {
+        for (value, &place) in self.input[front.entries..end].iter().zip(&analysis.places[front.entries..end]) {
             panel[place as usize - front.panel] = *value;
         }
         for child in children {
@@ -82,11 +76,7 @@ impl UnsymmetricFactorization {
             local.clear();
             local.extend_from_slice(&ordered[own.clone()]);
             local.extend(below.iter().map(|&row| ordered[row as usize]));
-            step(
-                front.extent,
-                &self.panels[front.panel..front.panel + front.extent.panel()],
-                &mut local,
-            );
+            step(front.extent, &self.panels[front.panel..front.panel + front.extent.panel()], &mut local);
             ordered[own].copy_from_slice(&local[..front.extent.own]);
             for (&row, value) in below.iter().zip(&local[front.extent.own..]) {
                 ordered[row as usize] = *value;
@@ -97,9 +87,7 @@ impl UnsymmetricFactorization {
         }
         match x.iter().all(|x| x.is_finite()) {
             true => Ok(()),
-            false => Err(Error::NotFinite {
-                what: "solution of the linear system",
-            }),
+            false => Err(Error::NotFinite { what: "solution of the linear system" }),
         }
     }
 }

@@ -12,21 +12,14 @@ pub(super) fn check_triangles(raw: &RawMesh) -> Vec<Defect> {
     if raw.triangles.is_empty() {
         return vec![Defect::Empty];
     }
-    let bad_points = (0u32..)
-        .zip(&raw.points)
-        .filter(|(_, point)| !point.iter().all(|x| x.is_finite()));
+    let bad_points = (0u32..).zip(&raw.points).filter(|(_, point)| !point.iter().all(|x| x.is_finite()));
     let mut defects: Vec<_> = bad_points
         .take(MOST_DEFECTS)
-        .map(|(v, point)| Defect::NotFinite {
-            node: raw.label(v),
-            coordinates: point.to_vec(),
-        })
+        .map(|(v, point)| Defect::NotFinite { node: raw.label(v), coordinates: point.to_vec() })
         .collect();
     let repeats = |&&[a, b, c]: &&[u32; 3]| a == b || b == c || c == a;
     let repeated = raw.triangles.iter().filter(repeats).take(MOST_DEFECTS);
-    defects.extend(repeated.map(|nodes| Defect::RepeatedNode {
-        nodes: nodes.map(|v| raw.label(v)),
-    }));
+    defects.extend(repeated.map(|nodes| Defect::RepeatedNode { nodes: nodes.map(|v| raw.label(v)) }));
     let mut at_vertex = vec![0u32; raw.points.len()];
     raw.triangles.iter().flatten().for_each(|&v| at_vertex[v as usize] += 1);
     let crowded = (0u32..).zip(&at_vertex).filter(|(_, count)| **count > MOST_AT_VERTEX);
@@ -57,12 +50,7 @@ pub(super) fn check_shapes(raw: &RawMesh) -> Vec<Defect> {
             .fold(0.0, f64::max);
         let area = triangle_area(corners);
         if area.abs() <= LEAST_SHAPE * longest {
-            defects.push(Defect::Degenerate {
-                nodes: nodes(),
-                x,
-                z,
-                area,
-            });
+            defects.push(Defect::Degenerate { nodes: nodes(), x, z, area });
         } else if area < 0.0 {
             defects.push(Defect::Inverted { nodes: nodes(), x, z });
         }
@@ -70,10 +58,7 @@ pub(super) fn check_shapes(raw: &RawMesh) -> Vec<Defect> {
             let xs = corners.map(|corner| corner[0]);
             let span = xs.iter().copied().fold(f64::MIN, f64::max) - xs.iter().copied().fold(f64::MAX, f64::min);
             if span > 0.49 * period {
-                defects.push(Defect::SpansRing {
-                    nodes: nodes(),
-                    degrees: 360.0 * span / period,
-                });
+                defects.push(Defect::SpansRing { nodes: nodes(), degrees: 360.0 * span / period });
             }
         }
     }
@@ -88,11 +73,7 @@ impl Mesh {
             .take(MOST_DEFECTS)
             .map(|t| {
                 let [x, z] = self.corners(t)[0];
-                Defect::Inverted {
-                    nodes: self.triangles[t].map(|v| self.label(v)),
-                    x,
-                    z,
-                }
+                Defect::Inverted { nodes: self.triangles[t].map(|v| self.label(v)), x, z }
             })
             .collect()
     }
@@ -172,11 +153,6 @@ impl Mesh {
         }
         let &(cells, seed) = sizes.iter().min()?;
         let [x, z] = self.corners(seed)[0];
-        Some(Defect::Disconnected {
-            parts: sizes.len(),
-            cells,
-            x,
-            z,
-        })
+        Some(Defect::Disconnected { parts: sizes.len(), cells, x, z })
     }
 }

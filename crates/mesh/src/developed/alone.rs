@@ -44,11 +44,7 @@ fn liner_of(file: &MshFile) -> Result<Liner, Error> {
             let (bottom, top) = along(&|node| node[1]);
             let width = high - low;
             let radius = if is_ring { width / std::f64::consts::TAU } else { width };
-            Liner {
-                radius,
-                length: top - bottom,
-                arc: (!is_ring).then(|| (low / radius, high / radius)),
-            }
+            Liner { radius, length: top - bottom, arc: (!is_ring).then(|| (low / radius, high / radius)) }
         }
         cylinder::Shape::Cylinder { axis, section } => {
             let (bottom, top) = along(&|node| node[axis]);
@@ -59,11 +55,7 @@ fn liner_of(file: &MshFile) -> Result<Liner, Error> {
             };
             let angles: Vec<[f64; 2]> = file.nodes.iter().map(around).collect();
             let arc = place::film_interval(&angles, &used, std::f64::consts::TAU);
-            Liner {
-                radius: section.radius,
-                length: top - bottom,
-                arc: (!is_ring).then_some(arc),
-            }
+            Liner { radius: section.radius, length: top - bottom, arc: (!is_ring).then_some(arc) }
         }
     })
 }

@@ -20,12 +20,7 @@ impl Shape {
     /// Recognises the shape from the nodes marked in `used`. Among several cylinders through few
     /// nodes the one of a radius nearest to `radius` (in the unit of the file) is meant.
     pub(super) fn find(file: &MshFile, used: &[bool], radius: f64) -> Result<Self, Error> {
-        let points = || {
-            used.iter()
-                .zip(&file.nodes)
-                .filter(|(used, _)| **used)
-                .map(|(_, node)| *node)
-        };
+        let points = || used.iter().zip(&file.nodes).filter(|(used, _)| **used).map(|(_, node)| *node);
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for point in points() {
             for k in 0..3 {
@@ -59,12 +54,7 @@ impl Shape {
         let off = |v: usize| section.distance(across(file.nodes[v], axis)).abs();
         let vertices = (0..used.len()).filter(|&v| used[v]);
         let node = vertices.max_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0);
-        Err(Error::NotALiner {
-            node: file.tags[node],
-            distance: off(node),
-            axis: NAMES[axis],
-            radius: section.radius,
-        })
+        Err(Error::NotALiner { node: file.tags[node], distance: off(node), axis: NAMES[axis], radius: section.radius })
     }
 }
 
@@ -80,11 +70,7 @@ mod tests {
     use super::*;
 
     fn find(nodes: Vec<[f64; 3]>) -> Result<Shape, Error> {
-        let file = MshFile {
-            tags: (1..=nodes.len() as u64).collect(),
-            nodes,
-            ..MshFile::default()
-        };
+        let file = MshFile { tags: (1..=nodes.len() as u64).collect(), nodes, ..MshFile::default() };
         Shape::find(&file, &vec![true; file.nodes.len()], 2.0)
     }
 
@@ -120,19 +106,9 @@ mod tests {
         let square =
             |point: fn(f64, f64) -> [f64; 3]| find((0..9).map(|k| point(f64::from(k % 3), f64::from(k / 3))).collect());
         assert_eq!(square(|a, b| [a, b, 4.0]).unwrap(), Shape::Plane);
-        assert!(matches!(
-            square(|a, b| [a, 1.0, b]),
-            Err(Error::WrongPlane { axis: 'y' })
-        ));
+        assert!(matches!(square(|a, b| [a, 1.0, b]), Err(Error::WrongPlane { axis: 'y' })));
         let mut bump = cylinder(2, 6.0);
         bump[17][0] += 0.01;
-        assert!(matches!(
-            find(bump),
-            Err(Error::NotALiner {
-                node: 18,
-                axis: 'z',
-                ..
-            })
-        ));
+        assert!(matches!(find(bump), Err(Error::NotALiner { node: 18, axis: 'z', .. })));
     }
 }

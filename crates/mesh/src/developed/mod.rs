@@ -56,9 +56,7 @@ impl Liner {
             ),
         ];
         let wrong = conditions.into_iter().find(|c| !c.1.is_finite() || !c.3);
-        wrong.map_or(Ok(()), |(what, value, needed, _)| {
-            Err(Error::Impossible { what, value, needed })
-        })
+        wrong.map_or(Ok(()), |(what, value, needed, _)| Err(Error::Impossible { what, value, needed }))
     }
 }
 
@@ -135,11 +133,7 @@ fn require_groups(file: &MshFile, liner: &Liner, shape: cylinder::Shape) -> Resu
         Some(_) if has(seam::SIDES) => "it is a full ring: leave [bearing] arc out of the scene",
         _ => "name physical groups so in gmsh",
     };
-    Err(Error::MissingGroups {
-        missing,
-        present: file.groups(),
-        remedy,
-    })
+    Err(Error::MissingGroups { missing, present: file.groups(), remedy })
 }
 
 /// Vectors from the middle of the straight edges to the mid-side nodes, of edges that bulge.

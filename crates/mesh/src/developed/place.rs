@@ -36,13 +36,7 @@ pub(super) fn place(
         }
     };
     let (low, high) = extent(&points, used, 1);
-    require(
-        "the length (bearing.length)",
-        high - low,
-        liner.length,
-        "m",
-        unit_hint(high - low, liner.length, unit),
-    )?;
+    require("the length (bearing.length)", high - low, liner.length, "m", unit_hint(high - low, liner.length, unit))?;
     let middle = 0.5 * (low + high);
     if middle.abs() > 1e-12 * liner.length {
         points.iter_mut().for_each(|point| point[1] -= middle);
@@ -74,13 +68,7 @@ fn require(quantity: &'static str, file: f64, scene: f64, unit: &'static str, hi
     if (file - scene).abs() <= AGREEMENT * scene {
         return Ok(());
     }
-    Err(Error::Disagrees {
-        quantity,
-        file,
-        scene,
-        unit,
-        hint,
-    })
+    Err(Error::Disagrees { quantity, file, scene, unit, hint })
 }
 
 /// A remark if the file seems to be in another unit than `unit` [m], by which its lengths were made metres.
@@ -106,25 +94,13 @@ fn require_circumference(file: &MshFile, points: &[[f64; 2]], liner: &Liner, uni
     if ((high.1 - low.1).abs() - found).abs() > AGREEMENT * wanted {
         return Ok(());
     }
-    require(
-        "the circumference (pi times bearing.diameter)",
-        found,
-        wanted,
-        "m",
-        unit_hint(found, wanted, unit),
-    )
+    require("the circumference (pi times bearing.diameter)", found, wanted, "m", unit_hint(found, wanted, unit))
 }
 
 /// Least and greatest coordinate of the used points.
 fn extent(points: &[[f64; 2]], used: &[bool], direction: usize) -> (f64, f64) {
-    let values = used
-        .iter()
-        .zip(points)
-        .filter(|(used, _)| **used)
-        .map(|(_, p)| p[direction]);
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-        (low.min(x), high.max(x))
-    })
+    let values = used.iter().zip(points).filter(|(used, _)| **used).map(|(_, p)| p[direction]);
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }
 
 /// An unrolled arc: moves it by whole turns.
@@ -220,12 +196,7 @@ fn require_line(
     expected: f64,
     liner: &Liner,
 ) -> Result<(), Error> {
-    let tolerance = AGREEMENT
-        * if direction == 1 {
-            liner.length
-        } else {
-            liner.circumference()
-        };
+    let tolerance = AGREEMENT * if direction == 1 { liner.length } else { liner.circumference() };
     for &vertex in file.curve(group).unwrap_or(&[]).iter().flatten() {
         let found = points[vertex as usize][direction];
         if (found - expected).abs() > tolerance {
@@ -264,10 +235,7 @@ pub(super) fn require_closed(raw: &RawMesh) -> Result<(), Error> {
         return Ok(());
     }
     let degrees = |sector: usize| sector as f64 / SECTORS as f64 * TAU.to_degrees();
-    Err(Error::OpenRing {
-        from: degrees(start),
-        to: degrees(start + width),
-    })
+    Err(Error::OpenRing { from: degrees(start), to: degrees(start + width) })
 }
 
 /// True if all edges of the boundary belong to groups.

@@ -53,15 +53,8 @@ pub(super) fn glue(raw: &mut RawMesh, periodic: &[[u32; 2]], length: f64) -> Res
     }
     let merge = |v: &mut u32| *v = merged[*v as usize];
     raw.triangles.iter_mut().flatten().for_each(merge);
-    raw.curves
-        .iter_mut()
-        .flat_map(|(_, edges)| edges)
-        .flatten()
-        .for_each(merge);
-    let start = low
-        .iter()
-        .map(|&v| raw.points[v as usize][0])
-        .fold(f64::INFINITY, f64::min);
+    raw.curves.iter_mut().flat_map(|(_, edges)| edges).flatten().for_each(merge);
+    let start = low.iter().map(|&v| raw.points[v as usize][0]).fold(f64::INFINITY, f64::min);
     if start.is_finite() {
         for point in &mut raw.points {
             if point[0] < start || point[0] >= start + period {
@@ -80,10 +73,7 @@ fn spanning(raw: &RawMesh, merged: &[u32], period: f64) -> Vec<Defect> {
     let defect = |triangle: &[u32; 3]| {
         let xs = triangle.map(|v| raw.points[v as usize][0]);
         let span = xs.iter().copied().fold(f64::MIN, f64::max) - xs.iter().copied().fold(f64::MAX, f64::min);
-        Defect::SpansRing {
-            nodes: triangle.map(|v| raw.label(v)),
-            degrees: 360.0 * span / period,
-        }
+        Defect::SpansRing { nodes: triangle.map(|v| raw.label(v)), degrees: 360.0 * span / period }
     };
     spanning.map(defect).collect()
 }
@@ -127,10 +117,7 @@ fn match_sides(
             continue;
         }
         let from = by_z.partition_point(|&v| z(v) < z(upper) - AGREEMENT * length);
-        let near = by_z[from..]
-            .iter()
-            .take_while(|&&v| z(v) <= z(upper) + AGREEMENT * length)
-            .take(MOST_AT_ONE_Z);
+        let near = by_z[from..].iter().take_while(|&&v| z(v) <= z(upper) + AGREEMENT * length).take(MOST_AT_ONE_Z);
         if let Some(&lower) = near.filter(|&&v| meet(upper, v)).find(|v| !taken.contains(v)) {
             taken.insert(lower);
             partners.insert(upper, lower);

@@ -4,11 +4,7 @@ const RADIUS: f64 = 2.0;
 const LENGTH: f64 = 3.0;
 
 fn liner(arc: Option<(f64, f64)>) -> Liner {
-    Liner {
-        radius: RADIUS,
-        length: LENGTH,
-        arc,
-    }
+    Liner { radius: RADIUS, length: LENGTH, arc }
 }
 
 /// `columns` times 4 rectangles over `x` in `[x0, x0 + width]`, all boundary curves named; the two
@@ -16,13 +12,7 @@ fn liner(arc: Option<(f64, f64)>) -> Liner {
 fn plane(columns: u32, x0: f64, width: f64) -> MshFile {
     let vertex = |i: u32, j: u32| 5 * i + j;
     let nodes = (0..=columns).flat_map(|i| {
-        (0..5).map(move |j| {
-            [
-                x0 + width * f64::from(i) / f64::from(columns),
-                LENGTH * f64::from(j) / 4.0,
-                0.0,
-            ]
-        })
+        (0..5).map(move |j| [x0 + width * f64::from(i) / f64::from(columns), LENGTH * f64::from(j) / 4.0, 0.0])
     });
     let nodes: Vec<_> = nodes.collect();
     let cells = (0..columns).flat_map(|i| (0..4).map(move |j| (i, j)));
@@ -78,11 +68,7 @@ fn an_unrolled_ring_is_glued_wherever_its_seam_is() {
         let seams = ["seam_low", "seam_high"].map(|name| mesh.region(name).unwrap().edges.clone());
         assert_eq!(seams[0], seams[1]);
         assert_eq!(seams[0].len(), 4);
-        assert!(
-            mesh.points()
-                .iter()
-                .all(|p| p[0] >= x0 && p[0] < x0 + TAU * RADIUS && p[1].abs() <= 1.5)
-        );
+        assert!(mesh.points().iter().all(|p| p[0] >= x0 && p[0] < x0 + TAU * RADIUS && p[1].abs() <= 1.5));
     }
 }
 
@@ -91,11 +77,7 @@ fn a_slit_cylinder_is_glued_and_without_seam_groups_refused() {
     let file = rolled(plane(12, 1.0, TAU * RADIUS));
     let raw = unroll(&file, &liner(None), 1.0).unwrap();
     let defects = Mesh::build(raw).unwrap_err();
-    assert!(
-        defects
-            .iter()
-            .any(|d| matches!(d, crate::Defect::CoincidentNodes { .. }))
-    );
+    assert!(defects.iter().any(|d| matches!(d, crate::Defect::CoincidentNodes { .. })));
     let mesh = Mesh::build(unroll(&named(file, "seam_low", "seam_high"), &liner(None), 1.0).unwrap()).unwrap();
     assert_eq!(mesh.points().len(), 60);
 }
@@ -157,14 +139,7 @@ fn all_missing_groups_are_named_at_once() {
     file.surfaces[0].0 = "oil".to_owned();
     file.curves[0].0 = "low end".to_owned();
     let text = unroll(&file, &liner(None), 1.0).unwrap_err().to_string();
-    for name in [
-        "\"film\"",
-        "\"end_low\"",
-        "\"seam_low\"",
-        "\"seam_high\"",
-        "surface \"oil\"",
-        "curve \"low end\"",
-    ] {
+    for name in ["\"film\"", "\"end_low\"", "\"seam_low\"", "\"seam_high\"", "surface \"oil\"", "curve \"low end\""] {
         assert!(text.contains(name), "{text}");
     }
     assert!(!text.contains("lacks curve \"end_high\""));
@@ -174,10 +149,7 @@ fn all_missing_groups_are_named_at_once() {
 fn a_half_shell_is_no_ring() {
     let shell = rolled(named(plane(12, 0.0, 0.5 * TAU * RADIUS), "arc_from", "arc_to"));
     let error = unroll(&shell, &liner(None), 1.0).unwrap_err();
-    assert!(
-        matches!(error, Error::OpenRing { from, .. } if from == 180.0),
-        "{error}"
-    );
+    assert!(matches!(error, Error::OpenRing { from, .. } if from == 180.0), "{error}");
     // A groove through the full length leaves the film open too, with a name at its edges.
     let grooved = rolled(named(plane(12, 0.0, 0.9 * TAU * RADIUS), "groove", "groove"));
     assert!(Mesh::build(unroll(&grooved, &liner(None), 1.0).unwrap()).is_ok());
@@ -188,10 +160,7 @@ fn a_seam_that_does_not_fit_is_named_by_nodes() {
     let mut file = named(plane(12, 0.0, TAU * RADIUS), "seam_low", "seam_high");
     file.nodes[62][1] += 0.01;
     let text = unroll(&file, &liner(None), 1.0).unwrap_err().to_string();
-    assert!(
-        text.contains("node 3 of \"seam_low\"") && text.contains("node 63 at"),
-        "{text}"
-    );
+    assert!(text.contains("node 3 of \"seam_low\"") && text.contains("node 63 at"), "{text}");
 }
 
 #[test]
@@ -219,10 +188,7 @@ fn swapped_ends_are_refused() {
     file.curves.swap(0, 1);
     file.curves[0].0 = "end_low".to_owned();
     file.curves[1].0 = "end_high".to_owned();
-    assert!(matches!(
-        unroll(&file, &liner(None), 1.0),
-        Err(Error::Misplaced { group: "end_low", .. })
-    ));
+    assert!(matches!(unroll(&file, &liner(None), 1.0), Err(Error::Misplaced { group: "end_low", .. })));
 }
 
 #[test]
@@ -268,9 +234,6 @@ fn one_element_around_a_ring_is_told_to_be_three() {
             Err(error) => error.to_string(),
             Ok(mesh) => crate::Error::from(mesh.unwrap_err()).to_string(),
         };
-        assert!(
-            told.contains("degrees of the ring; use at least three elements around it"),
-            "{told}"
-        );
+        assert!(told.contains("degrees of the ring; use at least three elements around it"), "{told}");
     }
 }

@@ -19,11 +19,7 @@ pub(super) fn raw_mesh(domain: &Domain, outline: &Outline, filled: Triangles) ->
             let centre = [0, 1].map(|d| triangle.iter().map(|&v| points[v as usize][d]).sum::<f64>() / 3.0);
             feature.shape.distance(centre, domain.sheet.period()) < 0.0
         };
-        (0u32..)
-            .zip(&triangles)
-            .filter(|(_, triangle)| inside(triangle))
-            .map(|(t, _)| t)
-            .collect()
+        (0u32..).zip(&triangles).filter(|(_, triangle)| inside(triangle)).map(|(t, _)| t).collect()
     };
     let mut surfaces: Vec<(String, Vec<u32>)> = (domain.features.iter())
         .filter(|feature| feature.meshed)
@@ -54,16 +50,7 @@ pub(super) fn raw_mesh(domain: &Domain, outline: &Outline, filled: Triangles) ->
             }
         }
     }
-    RawMesh {
-        circles,
-        points,
-        labels: Vec::new(),
-        triangles,
-        bulges,
-        curves,
-        surfaces,
-        period: domain.sheet.period(),
-    }
+    RawMesh { circles, points, labels: Vec::new(), triangles, bulges, curves, surfaces, period: domain.sheet.period() }
 }
 
 /// Triangles in none of the surfaces.

@@ -214,28 +214,16 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
         let name = &feature.name;
         let width = 2.0 * feature.shape.half[0].min(feature.shape.half[1]);
         if width < least {
-            faults.push(DrawingError::TooThin {
-                name: name.clone(),
-                width,
-                least,
-            });
+            faults.push(DrawingError::TooThin { name: name.clone(), width, least });
             continue;
         }
         let corner = feature.shape.corner;
         if corner > 0.0 && corner < 0.5 * least {
-            faults.push(DrawingError::SmallCorner {
-                name: name.clone(),
-                corner,
-                least: 0.5 * least,
-            });
+            faults.push(DrawingError::SmallCorner { name: name.clone(), corner, least: 0.5 * least });
         }
         let shortest = feature.shape.shortest_side();
         if shortest < least {
-            faults.push(DrawingError::ShortSide {
-                name: name.clone(),
-                side: shortest,
-                least,
-            });
+            faults.push(DrawingError::ShortSide { name: name.clone(), side: shortest, least });
         }
         faults.extend(land_fault(&sheet, feature, least));
         let line = to_line(blueprint, feature);
@@ -244,20 +232,11 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
         if line < least && !is_at_line {
             let (first, second) = (name.clone(), LINE.to_owned());
             let land = line;
-            faults.push(DrawingError::ThinLand {
-                first,
-                second,
-                land,
-                least,
-            });
+            faults.push(DrawingError::ThinLand { first, second, land, least });
         }
         for other in &blueprint.features[index + 1..] {
             let is_union = feature.name == other.name && are_joined(&sheet, feature, other);
-            faults.extend(
-                (!is_union)
-                    .then(|| fault_between(&sheet, feature, other, least))
-                    .flatten(),
-            );
+            faults.extend((!is_union).then(|| fault_between(&sheet, feature, other, least)).flatten());
         }
     }
     if faults.is_empty() {
@@ -276,9 +255,7 @@ fn land_fault(sheet: &Sheet, feature: &Feature, least: f64) -> Option<DrawingErr
         return Some(DrawingError::WholeLiner { name });
     }
     let is_sharp = feature.shape.corner == 0.0;
-    let narrow = lands
-        .into_iter()
-        .filter(|land| *land < least && !(is_sharp && land.abs() <= near));
+    let narrow = lands.into_iter().filter(|land| *land < least && !(is_sharp && land.abs() <= near));
     let land = narrow.min_by(f64::total_cmp)?;
     Some(DrawingError::OffLiner { name, land, least })
 }
@@ -295,12 +272,7 @@ fn fault_between(sheet: &Sheet, one: &Feature, other: &Feature, least: f64) -> O
         Meeting::Touching => land_around(sheet, one, other, near),
         Meeting::Apart => distance_between(sheet, one, other),
     };
-    (land < least).then_some(DrawingError::ThinLand {
-        first,
-        second,
-        land,
-        least,
-    })
+    (land < least).then_some(DrawingError::ThinLand { first, second, land, least })
 }
 
 /// Corners at which rims meet that are too sharp for the film, or too near to each other.
@@ -310,20 +282,13 @@ fn slivers(blueprint: &Blueprint, least: f64) -> Vec<DrawingError> {
     for junction in junctions(&sheet, &parts(&sheet, &blueprint.features)) {
         let (degrees, side) = (junction.angle.to_degrees(), junction.side);
         if degrees < SHARPEST || side < least {
-            let mut names: Vec<String> = (junction.features.iter())
-                .map(|&index| format!("\"{}\"", blueprint.features[index].name))
-                .collect();
+            let mut names: Vec<String> =
+                (junction.features.iter()).map(|&index| format!("\"{}\"", blueprint.features[index].name)).collect();
             names.dedup();
             let names = names.join(" and ");
             let is_told = |told: &DrawingError| matches!(told, DrawingError::Sliver { names: of, .. } if *of == names);
             if !slivers.iter().any(is_told) {
-                slivers.push(DrawingError::Sliver {
-                    names,
-                    degrees,
-                    side,
-                    least_degrees: SHARPEST,
-                    least,
-                });
+                slivers.push(DrawingError::Sliver { names, degrees, side, least_degrees: SHARPEST, least });
             }
         }
     }
@@ -354,14 +319,9 @@ pub(super) fn gaps(blueprint: &Blueprint, sheet: &Sheet) -> Vec<f64> {
     (features.iter().enumerate())
         .map(|(index, feature)| {
             let others = (features.iter().enumerate()).filter(|(other, _)| *other != index);
-            let lands = lands(sheet, &feature.shape)
-                .into_iter()
-                .chain([to_line(blueprint, feature)]);
+            let lands = lands(sheet, &feature.shape).into_iter().chain([to_line(blueprint, feature)]);
             let lands = lands.filter(|land| *land > near);
-            others
-                .map(|(_, other)| land_between(feature, other))
-                .chain(lands)
-                .fold(f64::INFINITY, f64::min)
+            others.map(|(_, other)| land_between(feature, other)).chain(lands).fold(f64::INFINITY, f64::min)
         })
         .collect()
 }

@@ -30,11 +30,7 @@ pub fn generate_in_rows_like(
         let z = low[1] + (high[1] - low[1]) * place(row, ACROSS);
         let (t, _) = locator.find([x, z])?;
         let corners = mesh.corners(t);
-        Some(Sample {
-            at: [column, row],
-            extent: extent(corners),
-            area: 0.5 * doubled_area(corners),
-        })
+        Some(Sample { at: [column, row], extent: extent(corners), area: 0.5 * doubled_area(corners) })
     };
     let in_column = |column: usize| (0..ACROSS).filter_map(move |row| at(column, row));
     let samples: Vec<Sample> = (0..ALONG).flat_map(in_column).collect();
@@ -52,15 +48,7 @@ pub fn generate_in_rows_like(
     };
     let along = |x: f64| nearest(&columns, ((x - low[0]) / width).rem_euclid(1.0));
     let across = |z: f64| nearest(&rows, (z - low[1]) / (high[1] - low[1]));
-    generate_in_rows(
-        blueprint,
-        &Rows {
-            along: &along,
-            across: &across,
-            sense,
-            grading: Grading::RESOLVED,
-        },
-    )
+    generate_in_rows(blueprint, &Rows { along: &along, across: &across, sense, grading: Grading::RESOLVED })
 }
 
 fn bounds(mesh: &Mesh) -> [[f64; 2]; 2] {

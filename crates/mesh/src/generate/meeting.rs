@@ -26,16 +26,8 @@ pub enum Meeting {
 pub fn meeting(liner: &Liner, one: &Shape, other: &Shape) -> Meeting {
     let sheet = Sheet::of(liner, 0.0);
     let are_sharp = one.corner == 0.0 && other.corner == 0.0;
-    let near = if are_sharp {
-        ONE_LINE * liner.radius
-    } else {
-        SAME * sheet.width
-    };
-    let [one, other] = [one, other].map(|shape| Feature {
-        name: String::new(),
-        shape: *shape,
-        meshed: false,
-    });
+    let near = if are_sharp { ONE_LINE * liner.radius } else { SAME * sheet.width };
+    let [one, other] = [one, other].map(|shape| Feature { name: String::new(), shape: *shape, meshed: false });
     between(&sheet, &one, &other, near)
 }
 
@@ -58,17 +50,11 @@ pub(super) fn between(sheet: &Sheet, one: &Feature, other: &Feature, near: f64) 
 fn gaps_between(sheet: &Sheet, one: &Shape, other: &Shape) -> [[f64; 2]; 2] {
     let halves = [0, 1].map(|axis| one.half[axis] + other.half[axis]);
     let between = [0, 1].map(|axis| one.centre[axis] - other.centre[axis]);
-    let along = sheet
-        .period()
-        .map_or(between[0], |period| shorter_way(between[0], period))
-        .abs();
+    let along = sheet.period().map_or(between[0], |period| shorter_way(between[0], period)).abs();
     let other_way = |period: f64| period - along - halves[0];
     let is_band = halves[0].is_infinite();
     let around = sheet.period().filter(|_| !is_band).map_or(f64::INFINITY, other_way);
-    [
-        [along - halves[0], around],
-        [between[1].abs() - halves[1], f64::INFINITY],
-    ]
+    [[along - halves[0], around], [between[1].abs() - halves[1], f64::INFINITY]]
 }
 
 /// The narrow land [m] that two touching features leave on the other side of the ring; infinite where there is none.
@@ -91,11 +77,7 @@ pub(super) fn distance_between(sheet: &Sheet, a: &Feature, b: &Feature) -> f64 {
     let near = SAME * sheet.width;
     let outlines = [a, b].map(|feature| on_sheet(sheet, feature));
     let meet = |piece: &Piece| outlines[1].iter().any(|other| !piece.meets(other, near).is_empty());
-    let met = if outlines[0].iter().any(meet) {
-        0.0
-    } else {
-        f64::INFINITY
-    };
+    let met = if outlines[0].iter().any(meet) { 0.0 } else { f64::INFINITY };
     to(a, b).min(to(b, a)).min(met)
 }
 
@@ -103,10 +85,7 @@ pub(super) fn distance_between(sheet: &Sheet, a: &Feature, b: &Feature) -> f64 {
 pub(super) fn outline_points(sheet: &Sheet, feature: &Feature) -> Vec<[f64; 2]> {
     const A_PIECE: u32 = 64;
     let pieces = feature.shape.outline(sheet.start, sheet.width);
-    pieces
-        .iter()
-        .flat_map(|piece| (0..A_PIECE).map(|k| piece.at(f64::from(k) / f64::from(A_PIECE))))
-        .collect()
+    pieces.iter().flat_map(|piece| (0..A_PIECE).map(|k| piece.at(f64::from(k) / f64::from(A_PIECE)))).collect()
 }
 
 /// Land [m] between a feature and the edges of the liner, negative where it reaches out; on a ring also what it leaves around.
@@ -129,11 +108,7 @@ pub(super) fn align(features: &mut [Feature], liner: &Liner, line: Option<f64>) 
     let sheet = Sheet::of(liner, 0.0);
     let reach = ONE_LINE * liner.radius;
     let half = 0.5 * sheet.length;
-    let edges = if sheet.ring {
-        Vec::new()
-    } else {
-        vec![sheet.start, sheet.end()]
-    };
+    let edges = if sheet.ring { Vec::new() } else { vec![sheet.start, sheet.end()] };
     let mut lines = [edges.into_iter().chain(line).collect::<Vec<f64>>(), vec![-half, half]];
     for feature in features.iter_mut().filter(|feature| feature.shape.corner == 0.0) {
         for (axis, lines) in lines.iter_mut().enumerate() {

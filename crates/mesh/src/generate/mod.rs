@@ -65,11 +65,7 @@ pub fn generate_graded(
     let size = &|point: [f64; 2]| size(point).min(widest);
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
     let field = SizeField::new(size, grading, sheet.period(), (&blueprint.features, &gaps), &corners);
-    let domain = Domain {
-        sheet,
-        features: &blueprint.features,
-        size: &field,
-    };
+    let domain = Domain { sheet, features: &blueprint.features, size: &field };
     check_size(&domain, None)?;
     meshed(&domain, None)
 }
@@ -85,24 +81,14 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
     let widest = widest(&sheet);
     let along = |x: f64| (rows.along)(x).min(widest);
     let across = |z: f64| (rows.across)(z).min(widest);
-    let rows = Rows {
-        along: &along,
-        across: &across,
-        sense: rows.sense,
-        grading: rows.grading,
-    };
+    let rows = Rows { along: &along, across: &across, sense: rows.sense, grading: rows.grading };
     let size = |point: [f64; 2]| rows.size(point);
     // Grooves all around have rows along their edges, which have no corner: triangles become smaller towards all else.
-    let (others, gaps): (Vec<Feature>, Vec<f64>) = (blueprint.features.iter().cloned().zip(gaps))
-        .filter(|(feature, _)| !feature.shape.is_full_turn())
-        .unzip();
+    let (others, gaps): (Vec<Feature>, Vec<f64>) =
+        (blueprint.features.iter().cloned().zip(gaps)).filter(|(feature, _)| !feature.shape.is_full_turn()).unzip();
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
     let field = SizeField::new(&size, rows.grading, sheet.period(), (&others, &gaps), &corners);
-    let domain = Domain {
-        sheet,
-        features: &blueprint.features,
-        size: &field,
-    };
+    let domain = Domain { sheet, features: &blueprint.features, size: &field };
     check_size(&domain, Some(&rows))?;
     let grid = Grid::new(&sheet, &blueprint.features, &rows, &|point| field.near_features(point));
     meshed(&domain, Some(&grid))
@@ -125,18 +111,12 @@ fn widest(sheet: &Sheet) -> f64 {
 
 /// The mesh of a domain, with the nodes of a grid, if there is one.
 fn meshed(domain: &Domain, grid: Option<&Grid>) -> Result<Mesh, Vec<DrawingError>> {
-    let cutting = Cutting {
-        size: domain.size,
-        grid,
-    };
+    let cutting = Cutting { size: domain.size, grid };
     let outline = outline::outline(&domain.sheet, domain.features, &cutting);
     let nodes = grid.map(|grid| grid.inner_nodes(domain)).unwrap_or_default();
     let mut filled = triangulate(domain, &outline, &nodes).ok_or_else(|| {
         let size = domain.size.at([domain.sheet.start, 0.0]);
-        vec![DrawingError::Failed {
-            size,
-            reason: "outlines cross; choose a smaller size".to_owned(),
-        }]
+        vec![DrawingError::Failed { size, reason: "outlines cross; choose a smaller size".to_owned() }]
     })?;
     if let Some(grid) = grid {
         grid.turn_diagonals(&mut filled);
@@ -149,11 +129,7 @@ fn meshed(domain: &Domain, grid: Option<&Grid>) -> Result<Mesh, Vec<DrawingError
 fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingError>> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
-    let Domain {
-        sheet,
-        features,
-        size: field,
-    } = domain;
+    let Domain { sheet, features, size: field } = domain;
     let (mut triangles, mut least) = (0.0, f64::INFINITY);
     for k in 0..ALONG * ACROSS {
         let x = sheet.start + sheet.width * (f64::from(k / ACROSS) + 0.5) / f64::from(ALONG);
@@ -173,10 +149,7 @@ fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingErr
         triangles += (sheet.width / edges[0]) * (sheet.length / edges[1]) / (area * f64::from(ALONG * ACROSS));
     }
     // Those around a rim may be too few in number of rows to be met above: the integral of dA / (area of a triangle) beside an edge.
-    for feature in features
-        .iter()
-        .filter(|feature| rows.is_none() || !feature.shape.is_full_turn())
-    {
+    for feature in features.iter().filter(|feature| rows.is_none() || !feature.shape.is_full_turn()) {
         let sides = if feature.meshed { 2.0 } else { 1.0 };
         triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * field.grading.growth);
     }
@@ -197,49 +170,21 @@ mod tests {
     use std::f64::consts::{PI, TAU};
 
     pub(super) fn ring(features: Vec<Feature>) -> Blueprint {
-        let liner = Liner {
-            radius: 0.0375,
-            length: 0.075,
-            arc: None,
-        };
-        Blueprint {
-            liner,
-            features,
-            line: None,
-        }
+        let liner = Liner { radius: 0.0375, length: 0.075, arc: None };
+        Blueprint { liner, features, line: None }
     }
 
     fn hole(name: &str, angle: f64, z: f64, radius: f64) -> Feature {
         let shape = Shape::disc([0.0375 * angle.to_radians(), z], radius);
-        Feature {
-            name: name.to_owned(),
-            shape,
-            meshed: false,
-        }
+        Feature { name: name.to_owned(), shape, meshed: false }
     }
 
     #[test]
     fn plain_ring_and_ring_with_features() {
-        let groove = Shape {
-            centre: [0.0375 * 5.2, 0.0],
-            half: [0.006, 0.028],
-            corner: 0.0,
-        };
-        let groove = Feature {
-            name: "groove".into(),
-            shape: groove,
-            meshed: false,
-        };
-        let turn = Shape {
-            centre: [0.0, 0.02],
-            half: [f64::INFINITY, 0.003],
-            corner: 0.0,
-        };
-        let turn = Feature {
-            name: "turn".into(),
-            shape: turn,
-            meshed: true,
-        };
+        let groove = Shape { centre: [0.0375 * 5.2, 0.0], half: [0.006, 0.028], corner: 0.0 };
+        let groove = Feature { name: "groove".into(), shape: groove, meshed: false };
+        let turn = Shape { centre: [0.0, 0.02], half: [f64::INFINITY, 0.003], corner: 0.0 };
+        let turn = Feature { name: "turn".into(), shape: turn, meshed: true };
         let cases = [
             vec![],
             vec![hole("a", 130.0, 0.0, 0.0085)],
@@ -271,21 +216,9 @@ mod tests {
 
     #[test]
     fn the_drawing_of_a_mesh_is_found_again() {
-        let groove = Shape {
-            centre: [0.0375 * 5.7, 0.0],
-            half: [0.006, 0.028],
-            corner: 0.0,
-        };
-        let band = Shape {
-            centre: [0.0, 0.02],
-            half: [f64::INFINITY, 0.003],
-            corner: 0.0,
-        };
-        let meshed = |name: &str, shape| Feature {
-            name: name.into(),
-            shape,
-            meshed: true,
-        };
+        let groove = Shape { centre: [0.0375 * 5.7, 0.0], half: [0.006, 0.028], corner: 0.0 };
+        let band = Shape { centre: [0.0, 0.02], half: [f64::INFINITY, 0.003], corner: 0.0 };
+        let meshed = |name: &str, shape| Feature { name: name.into(), shape, meshed: true };
         let drawings = [
             vec![hole("a", 2.0, 0.015, 0.005), meshed("groove", groove)],
             vec![meshed("band", band), hole("a", 130.0, -0.01, 0.0085)],
@@ -297,11 +230,7 @@ mod tests {
             for (found, drawn) in found.features.iter().zip(&features) {
                 assert_eq!(found.meshed, drawn.meshed);
                 let turn = Some(TAU * 0.0375);
-                for (point, distance) in [
-                    ([0.01, 0.01], None),
-                    ([0.23, 0.0], None),
-                    (drawn.shape.centre, Some(())),
-                ] {
+                for (point, distance) in [([0.01, 0.01], None), ([0.23, 0.0], None), (drawn.shape.centre, Some(()))] {
                     let (a, b) = (found.shape.distance(point, turn), drawn.shape.distance(point, turn));
                     assert!((a - b).abs() < 1e-12, "{} {distance:?}: {a} {b}", drawn.name);
                 }

@@ -68,11 +68,7 @@ impl Collector {
         for pair in numbers.windows(2) {
             if pair[0] != pair[1] {
                 let group = group.map(str::to_owned);
-                self.outline.edges.push(Edge {
-                    ends: [pair[0], pair[1]],
-                    group,
-                    circle,
-                });
+                self.outline.edges.push(Edge { ends: [pair[0], pair[1]], group, circle });
             }
         }
     }
@@ -182,11 +178,7 @@ fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64;
     let axis = usize::from(from[0] == to[0]);
     let is_on = |point: &[f64; 2], line: f64| (point[1 - axis] - line).abs() < near;
     // Both sides of a seam are cut alike.
-    let twin = if sheet.ring && axis == 1 {
-        sheet.end()
-    } else {
-        from[1 - axis]
-    };
+    let twin = if sheet.ring && axis == 1 { sheet.end() } else { from[1 - axis] };
     let mut places: Vec<f64> = (pieces.iter())
         .flat_map(|(_, piece)| [piece.at(0.0), piece.at(1.0)])
         .filter(|point| is_on(point, from[1 - axis]) || is_on(point, twin))
@@ -216,9 +208,7 @@ fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64;
 pub(super) fn cut(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
     let least = match piece {
         Piece::Line(..) => 1.0,
-        Piece::Arc(_, from, to) => ((to - from) / (std::f64::consts::TAU / EDGES_A_TURN) - 1e-9)
-            .ceil()
-            .max(1.0),
+        Piece::Arc(_, from, to) => ((to - from) / (std::f64::consts::TAU / EDGES_A_TURN) - 1e-9).ceil().max(1.0),
     };
     let count = counted(piece, size);
     let samples = count.len() - 1;
@@ -260,8 +250,5 @@ fn counted(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<f64> {
 /// Edges along the rim of a feature.
 pub(super) fn edges_along(sheet: &Sheet, feature: &Feature, size: &SizeField) -> f64 {
     let pieces = on_sheet(sheet, feature);
-    pieces
-        .iter()
-        .filter_map(|piece| counted(piece, &|point| size.at(point)).last().copied())
-        .sum()
+    pieces.iter().filter_map(|piece| counted(piece, &|point| size.at(point)).last().copied()).sum()
 }

@@ -21,23 +21,13 @@ impl Blueprint {
         for &name in names {
             let region = mesh.region(name);
             match region.and_then(|region| Some((region, shape_of(mesh, region, liner.length)?))) {
-                Some((region, shape)) => features.push(Feature {
-                    name: name.to_owned(),
-                    shape,
-                    meshed: !region.cells.is_empty(),
-                }),
+                Some((region, shape)) => {
+                    features.push(Feature { name: name.to_owned(), shape, meshed: !region.cells.is_empty() })
+                }
                 None => faults.push(DrawingError::Unrecognised { name: name.to_owned() }),
             }
         }
-        if faults.is_empty() {
-            Ok(Self {
-                liner,
-                features,
-                line: None,
-            })
-        } else {
-            Err(faults)
-        }
+        if faults.is_empty() { Ok(Self { liner, features, line: None }) } else { Err(faults) }
     }
 }
 
@@ -48,11 +38,7 @@ fn rim(mesh: &Mesh, region: &Region) -> Vec<u32> {
     }
     let inside = |t: u32| t != NO_TRIANGLE && region.cells.binary_search(&t).is_ok();
     let sides = mesh.topology().edge_triangles.iter();
-    (0u32..)
-        .zip(sides)
-        .filter(|(_, sides)| inside(sides[0]) != inside(sides[1]))
-        .map(|(edge, _)| edge)
-        .collect()
+    (0u32..).zip(sides).filter(|(_, sides)| inside(sides[0]) != inside(sides[1])).map(|(edge, _)| edge).collect()
 }
 
 /// The shape of a region of a liner of this length [m].
@@ -106,11 +92,7 @@ fn rectangle(mesh: &Mesh, rim: &[u32], cut_out_of: Option<f64>) -> Option<Shape>
     let centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
     if straight && horizontal.count() == edges.len() {
         let turn = mesh.period()?;
-        let band = Shape {
-            centre,
-            half: [f64::INFINITY, half[1]],
-            corner: 0.0,
-        };
+        let band = Shape { centre, half: [f64::INFINITY, half[1]], corner: 0.0 };
         return ((length - 2.0 * turn).abs() < 1e-6 * turn).then_some(band);
     }
     let on_sides = edges.iter().all(|edge| along(0, edge) || along(1, edge));

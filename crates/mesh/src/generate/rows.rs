@@ -98,10 +98,8 @@ impl Grid {
     /// Places along `axis` of the nodes whose other coordinate is `level` [m], ascending. The two sides of a ring have the same nodes.
     pub(super) fn on_line(&self, axis: usize, level: f64) -> Vec<f64> {
         let positions = self.nodes.iter().map(|&place| self.position(place));
-        let mut places: Vec<f64> = positions
-            .filter(|position| position[1 - axis] == level)
-            .map(|position| position[axis])
-            .collect();
+        let mut places: Vec<f64> =
+            positions.filter(|position| position[1 - axis] == level).map(|position| position[axis]).collect();
         places.sort_unstable_by(f64::total_cmp);
         places
     }
@@ -111,9 +109,7 @@ impl Grid {
         let last = [self.columns.len() - 1, self.rows.len() - 1].map(|last| last as i64 * UNITS);
         let inside = |place: &&Place| (0..2).all(|k| place[k] > 0 && place[k] < last[k]);
         let positions = self.nodes.iter().filter(inside).map(|&place| self.position(place));
-        positions
-            .filter(|&point| domain.margin(point) > APART * domain.size.at(point))
-            .collect()
+        positions.filter(|&point| domain.margin(point) > APART * domain.size.at(point)).collect()
     }
 
     /// Cuts neighbouring cells along the one and the other diagonal: which one a Delaunay triangulation takes is left to rounding. Faces of cells
@@ -121,9 +117,8 @@ impl Grid {
     pub(super) fn turn_diagonals(&self, filled: &mut Triangles) {
         let Triangles { points, triangles } = filled;
         let key = |point: [f64; 2]| point.map(f64::to_bits);
-        let places: HashMap<[u64; 2], Place> = (self.nodes.iter())
-            .map(|&place| (key(self.position(place)), place))
-            .collect();
+        let places: HashMap<[u64; 2], Place> =
+            (self.nodes.iter()).map(|&place| (key(self.position(place)), place)).collect();
         // An odd number of columns has no middle between two of them.
         let is_odd = self.columns.len().is_multiple_of(2);
         let first = i64::from(is_odd && self.sense == Sense::Backwards);
@@ -193,10 +188,7 @@ impl Grid {
         let before = self.nodes.len();
         let last = (self.columns.len() - 1) as i64 * UNITS;
         if is_ring {
-            let on_sides: Vec<Place> = (self.nodes.iter())
-                .filter(|place| place[0] % last == 0)
-                .copied()
-                .collect();
+            let on_sides: Vec<Place> = (self.nodes.iter()).filter(|place| place[0] % last == 0).copied().collect();
             for [side, level] in on_sides {
                 self.nodes.insert([last - side, level]);
             }

@@ -43,11 +43,7 @@ pub(super) enum Piece {
 impl Shape {
     /// A round hole.
     pub fn disc(centre: [f64; 2], radius: f64) -> Self {
-        Self {
-            centre,
-            half: [radius, radius],
-            corner: radius,
-        }
+        Self { centre, half: [radius, radius], corner: radius }
     }
 
     /// True if it runs all around the bearing.
@@ -76,10 +72,7 @@ impl Shape {
     /// Length [m] of the shortest straight side that there is; infinite if there is none.
     pub(super) fn shortest_side(&self) -> f64 {
         let sides = self.half.map(|half| 2.0 * (half - self.corner));
-        sides
-            .into_iter()
-            .filter(|&side| side > 1e-12 * self.half[1])
-            .fold(f64::INFINITY, f64::min)
+        sides.into_iter().filter(|&side| side > 1e-12 * self.half[1]).fold(f64::INFINITY, f64::min)
     }
 
     /// Middle and length [m] of the straight sides, where round corners leave any; both of each kind.
@@ -135,10 +128,7 @@ impl Shape {
             let centre = [x + sx * inner_a, z + sz * inner_b];
             let from = FRAC_PI_2 * (f64::from(quarter) - 1.0);
             if self.corner > 0.0 {
-                let circle = Circle {
-                    centre,
-                    radius: self.corner,
-                };
+                let circle = Circle { centre, radius: self.corner };
                 pieces.push(Piece::Arc(circle, from, from + FRAC_PI_2));
             }
             let (next_sx, next_sz) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][usize::from(quarter)];
@@ -169,10 +159,7 @@ impl Piece {
             Self::Line(a, b) => [0, 1].map(|d| if s == 1.0 { b[d] } else { a[d] + s * (b[d] - a[d]) }),
             Self::Arc(circle, from, to) => {
                 let (sin, cos) = (from + s * (to - from)).sin_cos();
-                [
-                    circle.centre[0] + circle.radius * cos,
-                    circle.centre[1] + circle.radius * sin,
-                ]
+                [circle.centre[0] + circle.radius * cos, circle.centre[1] + circle.radius * sin]
             }
         }
     }
@@ -245,11 +232,7 @@ impl Piece {
             }
             Self::Arc(circle, from, to) => {
                 let turn = ((point[1] - circle.centre[1]).atan2(point[0] - circle.centre[0]) - from).rem_euclid(TAU);
-                let turn = if turn > TAU - slack * (to - from) {
-                    turn - TAU
-                } else {
-                    turn
-                };
+                let turn = if turn > TAU - slack * (to - from) { turn - TAU } else { turn };
                 (circle.distance(point).abs() <= near).then(|| turn / (to - from))?
             }
         };
@@ -283,10 +266,7 @@ impl Piece {
         match self {
             Self::Line(a, b) => Self::Line(shift(a), shift(b)),
             Self::Arc(circle, from, to) => {
-                let circle = Circle {
-                    centre: shift(&circle.centre),
-                    radius: circle.radius,
-                };
+                let circle = Circle { centre: shift(&circle.centre), radius: circle.radius };
                 Self::Arc(circle, *from, *to)
             }
         }
@@ -306,10 +286,7 @@ fn lines_meet([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
 
 /// The points in which a line meets a circle; one where it comes as near as `near` [m] to touching it.
 fn line_meets_circle([a, b]: [[f64; 2]; 2], circle: &Circle, near: f64) -> Vec<[f64; 2]> {
-    let ([u, v], arm) = (
-        Piece::Line(a, b).direction(0.0),
-        [0, 1].map(|d| circle.centre[d] - a[d]),
-    );
+    let ([u, v], arm) = (Piece::Line(a, b).direction(0.0), [0, 1].map(|d| circle.centre[d] - a[d]));
     let (along, off) = (arm[0] * u + arm[1] * v, arm[0] * v - arm[1] * u);
     let half_chord = half_chord(circle.radius, off, near);
     let at = |s: f64| [a[0] + s * u, a[1] + s * v];
@@ -325,12 +302,7 @@ fn circles_meet(one: &Circle, two: &Circle, near: f64) -> Vec<[f64; 2]> {
     }
     let along = 0.5 * (apart + (one.radius - two.radius) * (one.radius + two.radius) / apart);
     let [u, v] = [x / apart, z / apart];
-    let at = |across: f64| {
-        [
-            one.centre[0] + along * u - across * v,
-            one.centre[1] + along * v + across * u,
-        ]
-    };
+    let at = |across: f64| [one.centre[0] + along * u - across * v, one.centre[1] + along * v + across * u];
     half_chord(one.radius, along, near).map_or(Vec::new(), |half| vec![at(-half), at(half)])
 }
 
@@ -351,21 +323,9 @@ mod tests {
     fn outline_lies_at_distance_zero_and_closes() {
         let shapes = [
             Shape::disc([0.3, 0.1], 0.05),
-            Shape {
-                centre: [0.3, 0.1],
-                half: [0.1, 0.04],
-                corner: 0.0,
-            },
-            Shape {
-                centre: [0.3, 0.1],
-                half: [0.1, 0.04],
-                corner: 0.02,
-            },
-            Shape {
-                centre: [0.3, 0.1],
-                half: [0.1, 0.04],
-                corner: 0.04,
-            },
+            Shape { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.0 },
+            Shape { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.02 },
+            Shape { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.04 },
         ];
         for shape in shapes {
             let pieces = shape.outline(0.0, 1.0);

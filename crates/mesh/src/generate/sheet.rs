@@ -24,12 +24,7 @@ impl Sheet {
                 length: liner.length,
                 ring: false,
             },
-            None => Self {
-                start,
-                width: liner.circumference(),
-                length: liner.length,
-                ring: true,
-            },
+            None => Self { start, width: liner.circumference(), length: liner.length, ring: true },
         }
     }
 
@@ -54,11 +49,7 @@ impl Sheet {
     /// Distance [m] from the ends and, on an arc, its edges; negative outside.
     pub(super) fn margin(&self, [x, z]: [f64; 2]) -> f64 {
         let ends = 0.5 * self.length - z.abs();
-        if self.ring {
-            ends
-        } else {
-            ends.min(x - self.start).min(self.end() - x)
-        }
+        if self.ring { ends } else { ends.min(x - self.start).min(self.end() - x) }
     }
 }
 

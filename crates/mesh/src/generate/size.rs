@@ -21,22 +21,11 @@ pub struct Grading {
 impl Grading {
     /// Rims are resolved. With this growth and these edges at a rim the load of the hole-fed shell has the least error at equal unknowns
     /// (`at_rim` 0.15 to 0.6 and `growth` 0.15 to 0.45 were tried).
-    pub const RESOLVED: Self = Self {
-        growth: 0.2,
-        at_rim: 0.3,
-        of_half: 0.5,
-        of_radius: 0.25,
-        per_corner: 10.0,
-    };
+    pub const RESOLVED: Self = Self { growth: 0.2, at_rim: 0.3, of_half: 0.5, of_radius: 0.25, per_corner: 10.0 };
     /// The wanted size counts, and rims get few edges of their own: four corners of a narrow groove are given 1900 triangles by
     /// [`Self::RESOLVED`], however large the wanted size is, and some 40 here.
-    pub const BY_SIZE: Self = Self {
-        growth: 0.5,
-        at_rim: 0.5,
-        of_half: f64::INFINITY,
-        of_radius: 0.5,
-        per_corner: 1.0,
-    };
+    pub const BY_SIZE: Self =
+        Self { growth: 0.5, at_rim: 0.5, of_half: f64::INFINITY, of_radius: 0.5, per_corner: 1.0 };
 }
 
 /// Edge length wanted at a point.
@@ -66,11 +55,8 @@ impl<'a> SizeField<'a> {
         junctions: &[Junction],
     ) -> Self {
         // Parts of rims between corners are as long as their edges, or longer.
-        let part = |junction: &Junction| Spot {
-            centre: junction.middle,
-            radius: 0.5 * junction.side,
-            size: junction.side,
-        };
+        let part =
+            |junction: &Junction| Spot { centre: junction.middle, radius: 0.5 * junction.side, size: junction.side };
         let mut spots: Vec<Spot> = junctions.iter().map(part).collect();
         let at_feature = features
             .iter()
@@ -88,14 +74,7 @@ impl<'a> SizeField<'a> {
                 own.min(grading.at_rim * far).min(0.5 * gap)
             })
             .collect();
-        Self {
-            base,
-            grading,
-            period,
-            features,
-            at_feature,
-            spots,
-        }
+        Self { base, grading, period, features, at_feature, spots }
     }
 
     /// Edge length [m] wanted at `point`.
@@ -122,9 +101,7 @@ impl<'a> SizeField<'a> {
                 continue;
             }
             let along = point[0] - spot.centre[0];
-            let along = self
-                .period
-                .map_or(along, |period| crate::developed::shorter_way(along, period));
+            let along = self.period.map_or(along, |period| crate::developed::shorter_way(along, period));
             let distance = along.hypot(point[1] - spot.centre[1]) - spot.radius;
             size = size.min(spot.size + self.grading.growth * distance.abs());
         }
@@ -135,20 +112,14 @@ impl<'a> SizeField<'a> {
 /// Corners of a shape, sharp or round, and straight sides that are shorter than their neighbours; `wide` [m] is its lesser half
 /// extent, or the size far from it.
 fn spots_of(shape: &Shape, wide: f64, grading: Grading) -> Vec<Spot> {
-    let sharp = shape.sharp_corners().into_iter().map(|centre| Spot {
-        centre,
-        radius: 0.0,
-        size: wide / grading.per_corner,
-    });
+    let sharp =
+        shape.sharp_corners().into_iter().map(|centre| Spot { centre, radius: 0.0, size: wide / grading.per_corner });
     let round = shape.round_corners().into_iter().map(|centre| Spot {
         centre,
         radius: shape.corner,
         size: grading.of_radius * shape.corner,
     });
-    let sides = shape.short_sides().into_iter().map(|(centre, length)| Spot {
-        centre,
-        radius: 0.5 * length,
-        size: length,
-    });
+    let sides =
+        shape.short_sides().into_iter().map(|(centre, length)| Spot { centre, radius: 0.5 * length, size: length });
     sharp.chain(round).chain(sides).collect()
 }

@@ -54,14 +54,10 @@ impl Domain<'_> {
         let mut margin = self.sheet.margin(point);
         if self.sheet.ring {
             // Not too near to the seam either: its points are fixed.
-            margin = margin
-                .min((point[0] - self.sheet.start).abs())
-                .min((self.sheet.end() - point[0]).abs());
+            margin = margin.min((point[0] - self.sheet.start).abs()).min((self.sheet.end() - point[0]).abs());
         }
         for (index, feature) in self.features.iter().enumerate() {
-            let others = self.features[index + 1..]
-                .iter()
-                .filter(|other| other.name == feature.name);
+            let others = self.features[index + 1..].iter().filter(|other| other.name == feature.name);
             let distance = |feature: &Feature| feature.shape.distance(point, self.sheet.period());
             // Of a union once, with all its features.
             let is_first = self.features[..index].iter().all(|other| other.name != feature.name);
@@ -111,11 +107,7 @@ fn centroid(corners: [[f64; 2]; 3]) -> [f64; 2] {
 
 /// Triangulates `domain` inside `outline` with the `nodes` of a grid, which stay; none if an outline crosses itself.
 pub(super) fn triangulate(domain: &Domain, outline: &Outline, nodes: &[[f64; 2]]) -> Option<Triangles> {
-    let edges: Vec<[usize; 2]> = outline
-        .edges
-        .iter()
-        .map(|edge| edge.ends.map(|end| end as usize))
-        .collect();
+    let edges: Vec<[usize; 2]> = outline.edges.iter().map(|edge| edge.ends.map(|end| end as usize)).collect();
     let given: Vec<[f64; 2]> = outline.points.iter().chain(nodes).copied().collect();
     let grid = Grid::new(outline, nodes);
     let mut cdt = load(&given, &edges)?;
@@ -169,9 +161,7 @@ fn film<'a>(domain: &'a Domain, cdt: &'a Cdt) -> impl Iterator<Item = ([u32; 3],
         let vertices = face.vertices();
         let corners = vertices.map(|v| [v.position().x, v.position().y]);
         let centre = centroid(corners);
-        domain
-            .is_film(centre)
-            .then(|| (vertices.map(|v| v.fix().index() as u32), corners))
+        domain.is_film(centre).then(|| (vertices.map(|v| v.fix().index() as u32), corners))
     })
 }
 
@@ -194,10 +184,7 @@ fn candidates(domain: &Domain, cdt: &Cdt, grid: Grid) -> Vec<[f64; 2]> {
             centres.push(centre);
         }
     }
-    hilbert_order(&centres)
-        .into_iter()
-        .map(|k| centres[k as usize])
-        .collect()
+    hilbert_order(&centres).into_iter().map(|k| centres[k as usize]).collect()
 }
 
 /// Inserts the points that keep their distance; returns how many.
@@ -240,11 +227,7 @@ fn smooth(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
         let weight = doubled_area(corners) / domain.size.at(centre).powi(3);
         for number in numbers {
             let sum = &mut sums[number as usize];
-            *sum = [
-                sum[0] + weight * centre[0],
-                sum[1] + weight * centre[1],
-                sum[2] + weight,
-            ];
+            *sum = [sum[0] + weight * centre[0], sum[1] + weight * centre[1], sum[2] + weight];
         }
     }
     for (point, sum) in points.iter_mut().zip(sums).skip(fixed) {
@@ -274,11 +257,7 @@ fn open_angles(domain: &Domain, cdt: &Cdt, grid: Grid, points: &mut [[f64; 2]]) 
         let worst = |points: &[[f64; 2]]| {
             let cosine = |&t: &u32| {
                 let corners = corners(triangles[t as usize], points);
-                if doubled_area(corners) > 0.0 {
-                    greatest_cosine(corners)
-                } else {
-                    f64::INFINITY
-                }
+                if doubled_area(corners) > 0.0 { greatest_cosine(corners) } else { f64::INFINITY }
             };
             own.iter().map(cosine).fold(-1.0, f64::max)
         };

@@ -17,10 +17,7 @@ pub(super) type Part = (usize, Piece);
 pub(super) fn parts(sheet: &Sheet, features: &[Feature]) -> Vec<Part> {
     let own = |(index, feature): (usize, &Feature)| {
         let pieces = on_sheet(sheet, feature);
-        pieces
-            .into_iter()
-            .map(move |piece| (index, piece))
-            .collect::<Vec<Part>>()
+        pieces.into_iter().map(move |piece| (index, piece)).collect::<Vec<Part>>()
     };
     of_outlines(sheet, features, features.iter().enumerate().flat_map(own).collect())
 }
@@ -109,18 +106,10 @@ pub(super) fn junctions(sheet: &Sheet, parts: &[Part]) -> Vec<Junction> {
         let mut angles: Vec<f64> = here.iter().map(|end| end.angle).collect();
         angles.sort_unstable_by(f64::total_cmp);
         angles.push(angles[0] + std::f64::consts::TAU);
-        let angle = angles
-            .windows(2)
-            .map(|pair| pair[1] - pair[0])
-            .fold(f64::INFINITY, f64::min);
+        let angle = angles.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
         let lengths = here.iter().map(|end| (end.part.1.length(), end.part.1.at(0.5)));
         if let Some((side, middle)) = lengths.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            junctions.push(Junction {
-                features,
-                angle,
-                middle,
-                side,
-            });
+            junctions.push(Junction { features, angle, middle, side });
         }
     }
     junctions
@@ -133,20 +122,12 @@ mod tests {
     use crate::developed::Liner;
 
     fn sheet() -> Sheet {
-        let liner = Liner {
-            radius: 0.5,
-            length: 2.0,
-            arc: None,
-        };
+        let liner = Liner { radius: 0.5, length: 2.0, arc: None };
         Sheet::of(&liner, 0.0)
     }
 
     fn feature(shape: Shape) -> Feature {
-        Feature {
-            name: "one".to_owned(),
-            shape,
-            meshed: false,
-        }
+        Feature { name: "one".to_owned(), shape, meshed: false }
     }
 
     fn rectangle(centre: [f64; 2], half: [f64; 2]) -> Feature {
@@ -186,10 +167,7 @@ mod tests {
             (vec![disc(1.5, 0.0), groove.clone()], 0.16 + caps),
             // A disc half beyond its end.
             (vec![groove.clone(), disc(1.5, 0.1)], 0.16 + 0.5 * whole),
-            (
-                vec![groove.clone(), rectangle([1.5, 0.0], [0.1, 0.3])],
-                0.16 + 0.12 - 0.04,
-            ),
+            (vec![groove.clone(), rectangle([1.5, 0.0], [0.1, 0.3])], 0.16 + 0.12 - 0.04),
             // Side by side, and one inside the other with a common side.
             (vec![groove.clone(), rectangle([2.2, 0.0], [0.3, 0.1])], 0.28),
             (vec![groove.clone(), rectangle([1.5, 0.05], [0.1, 0.05])], 0.16),

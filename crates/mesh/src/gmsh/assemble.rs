@@ -16,10 +16,7 @@ pub(super) fn assemble(scan: Scan) -> Result<MshFile, Error> {
         .iter()
         .zip(&scan.node_tags)
         .filter(|(node, _)| !node.iter().all(|x| x.is_finite()))
-        .map(|(node, &tag)| Defect::NotFinite {
-            node: tag,
-            coordinates: node.to_vec(),
-        })
+        .map(|(node, &tag)| Defect::NotFinite { node: tag, coordinates: node.to_vec() })
         .take(MOST_DEFECTS)
         .collect();
     if !wrong.is_empty() {
@@ -102,11 +99,7 @@ struct Members {
 
 fn count_triangles(blocks: &[Block]) -> (usize, usize) {
     let count = |kind: i32| {
-        blocks
-            .iter()
-            .filter(|block| block.kind == kind)
-            .map(|block| block.numbers.len() / (1 + block.nodes))
-            .sum()
+        blocks.iter().filter(|block| block.kind == kind).map(|block| block.numbers.len() / (1 + block.nodes)).sum()
     };
     (count(kind::TRIANGLE), count(kind::TRIANGLE_6))
 }
@@ -150,10 +143,7 @@ impl Groups {
 
     fn of(&self, block: &Block) -> Result<&[usize], Error> {
         let groups = self.of_entity.get(&(block.dim, block.entity));
-        groups.map(Vec::as_slice).ok_or(Error::UnknownEntity {
-            dim: block.dim,
-            tag: block.entity,
-        })
+        groups.map(Vec::as_slice).ok_or(Error::UnknownEntity { dim: block.dim, tag: block.entity })
     }
 }
 

@@ -19,12 +19,7 @@ pub(super) struct Cursor<'a> {
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(bytes: &'a [u8], at: usize, binary: bool, section: &'static str) -> Self {
-        Self {
-            bytes,
-            at,
-            binary,
-            section,
-        }
+        Self { bytes, at, binary, section }
     }
 
     pub(super) fn is_binary(&self) -> bool {
@@ -36,11 +31,7 @@ impl<'a> Cursor<'a> {
     }
 
     pub(super) fn damaged(&self, what: impl Into<String>) -> Error {
-        Error::Damaged {
-            section: self.section.to_owned(),
-            position: self.position(),
-            what: what.into(),
-        }
+        Error::Damaged { section: self.section.to_owned(), position: self.position(), what: what.into() }
     }
 
     /// The next unsigned number (gmsh: `size_t`).
@@ -55,9 +46,7 @@ impl<'a> Cursor<'a> {
         let mut value = 0u64;
         for &byte in token {
             let digit = byte.wrapping_sub(b'0');
-            let grown = value
-                .checked_mul(10)
-                .and_then(|tens| tens.checked_add(u64::from(digit)));
+            let grown = value.checked_mul(10).and_then(|tens| tens.checked_add(u64::from(digit)));
             match grown {
                 Some(grown) if digit < 10 => value = grown,
                 _ => return Err(self.not_a_number(token, WHOLE)),
@@ -87,10 +76,9 @@ impl<'a> Cursor<'a> {
         // A text may end without a line break after its last number.
         let room = room as u64 + u64::from(!self.binary);
         if count > room.min(MOST) {
-            return Err(self.damaged(format!(
-                "{count} {what} announced, but there is room for {} at most",
-                room.min(MOST)
-            )));
+            return Err(
+                self.damaged(format!("{count} {what} announced, but there is room for {} at most", room.min(MOST)))
+            );
         }
         Ok(count as usize)
     }
@@ -174,10 +162,7 @@ impl<'a> Cursor<'a> {
 
     fn skip_space(&mut self) {
         let rest = &self.bytes[self.at..];
-        self.at += rest
-            .iter()
-            .position(|byte| !byte.is_ascii_whitespace())
-            .unwrap_or(rest.len());
+        self.at += rest.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(rest.len());
     }
 
     /// The next word of a text; the `$` of a closing line ends the section.
@@ -240,11 +225,7 @@ mod tests {
     fn counts_beyond_the_file_are_refused() {
         for count in ["4", "1000000000000000000", "99999999999999999999", "-1", "1e3"] {
             let text = format!("{count} 1 2 3");
-            assert!(
-                Cursor::new(text.as_bytes(), 0, false, "Nodes")
-                    .count(2, "nodes")
-                    .is_err()
-            );
+            assert!(Cursor::new(text.as_bytes(), 0, false, "Nodes").count(2, "nodes").is_err());
         }
         assert_eq!(Cursor::new(b"3 1 2 3", 0, false, "Nodes").count(1, "nodes").unwrap(), 3);
     }

@@ -75,11 +75,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<MshFile, Error> {
 /// The operating system's message; a directory, device or pipe is refused, and a file in whose first 64 kB no section
 /// opens: of a large one that is no mesh the rest is not read.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
-    let failed = |error| Error::Io {
-        action: "read",
-        path: path.to_owned(),
-        error,
-    };
+    let failed = |error| Error::Io { action: "read", path: path.to_owned(), error };
     let metadata = std::fs::metadata(path).map_err(failed)?;
     if !metadata.is_file() {
         return Err(Error::NotPlain { path: path.to_owned() });
@@ -106,11 +102,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
 pub fn parse(bytes: &[u8]) -> Result<MshFile, Error> {
     let scan = scan::scan(bytes)?;
     for (section, present, remedy) in [
-        (
-            "Entities",
-            scan.entities.is_some(),
-            "save with physical groups from a gmsh of version 4 or later",
-        ),
+        ("Entities", scan.entities.is_some(), "save with physical groups from a gmsh of version 4 or later"),
         ("Nodes", scan.nodes.is_some(), "mesh before saving (gmsh -2)"),
         ("Elements", scan.elements.is_some(), "mesh before saving (gmsh -2)"),
     ] {

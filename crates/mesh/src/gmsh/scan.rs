@@ -59,9 +59,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
     let mut scan = Scan::default();
     let mut format_seen = false;
     if UTF_16.iter().any(|mark| bytes.starts_with(mark)) {
-        return Err(Error::Encoding {
-            what: "letters of two bytes (UTF-16)".to_owned(),
-        });
+        return Err(Error::Encoding { what: "letters of two bytes (UTF-16)".to_owned() });
     }
     // Editors on Windows put it before a text.
     let mut at = if bytes.starts_with(UTF_8) { UTF_8.len() } else { 0 };
@@ -161,9 +159,7 @@ fn mesh_format(body: &[u8]) -> Result<bool, Error> {
     let mut words = words.split_ascii_whitespace();
     let version = words.next().unwrap_or("(none)");
     if version != "4.1" {
-        return Err(Error::Version {
-            version: version.chars().take(24).collect(),
-        });
+        return Err(Error::Version { version: version.chars().take(24).collect() });
     }
     let encoding = |what: String| Error::Encoding { what };
     let file_type = words.next().unwrap_or("(none)");
@@ -181,9 +177,7 @@ fn mesh_format(body: &[u8]) -> Result<bool, Error> {
         },
         other => {
             let other: String = other.chars().take(24).collect();
-            Err(encoding(format!(
-                "the file type {other} instead of 0 (text) or 1 (binary)"
-            )))
+            Err(encoding(format!("the file type {other} instead of 0 (text) or 1 (binary)")))
         }
     }
 }
@@ -206,10 +200,7 @@ fn physical_names(body: &[u8]) -> Result<Vec<(i32, i32, String)>, String> {
                     name.chars().take(20).collect::<String>()
                 )),
                 (Some(dim), Some(tag), Some(name)) => Ok((dim, tag, name.to_owned())),
-                _ => Err(format!(
-                    "\"{}\" is not: dimension, tag and quoted name of a physical group",
-                    shown(bytes)
-                )),
+                _ => Err(format!("\"{}\" is not: dimension, tag and quoted name of a physical group", shown(bytes))),
             }
         })
         .collect::<Result<_, _>>()?;
@@ -235,10 +226,7 @@ fn scan_entities(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
             cursor.skip(if dim == 0 { 3 } else { 6 })?;
             let groups = cursor.ints("physical groups")?;
             if groups.len() > MOST_GROUPS {
-                let what = format!(
-                    "{} physical groups of one entity, more than {MOST_GROUPS}",
-                    groups.len()
-                );
+                let what = format!("{} physical groups of one entity, more than {MOST_GROUPS}", groups.len());
                 return Err(cursor.damaged(what));
             }
             if dim > 0 {
@@ -305,13 +293,7 @@ fn scan_elements(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
         let mut numbers = Vec::with_capacity((1 + nodes) * count);
         cursor.sizes((1 + nodes) * count, &mut numbers)?;
         present += count;
-        blocks.push(Block {
-            dim,
-            entity,
-            kind,
-            nodes,
-            numbers,
-        });
+        blocks.push(Block { dim, entity, kind, nodes, numbers });
     }
     if present != total {
         return Err(cursor.damaged(format!("{total} elements announced, {present} present")));
@@ -336,10 +318,9 @@ fn nodes_of(kind: i32, cursor: &Cursor<'_>) -> Result<usize, Error> {
         kind::LINE => return Ok(2),
         kind::LINE_3 | kind::TRIANGLE => return Ok(3),
         kind::TRIANGLE_6 => return Ok(6),
-        3 | 10 | 16 | 36..=41 | 47..=51 | 57..=61 => (
-            "quadrangles",
-            "mesh without recombination (no Recombine Surface, Mesh.RecombineAll = 0)",
-        ),
+        3 | 10 | 16 | 36..=41 | 47..=51 | 57..=61 => {
+            ("quadrangles", "mesh without recombination (no Recombine Surface, Mesh.RecombineAll = 0)")
+        }
         20..=28 | 42..=46 | 52..=56 | 62..=66 => ("elements of order 3 or more", "set Mesh.ElementOrder to 1 or 2"),
         4..=7 | 11..=14 | 17..=19 | 29..=33 | 71..=83 | 90..=131 | 137 => (
             "volume elements",
@@ -347,12 +328,7 @@ fn nodes_of(kind: i32, cursor: &Cursor<'_>) -> Result<usize, Error> {
         ),
         _ => ("elements of a kind unknown here", "save triangles and lines only"),
     };
-    Err(Error::Element {
-        element,
-        kind,
-        position: cursor.position(),
-        remedy,
-    })
+    Err(Error::Element { element, kind, position: cursor.position(), remedy })
 }
 
 fn scan_periodic(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Error> {

@@ -19,11 +19,7 @@ const NONE: u32 = u32::MAX;
 /// The file cannot be written.
 pub fn write(mesh: &Mesh, path: impl AsRef<Path>) -> Result<(), Error> {
     let path = path.as_ref();
-    std::fs::write(path, to_text(mesh)).map_err(|error| Error::Io {
-        action: "write",
-        path: path.to_owned(),
-        error,
-    })
+    std::fs::write(path, to_text(mesh)).map_err(|error| Error::Io { action: "write", path: path.to_owned(), error })
 }
 
 /// The text that [`write()`] writes.
@@ -44,11 +40,7 @@ type Surface = (Vec<usize>, Vec<usize>);
 
 /// Names of the surface groups, and the triangles by the groups that they share.
 fn surfaces(mesh: &Mesh) -> (Vec<String>, Vec<Surface>) {
-    let regions: Vec<&Region> = mesh
-        .regions()
-        .iter()
-        .filter(|region| !region.cells.is_empty())
-        .collect();
+    let regions: Vec<&Region> = mesh.regions().iter().filter(|region| !region.cells.is_empty()).collect();
     let mut names: Vec<String> = regions.iter().map(|region| region.name.clone()).collect();
     let mut groups_of = vec![Vec::new(); mesh.triangles().len()];
     for (group, region) in regions.iter().enumerate() {
@@ -95,11 +87,7 @@ impl<'a> Sheet<'a> {
                 }
             }
         }
-        Self {
-            mesh,
-            positions,
-            of_thing,
-        }
+        Self { mesh, positions, of_thing }
     }
 
     /// The six nodes of triangle `t`.
@@ -110,11 +98,7 @@ impl<'a> Sheet<'a> {
     /// Ends and middle of an edge, on the wanted side of the cut if it is there.
     fn line(&self, edge: u32, side: usize) -> [u32; 3] {
         let middle = self.mesh.points().len() + edge as usize;
-        let wanted = if self.of_thing[middle][side] == NONE {
-            1 - side
-        } else {
-            side
-        };
+        let wanted = if self.of_thing[middle][side] == NONE { 1 - side } else { side };
         let node = self.of_thing[middle][wanted];
         let triangles = self.mesh.topology().edge_triangles[edge as usize];
         let lines = triangles.into_iter().filter(|&t| t != NONE).map(|t| {
@@ -129,11 +113,7 @@ impl<'a> Sheet<'a> {
     fn curves(&self) -> Vec<(String, Vec<[u32; 3]>)> {
         let first_edge = self.mesh.points().len();
         let cut = self.of_thing[first_edge..].iter();
-        let cut: Vec<u32> = (0..)
-            .zip(cut)
-            .filter(|(_, n)| !n.contains(&NONE))
-            .map(|(edge, _)| edge)
-            .collect();
+        let cut: Vec<u32> = (0..).zip(cut).filter(|(_, n)| !n.contains(&NONE)).map(|(edge, _)| edge).collect();
         let side = |side: usize| cut.iter().map(|&edge| self.line(edge, side)).collect::<Vec<_>>();
         let mut curves = Vec::new();
         for region in self.mesh.regions().iter().filter(|region| !region.edges.is_empty()) {
@@ -179,12 +159,7 @@ impl<'a> Sheet<'a> {
         for (tag, name) in (1..).zip(surface_names) {
             writeln!(text, "2 {tag} \"{name}\"")?;
         }
-        writeln!(
-            text,
-            "$EndPhysicalNames\n$Entities\n0 {} {} 0",
-            curves.len(),
-            surfaces.len()
-        )?;
+        writeln!(text, "$EndPhysicalNames\n$Entities\n0 {} {} 0", curves.len(), surfaces.len())?;
         for (tag, (_, lines)) in (1..).zip(curves) {
             let extent = self.extent(lines.iter().flatten().copied());
             writeln!(text, "{tag} {extent} 1 {tag} 0")?;
@@ -244,12 +219,7 @@ impl<'a> Sheet<'a> {
         let Some(period) = self.mesh.period() else {
             return Ok(());
         };
-        let entity = |name: &str| {
-            curves
-                .iter()
-                .position(|(group, _)| group == name)
-                .map(|place| place + 1)
-        };
+        let entity = |name: &str| curves.iter().position(|(group, _)| group == name).map(|place| place + 1);
         let (Some(low), Some(high)) = (entity(SEAM[0]), entity(SEAM[1])) else {
             return Ok(());
         };

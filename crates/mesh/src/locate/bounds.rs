@@ -29,19 +29,13 @@ impl Bounds {
         }
         let margin = 10.0 * OUTSIDE * (high[0] - low[0] + high[1] - low[1]);
         let middle = [0, 1].map(|d| 0.5 * (low[d] + high[d]));
-        Self {
-            middle: on_turn(middle, mesh.period()),
-            half: [0, 1].map(|d| 0.5 * (high[d] - low[d]) + margin),
-        }
+        Self { middle: on_turn(middle, mesh.period()), half: [0, 1].map(|d| 0.5 * (high[d] - low[d]) + margin) }
     }
 
     /// The box around all of them; on a ring each at its shortest way from the first.
     pub(super) fn around(boxes: impl IntoIterator<Item = Self>, period: Option<f64>) -> Self {
         let mut boxes = boxes.into_iter();
-        let first = boxes.next().unwrap_or(Self {
-            middle: [0.0; 2],
-            half: [0.0; 2],
-        });
+        let first = boxes.next().unwrap_or(Self { middle: [0.0; 2], half: [0.0; 2] });
         let (mut low, mut high) = (first.half.map(|half| -half), first.half);
         for other in boxes {
             let off = turned(first.middle, other.middle, period);
@@ -51,10 +45,7 @@ impl Bounds {
             }
         }
         let middle = [0, 1].map(|d| first.middle[d] + 0.5 * (low[d] + high[d]));
-        Self {
-            middle: on_turn(middle, period),
-            half: [0, 1].map(|d| 0.5 * (high[d] - low[d])),
-        }
+        Self { middle: on_turn(middle, period), half: [0, 1].map(|d| 0.5 * (high[d] - low[d])) }
     }
 
     /// Distance [m] of a point that lies on the same turn; zero inside.

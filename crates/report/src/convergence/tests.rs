@@ -34,11 +34,7 @@ pub(crate) fn example() -> ConvergenceReport {
         status: Status::Converged,
         reason: None,
         effects: Effects::default(),
-        goal: GoalFacts {
-            name: "load".into(),
-            symbol: "W".into(),
-            unit: "N".into(),
-        },
+        goal: GoalFacts { name: "load".into(), symbol: "W".into(), unit: "N".into() },
         reference: Some(Reference {
             strategy: Strategy::P2Uniform,
             level: 2,
@@ -74,10 +70,7 @@ fn the_json_is_that_of_the_reference_page() {
     assert_eq!(value["format"], "oilwedge-converge/1");
     assert_eq!(value["reference"]["strategy"], "p2_uniform");
     let level = &value["strategies"][0]["levels"][0];
-    assert_eq!(
-        (&level["unknowns"], &level["relative_error"]),
-        (&190.into(), &0.01.into())
-    );
+    assert_eq!((&level["unknowns"], &level["relative_error"]), (&190.into(), &0.01.into()));
     assert_eq!(level["seconds"]["parts"]["factorise"], 0.0625);
     assert!(value["strategies"][0]["levels"][1]["relative_error"].is_null());
     assert_eq!(value["prices"][0]["extrapolated"], false);

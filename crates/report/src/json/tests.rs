@@ -9,11 +9,7 @@ pub(crate) fn example() -> RunResult {
         scene_sha256: "ab".into(),
         mesh_sha256: "cd".into(),
         status: Status::NotConverged,
-        history: vec![HistoryStep {
-            step: 1,
-            residual: 1.0,
-            active: 0,
-        }],
+        history: vec![HistoryStep { step: 1, residual: 1.0, active: 0 }],
         timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
         ..crate::tables::example()
     }
@@ -60,11 +56,7 @@ fn the_json_is_that_of_the_contract() {
 #[test]
 fn what_is_not_finite_is_not_written() {
     let level = |result: &mut RunResult, error: f64, seconds: f64| {
-        result.levels = vec![LevelFacts {
-            errors: vec![("load".into(), error)],
-            seconds,
-            ..LevelFacts::default()
-        }];
+        result.levels = vec![LevelFacts { errors: vec![("load".into(), error)], seconds, ..LevelFacts::default() }];
     };
     let spoil: [&dyn Fn(&mut RunResult); 10] = [
         &|result| result.quantities[1].value = f64::NAN,
@@ -76,10 +68,7 @@ fn what_is_not_finite_is_not_written() {
         &|result| result.mesh.min_angle_deg = f64::NAN,
         &|result| {
             let front = f64::NAN;
-            result.quantities[0].bar = Some(Bar {
-                front,
-                ..Bar::default()
-            });
+            result.quantities[0].bar = Some(Bar { front, ..Bar::default() });
         },
         &|result| level(result, f64::INFINITY, 0.0),
         &|result| level(result, 0.0, f64::NAN),

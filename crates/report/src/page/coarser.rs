@@ -136,11 +136,7 @@ pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> R
     let places = film.places(picture);
     let corners = film.cells().iter().zip(&picture.cells).map(|(nodes, &[a, b, c, ..])| {
         let [u, v] = [1, 2].map(|k| [0, 1].map(|d| nodes[k][d] - nodes[0][d]));
-        if u[0] * v[1] > u[1] * v[0] {
-            [a, b, c]
-        } else {
-            [a, c, b]
-        }
+        if u[0] * v[1] > u[1] * v[0] { [a, b, c] } else { [a, c, b] }
     });
     let corners: Vec<[u32; 3]> = corners.collect();
     let wanted = picture.points.len().saturating_sub(most).div_ceil(GONE);
@@ -177,19 +173,11 @@ pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> R
     let drawn = DrawnFilm::new(film.result().clone(), &coarse)?;
     let differences = differences(&drawn, picture, &places, &nodes);
     coarse.cell_data = summed(&drawn, film, picture);
-    Ok(Coarser {
-        film: DrawnFilm::new(film.result().clone(), &coarse)?,
-        picture: coarse,
-        differences,
-    })
+    Ok(Coarser { film: DrawnFilm::new(film.result().clone(), &coarse)?, picture: coarse, differences })
 }
 
 fn scalars(row: &FieldRow, values: Vec<f64>) -> PictureField {
-    PictureField {
-        name: row.name.into(),
-        unit: row.unit.into(),
-        values: FieldValues::Scalars(values),
-    }
+    PictureField { name: row.name.into(), unit: row.unit.into(), values: FieldValues::Scalars(values) }
 }
 
 /// How far the coarser film is off at the nodes that it does not have.
@@ -201,9 +189,7 @@ fn differences(
 ) -> Vec<(&'static str, f64)> {
     let finder = Finder::new(coarse);
     let gone = (0..places.len()).filter(|node| !nodes.numbers.contains_key(&Source::Node(*node as u32)));
-    let gone: Vec<_> = gone
-        .filter_map(|node| Some((node, finder.find(places[node])?)))
-        .collect();
+    let gone: Vec<_> = gone.filter_map(|node| Some((node, finder.find(places[node])?))).collect();
     let difference = |(row, values, [low, high]): (&'static FieldRow, &Vec<f64>, [f64; 2])| {
         let off = |(node, place): &(usize, InTriangle)| Some((finder.value(row, *place)? - values[*node]).abs());
         let most = gone.iter().filter_map(off).fold(0.0, f64::max);
@@ -218,11 +204,7 @@ fn summed(coarse: &DrawnFilm, film: &DrawnFilm, picture: &FilmPicture) -> Vec<Pi
     let centroid = |nodes: &[[f64; 2]; 6]| [0, 1].map(|d| (nodes[0][d] + nodes[1][d] + nodes[2][d]) / 3.0);
     let owners: Vec<Option<usize>> = match picture.cell_data.is_empty() {
         true => Vec::new(),
-        false => film
-            .cells()
-            .iter()
-            .map(|nodes| Some(finder.find(centroid(nodes))?.cell))
-            .collect(),
+        false => film.cells().iter().map(|nodes| Some(finder.find(centroid(nodes))?.cell)).collect(),
     };
     let sum = |(row, values): (&'static FieldRow, &Vec<f64>)| {
         let mut sums = vec![0.0; coarse.cells().len()];
@@ -282,20 +264,14 @@ pressure = "0 bar"
     fn a_coarser_film_has_the_rims_the_sums_and_nearly_the_values() {
         let scene = Scene::parse(SCENE, Path::new("ring.toml"), &[]).expect("a scene");
         for unrolled in [false, true] {
-            let options = RunOptions {
-                unrolled,
-                ..RunOptions::default()
-            };
+            let options = RunOptions { unrolled, ..RunOptions::default() };
             let found = run(&scene, &options).expect("a film");
             let picture = found.picture.expect("a picture");
             let film = DrawnFilm::new(serde_json::to_value(&found.result).expect("JSON"), &picture).expect("a film");
             let nodes = picture.points.len();
             let coarse = coarser(&film, &picture, nodes * 7 / 10).expect("a coarser film");
             let count = coarse.picture.points.len();
-            assert!(
-                count <= nodes * 7 / 10 && count > nodes * 7 / 10 - 8,
-                "{count} of {nodes}"
-            );
+            assert!(count <= nodes * 7 / 10 && count > nodes * 7 / 10 - 8, "{count} of {nodes}");
             let area = |film: &DrawnFilm| -> f64 { film.cells().iter().map(area).sum() };
             let ratio = area(&coarse.film) / area(&film);
             assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
@@ -303,10 +279,7 @@ pressure = "0 bar"
                 let most = if *name == "film fraction" { 0.03 } else { 0.01 };
                 assert!(*off < most && *off >= 0.0, "{name}: {off}");
             }
-            assert!(
-                coarse.differences.iter().any(|(_, off)| *off > 1e-6),
-                "nothing measured"
-            );
+            assert!(coarse.differences.iter().any(|(_, off)| *off > 1e-6), "nothing measured");
             let sum = |picture: &FilmPicture| -> f64 {
                 let (_, values) = drawn_fields(&picture.cell_data).next().expect("an indicator");
                 values.iter().sum()

@@ -19,11 +19,7 @@ impl Compared {
     fn new(name: &str, value: f64) -> Self {
         let row = row(name);
         let (unit, size) = row.map_or(("", 1.0), |row| readable_unit(value, row.unit));
-        Self {
-            name: text(in_words(name)),
-            unit: shown_unit(unit),
-            size,
-        }
+        Self { name: text(in_words(name)), unit: shown_unit(unit), size }
     }
 
     fn value(&self, value: &Value, error: &Value) -> Cell {
@@ -32,13 +28,9 @@ impl Compared {
         };
         let error = error.as_f64().map(|error| error / self.size);
         let shown = with_minus(quantity_value(value / self.size, error, DIGITS));
-        let bar = error
-            .filter(|error| *error > 0.0)
-            .map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
+        let bar = error.filter(|error| *error > 0.0).map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
         Cell {
-            text: format!("{shown}{} {}", bar.unwrap_or_default(), self.unit)
-                .trim_end()
-                .to_owned(),
+            text: format!("{shown}{} {}", bar.unwrap_or_default(), self.unit).trim_end().to_owned(),
             si: format!("{value}"),
             is_number: true,
             ..Cell::default()
@@ -48,11 +40,8 @@ impl Compared {
 
 /// What each effect changes.
 fn cost(result: &Value) -> Option<Table> {
-    let mut table = Table::new(
-        "What the effects change",
-        ["effect", "quantity", "with it", "without it", "change"],
-        Vec::new(),
-    );
+    let mut table =
+        Table::new("What the effects change", ["effect", "quantity", "with it", "without it", "change"], Vec::new());
     for it in result["cost"].as_array()? {
         let effect = it["effect"].as_str().unwrap_or_default();
         let instead = it["instead"].as_str().unwrap_or_default();
@@ -72,9 +61,7 @@ fn cost(result: &Value) -> Option<Table> {
             ]);
         }
         if it["could_be_left_out"].as_bool() == Some(true) {
-            table.notes.push(format!(
-                "{effect} changes nothing beyond the error bars: it could be left out"
-            ));
+            table.notes.push(format!("{effect} changes nothing beyond the error bars: it could be left out"));
         }
     }
     table.if_any()
@@ -83,11 +70,8 @@ fn cost(result: &Value) -> Option<Table> {
 /// The film of short and of long bearings.
 fn theories(result: &Value) -> Option<Table> {
     let films = result["theories"]["films"].as_array()?;
-    let mut table = Table::new(
-        "Theories of short and long bearings",
-        ["theory", "quantity", "value", "difference"],
-        Vec::new(),
-    );
+    let mut table =
+        Table::new("Theories of short and long bearings", ["theory", "quantity", "value", "difference"], Vec::new());
     for film in films {
         let theory = film["theory"].as_str().unwrap_or_default();
         if let Some(reason) = film["reason"].as_str() {
@@ -106,9 +90,7 @@ fn theories(result: &Value) -> Option<Table> {
     let left_out = result["theories"]["without"].as_array().into_iter().flatten();
     let left_out: Vec<&str> = left_out.filter_map(Value::as_str).collect();
     if !left_out.is_empty() {
-        table
-            .notes
-            .push(format!("All films here are without: {}", left_out.join(", ")));
+        table.notes.push(format!("All films here are without: {}", left_out.join(", ")));
     }
     table.if_any()
 }
@@ -127,11 +109,7 @@ fn standard(result: &Value) -> Option<Table> {
             compared.value(&it["difference"], &Value::Null),
         ]
     });
-    let mut table = Table::new(
-        "ISO 7902 (DIN 31652)",
-        ["quantity", "film", "standard", "difference"],
-        rows.collect(),
-    );
+    let mut table = Table::new("ISO 7902 (DIN 31652)", ["quantity", "film", "standard", "difference"], rows.collect());
     let notes = standard.get("notes").and_then(Value::as_array).into_iter().flatten();
     table.notes = notes.filter_map(Value::as_str).map(str::to_owned).collect();
     table.if_any()
@@ -139,8 +117,5 @@ fn standard(result: &Value) -> Option<Table> {
 
 /// Comparisons that were asked for.
 pub(super) fn comparisons(result: &Value) -> Vec<Table> {
-    [cost(result), theories(result), standard(result)]
-        .into_iter()
-        .flatten()
-        .collect()
+    [cost(result), theories(result), standard(result)].into_iter().flatten().collect()
 }

@@ -33,10 +33,9 @@ impl SceneFile {
                     continue;
                 }
                 let Ok(bytes) = std::fs::read(&path) else { continue };
-                if let (Some("toml"), Ok(text)) = (
-                    path.extension().and_then(|ending| ending.to_str()),
-                    String::from_utf8(bytes.clone()),
-                ) {
+                if let (Some("toml"), Ok(text)) =
+                    (path.extension().and_then(|ending| ending.to_str()), String::from_utf8(bytes.clone()))
+                {
                     left.push((text, name, path));
                 }
                 found.push(Self { name: written, bytes });
@@ -85,9 +84,7 @@ pub(super) fn saved(text: &str, files: &[SceneFile]) -> SavedFiles {
         address: format!("data:application/octet-stream;base64,{}", STANDARD.encode(bytes)),
     };
     let own = (!text.is_empty()).then(|| link(SCENE, text.as_bytes()));
-    let links = own
-        .into_iter()
-        .chain(files.iter().map(|file| link(&file.name, &file.bytes)));
+    let links = own.into_iter().chain(files.iter().map(|file| link(&file.name, &file.bytes)));
     let mut missing: Vec<String> = Vec::new();
     for path in named(text, Path::new(SCENE)) {
         let path = path.display().to_string();
@@ -95,8 +92,5 @@ pub(super) fn saved(text: &str, files: &[SceneFile]) -> SavedFiles {
             missing.push(path);
         }
     }
-    SavedFiles {
-        links: links.collect(),
-        missing,
-    }
+    SavedFiles { links: links.collect(), missing }
 }

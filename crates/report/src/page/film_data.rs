@@ -110,11 +110,7 @@ impl FilmData {
             is_ring: film.is_ring(),
             eccentricity: film.quantity(&ECCENTRICITY).unwrap_or_default(),
             min_film_angle: film.quantity(&MIN_FILM_ANGLE).map_or(position[1], f64::to_radians),
-            turns: if film.speed() == 0.0 {
-                0.0
-            } else {
-                film.speed().signum()
-            },
+            turns: if film.speed() == 0.0 { 0.0 } else { film.speed().signum() },
             nodes: picture.points.len(),
             triangles: packed(&triangles(&picture.cells)),
             angle: coded(places.iter().map(turn).collect()),
@@ -126,9 +122,7 @@ impl FilmData {
 
     /// Names and labels of the fields.
     pub(super) fn choices(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.fields
-            .iter()
-            .map(|field| (field.name.as_str(), field.label.as_str()))
+        self.fields.iter().map(|field| (field.name.as_str(), field.label.as_str()))
     }
 }
 
@@ -170,24 +164,14 @@ fn lines(film: &DrawnFilm) -> Vec<Line> {
     let scale = SHEET / (TAU * film.radius());
     let on_liner = |[x, z]: &[f64; 2]| [x / SHEET * TAU, z / scale].map(|part| (part * 1e7).round() / 1e7);
     let paths = |pieces: &[[[f64; 2]; 2]]| -> Vec<Vec<f64>> {
-        let pieces: Vec<[[f64; 2]; 2]> = pieces
-            .iter()
-            .map(|piece| piece.map(|point| point.map(|part| scale * part)))
-            .collect();
+        let pieces: Vec<[[f64; 2]; 2]> =
+            pieces.iter().map(|piece| piece.map(|point| point.map(|part| scale * part))).collect();
         let lines = joined(&pieces);
-        lines
-            .iter()
-            .map(|line| line.iter().flat_map(on_liner).collect())
-            .collect()
+        lines.iter().map(|line| line.iter().flat_map(on_liner).collect()).collect()
     };
     let [rupture, reformation] = film.cavity_edges();
     let rims: Vec<[[f64; 2]; 2]> = film.rims().flat_map(|(_, rim)| rim.iter().copied()).collect();
     let lines = [("rupture", rupture), ("reformation", reformation), ("rim", &rims[..])];
     let lines = lines.into_iter().filter(|(_, line)| !line.is_empty());
-    lines
-        .map(|(kind, line)| Line {
-            kind,
-            paths: paths(line),
-        })
-        .collect()
+    lines.map(|(kind, line)| Line { kind, paths: paths(line) }).collect()
 }

@@ -184,14 +184,10 @@ pub fn film_page_with(result: &Value, picture: Option<&FilmPicture>, extras: Ext
         balances: tables::balances(result),
         assumptions: tables::assumptions(result),
         mesh: mesh_in_words(&result["mesh"]),
-        work: [
-            tables::levels(result),
-            Some(tables::work(result)),
-            tables::history(result),
-        ]
-        .into_iter()
-        .flatten()
-        .collect(),
+        work: [tables::levels(result), Some(tables::work(result)), tables::history(result)]
+            .into_iter()
+            .flatten()
+            .collect(),
         tables: comparisons::comparisons(result),
         timings: tables::timings(result),
         ..head(result, extras.files)
@@ -222,10 +218,7 @@ pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
 /// # Errors
 /// Those of [`sweep_page`].
 pub fn sweep_page_with(sweep: &Value, files: &[SceneFile]) -> Result<String, Error> {
-    let options = PlotOptions {
-        selected: Vec::new(),
-        width: PAGE_WIDTH,
-    };
+    let options = PlotOptions { selected: Vec::new(), width: PAGE_WIDTH };
     let figures = figures_of_sweep(sweep, &options).map_err(|unknown| Error::format("page")(unknown.name))?;
     render(Page {
         kind: "sweep",
@@ -233,11 +226,7 @@ pub fn sweep_page_with(sweep: &Value, files: &[SceneFile]) -> Result<String, Err
         verdict: sweep["rows"].as_array().and_then(|rows| Outcome::of_cases(rows)),
         maps: drawn(&figures),
         cases: SweepData::of(sweep).map(|data| embedded(&data)).transpose()?,
-        lead: Lead {
-            title: "All cases",
-            table: studies::sweep_rows(sweep),
-            ..Lead::default()
-        },
+        lead: Lead { title: "All cases", table: studies::sweep_rows(sweep), ..Lead::default() },
         command: command("sweep", sweep, &[]),
         ..head(sweep, files)
     })
@@ -248,10 +237,9 @@ pub fn sweep_page_with(sweep: &Value, files: &[SceneFile]) -> Result<String, Err
 /// # Errors
 /// [`Error::Format`]: the page cannot be made of it.
 pub fn convergence_page(study: &Value, svg: Option<&str>) -> Result<String, Error> {
-    let picture = svg.filter(|svg| svg.starts_with("<svg")).map(|svg| Drawn {
-        name: CONVERGENCE.to_owned(),
-        svg: svg.to_owned(),
-    });
+    let picture = svg
+        .filter(|svg| svg.starts_with("<svg"))
+        .map(|svg| Drawn { name: CONVERGENCE.to_owned(), svg: svg.to_owned() });
     render(Page {
         kind: "convergence study",
         maps: picture.into_iter().collect(),
@@ -272,20 +260,10 @@ fn head(result: &Value, files: &[SceneFile]) -> Page {
         sum: text("scene_sha256").chars().take(12).collect(),
         status: text("status").replace('_', " "),
         reason: text("reason"),
-        simulated: simulated(result)
-            .map(|effect| Told {
-                name: effect.name,
-                sentence: effect.sentence,
-            })
-            .collect(),
+        simulated: simulated(result).map(|effect| Told { name: effect.name, sentence: effect.sentence }).collect(),
         not_simulated: texts(&result["effects"]["not_simulated"]),
         words: parsed
-            .map(|scene| {
-                words(&scene)
-                    .iter()
-                    .map(|line| line.replace(" deg", "\u{b0}"))
-                    .collect()
-            })
+            .map(|scene| words(&scene).iter().map(|line| line.replace(" deg", "\u{b0}")).collect())
             .unwrap_or_default(),
         files: saved(&scene, files),
         scene,
@@ -304,14 +282,9 @@ fn film_data(film: &DrawnFilm, picture: &FilmPicture) -> Result<(FilmData, Optio
 }
 
 fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(), Error> {
-    let options = PlotOptions {
-        selected: Vec::new(),
-        width: PAGE_WIDTH,
-    };
-    let (figures, data) = rayon::join(
-        || film_figures(&film, &options).map(|figures| drawn(&figures)),
-        || film_data(&film, picture),
-    );
+    let options = PlotOptions { selected: Vec::new(), width: PAGE_WIDTH };
+    let (figures, data) =
+        rayon::join(|| film_figures(&film, &options).map(|figures| drawn(&figures)), || film_data(&film, picture));
     let (data, note) = data?;
     for Drawn { name, svg } in figures.map_err(|unknown| Error::format("page")(unknown.name))? {
         match name.as_str() {
@@ -326,14 +299,8 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
         }
     }
     page.notes.extend(note);
-    let choices = data.choices().map(|(name, label)| Choice {
-        name: name.to_owned(),
-        label: label.to_owned(),
-    });
-    page.film = Some(Interactive {
-        choices: choices.collect(),
-        data: embedded(&data)?,
-    });
+    let choices = data.choices().map(|(name, label)| Choice { name: name.to_owned(), label: label.to_owned() });
+    page.film = Some(Interactive { choices: choices.collect(), data: embedded(&data)? });
     Ok(())
 }
 
@@ -344,10 +311,7 @@ fn embedded(data: &impl Serialize) -> Result<String, Error> {
 }
 
 fn drawn(figures: &[(String, Figure)]) -> Vec<Drawn> {
-    let each = |(name, figure): &(String, Figure)| Drawn {
-        name: name.clone(),
-        svg: figure.to_svg(),
-    };
+    let each = |(name, figure): &(String, Figure)| Drawn { name: name.clone(), svg: figure.to_svg() };
     figures.par_iter().map(each).collect()
 }
 
@@ -393,16 +357,9 @@ fn render(page: Page) -> Result<String, Error> {
         hash(STYLE)
     );
     let mut environment = Environment::new();
-    environment
-        .add_template("page.html", TEMPLATE)
-        .map_err(Error::format("page"))?;
+    environment.add_template("page.html", TEMPLATE).map_err(Error::format("page"))?;
     let template = environment.get_template("page.html").map_err(Error::format("page"))?;
-    let whole = Whole {
-        page,
-        policy,
-        style: STYLE,
-        script: SCRIPT,
-    };
+    let whole = Whole { page, policy, style: STYLE, script: SCRIPT };
     let whole = minijinja::Value::from(Serde(whole));
     template.render(whole).map_err(Error::format("page"))
 }

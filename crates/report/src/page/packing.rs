@@ -28,10 +28,7 @@ pub(super) fn packed(values: &[u32]) -> Packed {
     for rank in 0..4 {
         planes.extend(values.iter().map(|value| value.to_le_bytes()[rank]));
     }
-    Packed {
-        count: values.len(),
-        data: STANDARD.encode(compress_to_vec(&planes, LEVEL)),
-    }
+    Packed { count: values.len(), data: STANDARD.encode(compress_to_vec(&planes, LEVEL)) }
 }
 
 /// Triangles by their nodes, each as its distance from the first number that none before has: zero for nodes in the order in which they are met.

@@ -16,9 +16,8 @@ use crate::readable::{printed_symbol, printed_unit, readable_unit};
 /// Digits of a value without a bar.
 const DIGITS: usize = 6;
 /// Digits as powers.
-const SUPERSCRIPTS: [char; 10] = [
-    '\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}',
-];
+const SUPERSCRIPTS: [char; 10] =
+    ['\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}'];
 /// Cards at the head of the page.
 const CARDS: usize = 8;
 
@@ -77,11 +76,7 @@ pub(super) fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -
     let parts = it["error_parts"].as_object();
     let parts = parts.into_iter().flatten().filter_map(|(part, value)| {
         let value = value.as_f64().filter(|value| *value > 0.0)?;
-        Some(Part {
-            name: part.clone(),
-            value: with_minus(bar(value / size)),
-            si: format!("{value}"),
-        })
+        Some(Part { name: part.clone(), value: with_minus(bar(value / size)), si: format!("{value}") })
     });
     Some(Shown {
         row,
@@ -138,10 +133,7 @@ static ASKED_FIRST: [(&str, [&Row; 2]); 6] = [
 
 /// The quantities at the head of the page: what is asked first, then further headlines.
 pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
-    let effects = Effects {
-        simulated: simulated(result).collect(),
-        not_simulated: Vec::new(),
-    };
+    let effects = Effects { simulated: simulated(result).collect(), not_simulated: Vec::new() };
     let first = ASKED_FIRST.iter().filter_map(|(name, rows)| {
         let found = rows.iter().find_map(|row| all.iter().find(|it| it.row == *row))?;
         let name = (*name).to_owned();
@@ -160,12 +152,7 @@ pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
 /// The effects of a run.
 pub(super) fn simulated(result: &Value) -> impl Iterator<Item = &'static oilwedge_study::effects::Effect> {
     let names = result["effects"]["simulated"].as_array().into_iter().flatten();
-    names.filter_map(|name| {
-        EFFECTS
-            .iter()
-            .copied()
-            .find(|effect| Some(effect.name) == name.as_str())
-    })
+    names.filter_map(|name| EFFECTS.iter().copied().find(|effect| Some(effect.name) == name.as_str()))
 }
 
 /// A symbol as HTML.
@@ -194,10 +181,7 @@ mod tests {
     fn symbols_have_letters_and_indices() {
         assert_eq!(html_symbol("phi_W"), "<i>\u{3c6}</i><sub>W</sub>");
         assert_eq!(html_symbol("eps"), "<i>\u{3b5}</i>");
-        assert_eq!(
-            with_minus("-2.6e-13".to_owned()),
-            "\u{2212}2.6\u{b7}10\u{207b}\u{b9}\u{b3}"
-        );
+        assert_eq!(with_minus("-2.6e-13".to_owned()), "\u{2212}2.6\u{b7}10\u{207b}\u{b9}\u{b3}");
         assert_eq!(with_minus("4.5".to_owned()), "4.5");
     }
 
@@ -207,14 +191,8 @@ mod tests {
             "load": { "symbol": "W", "value": 5000.0, "unit": "N", "error": null, "error_parts": null },
             "friction_power": { "symbol": "P", "value": 179.612, "unit": "W", "error": 0.28, "error_parts": { "front": 0.2, "algebra": 0.0 } } } });
         let shown = quantities(&result);
-        assert_eq!(
-            (shown[0].value.as_str(), shown[0].bar.as_str()),
-            ("5.0", "not resolved")
-        );
-        assert_eq!(
-            (shown[1].value.as_str(), shown[1].bar.as_str()),
-            ("179.61", "\u{b1} 0.28")
-        );
+        assert_eq!((shown[0].value.as_str(), shown[0].bar.as_str()), ("5.0", "not resolved"));
+        assert_eq!((shown[1].value.as_str(), shown[1].bar.as_str()), ("179.61", "\u{b1} 0.28"));
         assert_eq!(shown[1].parts.len(), 1);
     }
 }

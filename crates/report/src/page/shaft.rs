@@ -54,12 +54,7 @@ pub fn shaft_page_with(views: &ShaftViews, files: &[SceneFile]) -> Result<String
         verdict: Outcome::of(&criteria, result["status"].as_str().unwrap_or_default()),
         cards: cards(own),
         criteria: verdict::table(&criteria),
-        lead: Lead {
-            title: "The shaft",
-            words: words(own),
-            table: bearings(own).if_any(),
-            ..Lead::default()
-        },
+        lead: Lead { title: "The shaft", words: words(own), table: bearings(own).if_any(), ..Lead::default() },
         warnings: texts(&result["warnings"]),
         balances: balances(own),
         tables: [moved(result), cycles(result)].into_iter().flatten().collect(),
@@ -69,10 +64,7 @@ pub fn shaft_page_with(views: &ShaftViews, files: &[SceneFile]) -> Result<String
     let options: Vec<&str> = (views.beside.iter()).map(|(variant, _)| variant.name()).collect();
     page.command = command("solve", result, &[]);
     page.command += &options.iter().map(|option| format!(" --{option}")).collect::<String>();
-    let compared = views
-        .beside
-        .iter()
-        .map(|(variant, other)| compared(own, *variant, other));
+    let compared = views.beside.iter().map(|(variant, other)| compared(own, *variant, other));
     page.tables.splice(0..0, compared);
     for figure in drawn(&shaft_figures(views, PAGE_WIDTH)) {
         match figure.name.as_str() {
@@ -151,32 +143,21 @@ fn bearings(view: &ShaftView) -> Table {
     };
     let mut columns = of_rest.to_vec();
     columns.insert(2, angle);
-    let columns: Vec<Column> = columns
-        .into_iter()
-        .filter_map(|(heading, row)| Column::of(view, heading, row))
-        .collect();
+    let columns: Vec<Column> =
+        columns.into_iter().filter_map(|(heading, row)| Column::of(view, heading, row)).collect();
     let first = ["bearing", "verdict", "z", "diameter x length", "clearance"].map(str::to_owned);
-    let mut table = Table {
-        header: first.into_iter().chain(columns.iter().map(Column::heading)).collect(),
-        ..Table::default()
-    };
+    let mut table =
+        Table { header: first.into_iter().chain(columns.iter().map(Column::heading)).collect(), ..Table::default() };
     table.header.extend(["tilt", "tilt at the ends"].map(str::to_owned));
     for bearing in view.bearings() {
         let size = |key: &str| bearing["geometry"][key].as_f64().unwrap_or(0.0);
         let tilt = bearing["tilt_max"].as_f64().unwrap_or(0.0);
-        let shape = format!(
-            "{} x {}",
-            millimetres(2.0 * size("radius")),
-            millimetres(size("length"))
-        );
+        let shape = format!("{} x {}", millimetres(2.0 * size("radius")), millimetres(size("length")));
         let mut cells = vec![
             text(bearing["name"].as_str().unwrap_or_default()),
             verdict::cell(&verdict::criteria_of(bearing)),
             sized(bearing["at"].as_f64().unwrap_or(0.0), 1e-3, "mm"),
-            Cell {
-                kind: "whole",
-                ..text(shape.replace(" x ", " \u{d7} "))
-            },
+            Cell { kind: "whole", ..text(shape.replace(" x ", " \u{d7} ")) },
             sized(size("clearance"), 1e-6, "\u{b5}m"),
         ];
         cells.extend(columns.iter().map(|column| column.cell(bearing)));
@@ -202,12 +183,7 @@ impl Column {
         let values = view.bearings().iter().filter_map(|bearing| number_of(bearing, row));
         let most = values.map(|(value, _)| value.abs()).reduce(f64::max)?;
         let (unit, size) = readable_unit(most, row.unit);
-        Some(Self {
-            heading,
-            row,
-            unit: shown_unit(unit),
-            size,
-        })
+        Some(Self { heading, row, unit: shown_unit(unit), size })
     }
 
     fn heading(&self) -> String {
@@ -223,9 +199,7 @@ impl Column {
         };
         let error = error.map(|error| error / self.size);
         let shown = with_minus(quantity_value(value / self.size, error, DIGITS));
-        let bar = error
-            .filter(|error| *error > 0.0)
-            .map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
+        let bar = error.filter(|error| *error > 0.0).map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
         Cell {
             text: format!("{shown}{}", bar.unwrap_or_default()),
             si: format!("{value}"),
@@ -237,20 +211,13 @@ impl Column {
 
 /// Loads and least films of two shafts, and how far the other is off.
 fn compared(own: &ShaftView, variant: Variant, other: &ShaftView) -> Table {
-    let mut table = Table {
-        title: format!("Beside {}", variant.words()),
-        header: vec!["bearing".to_owned()],
-        ..Table::default()
-    };
-    let columns: Vec<_> = COMPARED
-        .into_iter()
-        .filter_map(|(heading, rows)| Column::of(own, heading, row_of(own, rows)))
-        .collect();
+    let mut table =
+        Table { title: format!("Beside {}", variant.words()), header: vec!["bearing".to_owned()], ..Table::default() };
+    let columns: Vec<_> =
+        COMPARED.into_iter().filter_map(|(heading, rows)| Column::of(own, heading, row_of(own, rows))).collect();
     for column in &columns {
         let short = variant.name();
-        table
-            .header
-            .extend([column.heading(), short.to_owned(), "change".to_owned()]);
+        table.header.extend([column.heading(), short.to_owned(), "change".to_owned()]);
     }
     for (bearing, beside) in own.bearings().iter().zip(other.bearings()) {
         let mut cells = vec![text(bearing["name"].as_str().unwrap_or_default())];
@@ -287,10 +254,7 @@ fn criteria(view: &ShaftView) -> Vec<Criterion> {
     let of_bearing = |bearing: &Value| {
         let name = bearing["name"].as_str().unwrap_or_default().to_owned();
         let own = verdict::criteria_of(bearing).into_iter();
-        own.map(move |criterion| Criterion {
-            what: format!("{name}: {}", criterion.what),
-            ..criterion
-        })
+        own.map(move |criterion| Criterion { what: format!("{name}: {}", criterion.what), ..criterion })
     };
     view.bearings().iter().flat_map(of_bearing).collect()
 }
@@ -307,32 +271,24 @@ fn moved(result: &Value) -> Option<Table> {
         let place = format!("throw {}, web {}", web["throw"], web["web"]);
         vec![text(place), before, from, after, to]
     });
-    let mut table = Table::new(
-        "Counterweights moved",
-        ["web", "before", "angle", "after", "angle"],
-        rows.collect(),
-    );
+    let mut table = Table::new("Counterweights moved", ["web", "before", "angle", "after", "angle"], rows.collect());
     let (unit, size) = readable_unit(1e-6, Unit::Metre);
     for (key, how) in [
         ("film", "on the films of the scene"),
-        (
-            "film_by_maps",
-            "by maps, the shaft cut and the counterweights moved all the way",
-        ),
+        ("film_by_maps", "by maps, the shaft cut and the counterweights moved all the way"),
     ] {
         let film = |k: usize| Some(sized(found[key][k].as_f64()?, size, &shown_unit(unit)).text);
-        let note = film(0)
-            .zip(film(1))
-            .map(|(a, b)| format!("Least film of all bearings {how}: {a} before, {b} after."));
+        let note =
+            film(0).zip(film(1)).map(|(a, b)| format!("Least film of all bearings {how}: {a} before, {b} after."));
         table.notes.extend(note);
     }
     table.notes.extend(match found["part"].as_f64() {
         Some(0.0) => {
             Some("The counterweights stay: the shaft of the scene fares no better on any part of the way.".to_owned())
         }
-        Some(part) if part < 1.0 => Some(format!(
-            "They are moved {part} of the way: further on the shaft of the scene fares no better."
-        )),
+        Some(part) if part < 1.0 => {
+            Some(format!("They are moved {part} of the way: further on the shaft of the scene fares no better."))
+        }
         _ => None,
     });
     table
@@ -345,15 +301,9 @@ fn moved(result: &Value) -> Option<Table> {
 fn balances(view: &ShaftView) -> Table {
     let energies = view.bearings().iter().filter_map(|bearing| bearing["energy"].as_f64());
     let about = [
-        (
-            "force",
-            "loads less forces of all films, over the loads, at the worst step",
-        ),
+        ("force", "loads less forces of all films, over the loads, at the worst step"),
         ("moment", "their moments, over those of the loads, at the worst step"),
-        (
-            "journals",
-            "what is left of the equations of all journals, over the loads",
-        ),
+        ("journals", "what is left of the equations of all journals, over the loads"),
         (
             "power",
             "power of the loads and of what turns the shaft, less what films dissipate and the shaft stores, over the dissipation, at the worst step",
@@ -379,13 +329,7 @@ fn cycles(result: &Value) -> Option<Table> {
     });
     Table::new(
         "Cycles",
-        [
-            "cycle",
-            "steps",
-            "tried in vain",
-            "films of all bearings",
-            "end from its beginning, over c",
-        ],
+        ["cycle", "steps", "tried in vain", "films of all bearings", "end from its beginning, over c"],
         rows.collect(),
     )
     .if_any()

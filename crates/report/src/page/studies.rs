@@ -23,10 +23,7 @@ pub(super) fn cases_in_words(sweep: &Value) -> String {
             None => counts.push((status, 1)),
         }
     }
-    let each: Vec<String> = counts
-        .iter()
-        .map(|(status, count)| format!("{count} {status}"))
-        .collect();
+    let each: Vec<String> = counts.iter().map(|(status, count)| format!("{count} {status}")).collect();
     each.join(", ")
 }
 
@@ -44,30 +41,15 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
         .collect();
     let is_judged = cases.rows().iter().any(|it| it["verdict"].is_string());
     let mut header = vec!["case".to_owned()];
-    header.extend(
-        cases
-            .inputs()
-            .map(|(name, unit, _)| name.replace(['_', '.'], " ") + &unit_of(unit)),
-    );
-    header.extend(
-        quantities
-            .iter()
-            .map(|(name, unit, _)| cases.heading(name) + &unit_of(unit)),
-    );
+    header.extend(cases.inputs().map(|(name, unit, _)| name.replace(['_', '.'], " ") + &unit_of(unit)));
+    header.extend(quantities.iter().map(|(name, unit, _)| cases.heading(name) + &unit_of(unit)));
     header.extend(is_judged.then(|| "verdict".to_owned()));
     header.extend(["status", "warnings"].map(str::to_owned));
     let words = |it: &Value| text(any(it).text.replace('_', " "));
     let shown = cases.rows().iter().map(|it| {
         let mut cells = vec![any(&it["case"])];
-        cells.extend(cases.inputs().map(|(name, ..)| Cell {
-            kind: "whole",
-            ..any(&it["inputs"][name])
-        }));
-        cells.extend(
-            quantities
-                .iter()
-                .map(|(name, _, size)| quantity(&it["quantities"][name.as_str()], *size)),
-        );
+        cells.extend(cases.inputs().map(|(name, ..)| Cell { kind: "whole", ..any(&it["inputs"][name]) }));
+        cells.extend(quantities.iter().map(|(name, _, size)| quantity(&it["quantities"][name.as_str()], *size)));
         cells.extend(is_judged.then(|| verdict_of(it)));
         cells.extend([&it["status"], &it["warnings"]].map(words));
         cells
@@ -76,11 +58,7 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
         let reason = it["reason"].as_str().filter(|reason| !reason.is_empty())?;
         Some(format!("Case {}: {reason}", it["case"]))
     });
-    let which = if cases.are_asked() {
-        "The columns that the scene asks for"
-    } else {
-        "The main quantities"
-    };
+    let which = if cases.are_asked() { "The columns that the scene asks for" } else { "The main quantities" };
     let all = format!("{which}; sweep.csv has their error bars.");
     Some(Table {
         title: "All cases".to_owned(),
@@ -96,10 +74,7 @@ fn verdict_of(row: &Value) -> Cell {
     let word = verdict.map_or("", Verdict::name);
     let missed = any(&row["limits"]).text;
     let comma = if missed.is_empty() { "" } else { ": " };
-    Cell {
-        kind: verdict::kind(verdict),
-        ..text(format!("{word}{comma}{missed}"))
-    }
+    Cell { kind: verdict::kind(verdict), ..text(format!("{word}{comma}{missed}")) }
 }
 
 /// The value of a quantity in a unit of that size, with the digits of its bar.
@@ -110,11 +85,7 @@ fn quantity(it: &Value, size: f64) -> Cell {
     let error = it["error"].as_f64().map(|error| error / size);
     let shown = quantity_value(value / size, error, DIGITS);
     Cell {
-        text: with_minus(if error == Some(0.0) {
-            without_zeros(shown)
-        } else {
-            shown
-        }),
+        text: with_minus(if error == Some(0.0) { without_zeros(shown) } else { shown }),
         si: format!("{value}"),
         is_number: true,
         ..Cell::default()
@@ -145,15 +116,7 @@ pub(super) fn study_levels(study: &Value) -> Option<Table> {
             rows.push(cells);
         }
     }
-    let header = [
-        "strategy",
-        "level",
-        "triangles",
-        "unknowns",
-        "value",
-        "relative bar",
-        "relative error",
-    ];
+    let header = ["strategy", "level", "triangles", "unknowns", "value", "relative bar", "relative error"];
     let mut table = Table::new("Levels", header, rows);
     let notes = study["notes"].as_array().into_iter().flatten();
     table.notes = notes.filter_map(Value::as_str).map(str::to_owned).collect();

@@ -48,22 +48,14 @@ impl SweepData {
         let cases = Cases::of(sweep)?;
         let mut names = cases.names(&[]);
         let others: Vec<String> = quantity_names(sweep);
-        names.extend(
-            others
-                .into_iter()
-                .filter(|name| !names.contains(name))
-                .collect::<Vec<_>>(),
-        );
+        names.extend(others.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());
         let rows: Vec<Option<&Value>> = cases.all().collect();
         let numbers = |key: &str| -> Vec<u32> {
             let bits = |name: &String, row: &Option<&Value>| {
                 let number = row.and_then(|row| row["quantities"][name.as_str()][key].as_f64());
                 (number.unwrap_or(f64::NAN) as f32).to_bits()
             };
-            names
-                .iter()
-                .flat_map(|name| rows.iter().map(move |row| bits(name, row)))
-                .collect()
+            names.iter().flat_map(|name| rows.iter().map(move |row| bits(name, row))).collect()
         };
         let has_choice = cases.inputs().any(|(_, _, values)| values.len() > 1);
         let remark = |row: &Option<&Value>| {
@@ -75,10 +67,7 @@ impl SweepData {
             })
         };
         (has_choice && !names.is_empty()).then(|| Self {
-            axes: cases
-                .inputs()
-                .map(|(name, unit, values)| AxisData::of(name, unit, values))
-                .collect(),
+            axes: cases.inputs().map(|(name, unit, values)| AxisData::of(name, unit, values)).collect(),
             quantities: names.iter().map(|name| QuantityData::of(&cases, name)).collect(),
             values: packed(&numbers("value")),
             errors: packed(&numbers("error")),
@@ -97,13 +86,7 @@ impl AxisData {
             is_numeric: values.iter().all(Value::is_number),
             values: values
                 .iter()
-                .map(|value| {
-                    if value.is_number() {
-                        value.clone()
-                    } else {
-                        any(value).text.into()
-                    }
-                })
+                .map(|value| if value.is_number() { value.clone() } else { any(value).text.into() })
                 .collect(),
         }
     }
@@ -112,10 +95,6 @@ impl AxisData {
 impl QuantityData {
     fn of(cases: &Cases, name: &str) -> Self {
         let (unit, size) = cases.unit_of(name).unwrap_or(("", 1.0));
-        Self {
-            label: cases.heading(name),
-            unit: shown_unit(unit),
-            size,
-        }
+        Self { label: cases.heading(name), unit: shown_unit(unit), size }
     }
 }

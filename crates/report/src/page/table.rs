@@ -32,12 +32,7 @@ pub(super) struct Table {
 
 impl Table {
     pub(super) fn new<const N: usize>(title: &str, header: [&str; N], rows: Vec<Vec<Cell>>) -> Self {
-        Self {
-            title: title.to_owned(),
-            header: header.map(str::to_owned).to_vec(),
-            rows,
-            notes: Vec::new(),
-        }
+        Self { title: title.to_owned(), header: header.map(str::to_owned).to_vec(), rows, notes: Vec::new() }
     }
 
     pub(super) fn if_any(self) -> Option<Self> {
@@ -47,10 +42,7 @@ impl Table {
 
 /// A text.
 pub(super) fn text(text: impl Into<String>) -> Cell {
-    Cell {
-        text: text.into(),
-        ..Cell::default()
-    }
+    Cell { text: text.into(), ..Cell::default() }
 }
 
 /// A number in its own unit.
@@ -64,12 +56,7 @@ pub(super) fn sized(value: f64, size: f64, unit: &str) -> Cell {
         true => with_minus(format!("{}", value + 0.0)),
         false => with_minus(without_zeros(significant(value / size, DIGITS))),
     };
-    Cell {
-        text: format!("{shown} {unit}").trim_end().to_owned(),
-        si: format!("{value}"),
-        is_number: true,
-        kind: "",
-    }
+    Cell { text: format!("{shown} {unit}").trim_end().to_owned(), si: format!("{value}"), is_number: true, kind: "" }
 }
 
 /// A decimal number without zeros at its end.

@@ -16,18 +16,9 @@ pub(super) fn balances(result: &Value) -> Table {
         ("power", "power put in less dissipation, over all powers"),
         ("moment", "moments of friction less that of the load, over the friction"),
         ("force", "load less force of the film, over the load"),
-        (
-            "tilt",
-            "moment of load and support less that of the film, over the load times half of the length",
-        ),
-        (
-            "deflection",
-            "deflection less that by the pressure, over the deflection",
-        ),
-        (
-            "energy",
-            "energy put in over the cycle less what is dissipated, over the latter",
-        ),
+        ("tilt", "moment of load and support less that of the film, over the load times half of the length"),
+        ("deflection", "deflection less that by the pressure, over the deflection"),
+        ("energy", "energy put in over the cycle less what is dissipated, over the latter"),
         (BALANCE, "power of friction less what is carried off, over the friction"),
     ];
     let rows = about
@@ -54,16 +45,8 @@ pub(super) fn assumptions(result: &Value) -> Table {
         value("taylor_limit").map(below).unwrap_or_default(),
     );
     add("no inertia: Re c/R", value("inertia").map(number), below(1.0));
-    add(
-        "thin film: c/R",
-        value("clearance_ratio").map(number),
-        format!("below {THIN}"),
-    );
-    add(
-        "smooth surfaces: least film over roughness",
-        value("roughness_ratio").map(number),
-        format!("above {APART}"),
-    );
+    add("thin film: c/R", value("clearance_ratio").map(number), format!("below {THIN}"));
+    add("smooth surfaces: least film over roughness", value("roughness_ratio").map(number), format!("above {APART}"));
     add(
         "rigid surfaces: elastic deflection",
         value("deflection").map(micrometres),
@@ -74,21 +57,13 @@ pub(super) fn assumptions(result: &Value) -> Table {
             )
         }),
     );
-    add(
-        "viscosity law: pressure exponent alpha p",
-        value("pressure_exponent").map(number),
-        String::new(),
-    );
+    add("viscosity law: pressure exponent alpha p", value("pressure_exponent").map(number), String::new());
     add(
         "one temperature: rise of the oil that leaves",
         value("temperature_rise").map(|rise| sized(rise, 1.0, "K")),
         String::new(),
     );
-    add(
-        "density taken for these",
-        value("density").map(|density| sized(density, 1.0, "kg/m\u{b3}")),
-        String::new(),
-    );
+    add("density taken for these", value("density").map(|density| sized(density, 1.0, "kg/m\u{b3}")), String::new());
     Table::new("", ["assumption", "here", "valid"], rows)
 }
 
@@ -97,18 +72,9 @@ pub(super) fn levels(result: &Value) -> Option<Table> {
     let levels = result["levels"].as_array()?;
     let rows = levels.iter().map(|level| {
         let refinement = level["refinement"].as_str().unwrap_or_default().replace('_', " ");
-        vec![
-            optional(&level["unknowns"]),
-            optional(&level["cells"]),
-            text(refinement),
-        ]
+        vec![optional(&level["unknowns"]), optional(&level["cells"]), text(refinement)]
     });
-    Table::new(
-        "Meshes towards the tolerance",
-        ["unknowns", "triangles", "refinement"],
-        rows.collect(),
-    )
-    .if_any()
+    Table::new("Meshes towards the tolerance", ["unknowns", "triangles", "refinement"], rows.collect()).if_any()
 }
 
 /// How often expensive operations were done, and the iteration.
@@ -123,29 +89,19 @@ pub(super) fn work(result: &Value) -> Table {
 pub(super) fn history(result: &Value) -> Option<Table> {
     let steps = result["history"].as_array()?.iter();
     let rows = steps.map(|step| ["step", "residual", "active"].map(|key| optional(&step[key])).to_vec());
-    Table::new(
-        "Nonlinear iteration",
-        ["step", "relative residual", "nodes in the cavity"],
-        rows.collect(),
-    )
-    .if_any()
+    Table::new("Nonlinear iteration", ["step", "relative residual", "nodes in the cavity"], rows.collect()).if_any()
 }
 
 /// Wall times [ms], also those of meshes and effects; the only numbers that differ from run to run.
 pub(super) fn timings(result: &Value) -> Table {
     let milliseconds = |seconds: &Value| seconds.as_f64().map_or_else(Cell::default, |it| sized(it, 1e-3, ""));
     let parts = result["timing_s"].as_object().into_iter().flatten();
-    let mut rows: Vec<Vec<Cell>> = parts
-        .map(|(part, it)| vec![text(part.as_str()), milliseconds(it)])
-        .collect();
+    let mut rows: Vec<Vec<Cell>> = parts.map(|(part, it)| vec![text(part.as_str()), milliseconds(it)]).collect();
     let levels = (1..).zip(result["levels"].as_array().into_iter().flatten());
     rows.extend(levels.map(|(number, level)| vec![text(format!("mesh {number}")), milliseconds(&level["seconds"])]));
     for cost in result["cost"].as_array().into_iter().flatten() {
         let name = cost["effect"].as_str().unwrap_or_default();
-        rows.push(vec![
-            text(format!("without {name}")),
-            milliseconds(&cost["seconds_without"]),
-        ]);
+        rows.push(vec![text(format!("without {name}")), milliseconds(&cost["seconds_without"])]);
     }
     Table::new("", ["part", "ms"], rows)
 }

@@ -32,12 +32,7 @@ pub(super) fn thinned(
     for (t, corners) in (0..).zip(triangles) {
         corners.iter().for_each(|corner| around[*corner as usize].push(t));
     }
-    let mut thinning = Thinning {
-        places,
-        period,
-        triangles: triangles.iter().copied().map(Some).collect(),
-        around,
-    };
+    let mut thinning = Thinning { places, period, triangles: triangles.iter().copied().map(Some).collect(), around };
     let mut order: Vec<u32> = (0..places.len() as u32).filter(|v| !must_stay[*v as usize]).collect();
     order.retain(|v| !thinning.around[*v as usize].is_empty());
     // All over the area, however far a pass comes; the same each time.
@@ -78,11 +73,8 @@ impl Thinning<'_> {
 
     fn neighbours(&self, v: u32) -> Vec<u32> {
         let corners = self.around[v as usize].iter();
-        let mut all: Vec<u32> = corners
-            .filter_map(|t| self.triangles[*t as usize])
-            .flatten()
-            .filter(|other| *other != v)
-            .collect();
+        let mut all: Vec<u32> =
+            corners.filter_map(|t| self.triangles[*t as usize]).flatten().filter(|other| *other != v).collect();
         all.sort_unstable();
         all.dedup();
         all
@@ -90,18 +82,11 @@ impl Thinning<'_> {
 
     /// The neighbour onto which a vertex is moved with the best triangles, if those are good enough.
     fn best(&self, v: u32, neighbours: &[u32], [good, worse]: [f64; 2]) -> Option<u32> {
-        let star: Vec<[u32; 3]> = self.around[v as usize]
-            .iter()
-            .filter_map(|t| self.triangles[*t as usize])
-            .collect();
+        let star: Vec<[u32; 3]> = self.around[v as usize].iter().filter_map(|t| self.triangles[*t as usize]).collect();
         let before = star.iter().map(|it| self.shape(*it)).fold(f64::INFINITY, f64::min);
         let least = good.min(worse * before);
         let after = |&onto: &u32| {
-            let shared = self
-                .neighbours(onto)
-                .iter()
-                .filter(|it| neighbours.contains(it))
-                .count();
+            let shared = self.neighbours(onto).iter().filter(|it| neighbours.contains(it)).count();
             let moved = star
                 .iter()
                 .filter(|it| !it.contains(&onto))
@@ -154,9 +139,8 @@ mod tests {
     fn a_ring_keeps_its_area_and_its_rims() {
         let (columns, rows) = (60u32, 10u32);
         let number = |i: u32, j: u32| (i % columns) * (rows + 1) + j;
-        let places: Vec<[f64; 2]> = (0..columns)
-            .flat_map(|i| (0..=rows).map(move |j| [f64::from(i), f64::from(j)]))
-            .collect();
+        let places: Vec<[f64; 2]> =
+            (0..columns).flat_map(|i| (0..=rows).map(move |j| [f64::from(i), f64::from(j)])).collect();
         let squares = (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j)));
         let triangles: Vec<[u32; 3]> = squares
             .flat_map(|(i, j)| {

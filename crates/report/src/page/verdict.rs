@@ -25,10 +25,7 @@ impl Outcome {
         let verdict = Verdict::of(criteria)?;
         let missed = criteria.iter().filter(|criterion| criterion.is_missed());
         let mut why = first_faults(missed.map(|criterion| with_true_letters(&criterion.fault())));
-        if criteria
-            .iter()
-            .any(|criterion| criterion.decides && criterion.reserve == Some(Reserve::NoBars))
-        {
+        if criteria.iter().any(|criterion| criterion.decides && criterion.reserve == Some(Reserve::NoBars)) {
             why.push("by values without error bars: none were asked for".to_owned());
         }
         let is_converged = status == "converged";
@@ -48,28 +45,18 @@ impl Outcome {
         let [fit, not, open] = [Verdict::Pass, Verdict::Fail, Verdict::Undecided].map(|verdict| count(verdict.name()));
         let judged = fit + not + open;
         let parts = [(fit, "fit"), (not, "NOT fit"), (open, "undecided")].into_iter();
-        let parts: Vec<String> = parts
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, word)| format!("{count} {word}"))
-            .collect();
+        let parts: Vec<String> =
+            parts.filter(|(count, _)| *count > 0).map(|(count, word)| format!("{count} {word}")).collect();
         let kind = match (fit == judged, fit == 0 && not > 0) {
             (true, _) => "good",
             (_, true) => "bad",
             _ => "open",
         };
-        (judged > 0).then(|| Self {
-            word: parts.join(", "),
-            kind,
-            why: String::new(),
-        })
+        (judged > 0).then(|| Self { word: parts.join(", "), kind, why: String::new() })
     }
 
     fn new(word: &str, kind: &'static str, why: &[String]) -> Self {
-        Self {
-            word: word.to_owned(),
-            kind,
-            why: why.join("; "),
-        }
+        Self { word: word.to_owned(), kind, why: why.join("; ") }
     }
 }
 
@@ -85,21 +72,14 @@ pub(super) fn table(criteria: &[Criterion]) -> Option<Table> {
         Some(_) => "Design criteria",
         None => "Usual values, which nobody set as limits",
     };
-    Table::new(
-        title,
-        ["criterion", "verdict", "here", "error bar", "limit"],
-        criteria.iter().map(row).collect(),
-    )
-    .if_any()
+    Table::new(title, ["criterion", "verdict", "here", "error bar", "limit"], criteria.iter().map(row).collect())
+        .if_any()
 }
 
 /// The worst verdict of a bearing as a cell of a table.
 pub(super) fn cell(criteria: &[Criterion]) -> Cell {
     let verdict = Verdict::of(criteria);
-    Cell {
-        kind: kind(verdict),
-        ..text(verdict.map_or("\u{2013}", Verdict::name))
-    }
+    Cell { kind: kind(verdict), ..text(verdict.map_or("\u{2013}", Verdict::name)) }
 }
 
 /// How a verdict is coloured.
@@ -133,20 +113,9 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
     let usual = if criterion.decides { "" } else { "usual value " };
     vec![
         text(criterion.what.as_str()),
-        Cell {
-            kind: kind(criterion.decides.then_some(criterion.verdict)),
-            ..text(word(criterion))
-        },
-        Cell {
-            text: in_unit(value),
-            si: format!("{}", criterion.value),
-            is_number: true,
-            ..Cell::default()
-        },
-        Cell {
-            is_number: true,
-            ..text(bar)
-        },
+        Cell { kind: kind(criterion.decides.then_some(criterion.verdict)), ..text(word(criterion)) },
+        Cell { text: in_unit(value), si: format!("{}", criterion.value), is_number: true, ..Cell::default() },
+        Cell { is_number: true, ..text(bar) },
         text(format!("{usual}{limit}")),
     ]
 }

@@ -46,13 +46,7 @@ impl DrawnBore {
         let most = depths.iter().copied().fold(0.0, f64::max);
         let gap = GAP * deepest / (1.0 + most);
         let circle = deepest - most * gap;
-        Self {
-            circle,
-            gap,
-            radii: depths.into_iter().map(|depth| circle + gap * depth).collect(),
-            from,
-            step,
-        }
+        Self { circle, gap, radii: depths.into_iter().map(|depth| circle + gap * depth).collect(), from, step }
     }
 
     /// Radius of the bore [mm] at an angle [rad].
@@ -73,9 +67,7 @@ impl DrawnBore {
             false => {
                 let count = ((to - from).abs() / self.step).ceil().max(1.0) as usize;
                 let angle = |k: usize| from + (to - from) * k as f64 / count as f64;
-                (0..=count)
-                    .map(|k| axes.point(angle(k), self.at(angle(k)) - inwards))
-                    .collect()
+                (0..=count).map(|k| axes.point(angle(k), self.at(angle(k)) - inwards)).collect()
             }
         }
     }
@@ -140,10 +132,7 @@ mod tests {
     fn groove(from: f64, to: f64, step: f64) -> Vec<[[f64; 2]; 2]> {
         let (radius, count) = (0.027, ((to - from) / step).ceil());
         let x = |k: f64| radius * (from + (to - from) * k / count).to_radians();
-        let mut pieces = vec![
-            [[x(0.0), -1.5e-3], [x(0.0), 1.5e-3]],
-            [[x(count), -1.5e-3], [x(count), 1.5e-3]],
-        ];
+        let mut pieces = vec![[[x(0.0), -1.5e-3], [x(0.0), 1.5e-3]], [[x(count), -1.5e-3], [x(count), 1.5e-3]]];
         for k in 0..count as u32 {
             let ends = [f64::from(k), f64::from(k + 1)].map(x);
             let turn = TAU * radius * f64::from(k % 3);

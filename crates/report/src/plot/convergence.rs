@@ -78,9 +78,7 @@ fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, V
         let last = course.levels.last()?;
         let start = [against.of(last), last.error(measure, reference)?];
         // From the last point that is drawn on.
-        let drawn = errors(report, course, against)
-            .pop()
-            .filter(|_| measure == Measure::Error);
+        let drawn = errors(report, course, against).pop().filter(|_| measure == Measure::Error);
         let points = drawn.into_iter().chain([start]).chain(beyond.iter().copied()).collect();
         (!beyond.is_empty()).then_some((course.strategy, points))
     };
@@ -158,10 +156,7 @@ fn subtitle(report: &ConvergenceReport) -> String {
         "1" => String::new(),
         unit => format!(" {unit}"),
     };
-    let known = reference
-        .uncertainty
-        .map(|known| format!(", itself known to {known:.0e}"))
-        .unwrap_or_default();
+    let known = reference.uncertainty.map(|known| format!(", itself known to {known:.0e}")).unwrap_or_default();
     let decimals = (9.0 - reference.value.abs().log10().floor()).clamp(0.0, 15.0) as usize;
     format!(
         "Error of the {} against the finest answer, {:.decimals$}{unit}: {}, level {}, {} unknowns{known}",
@@ -180,24 +175,12 @@ pub(super) fn figure(study: &Convergence) -> Figure {
     let description = format!(
         "{}. Relative error against computing time and against the number of unknowns, for each way to more accuracy{}.",
         subtitle(report),
-        if study.mesh.is_some() {
-            "; below, the adaptive mesh"
-        } else {
-            ""
-        }
+        if study.mesh.is_some() { "; below, the adaptive mesh" } else { "" }
     );
     let mut figure = Figure::new([PAGE_WIDTH, 0.0], &report.title, &description);
-    let (bold, small) = (
-        Letters::sized(9.0).bold(),
-        Letters::sized(SMALLEST_LETTERS).coloured(GREY),
-    );
+    let (bold, small) = (Letters::sized(9.0).bold(), Letters::sized(SMALLEST_LETTERS).coloured(GREY));
     let mut y = MARGIN + 0.5 * bold.line();
-    figure.text(
-        [MARGIN, y],
-        &Label::fitted(&report.title, bold, width),
-        bold,
-        Anchor::Left,
-    );
+    figure.text([MARGIN, y], &Label::fitted(&report.title, bold, width), bold, Anchor::Left);
     y += 0.5 * bold.line();
     for line in Label::wrapped(&subtitle(report), small, width) {
         figure.text([MARGIN, y + 0.5 * small.line()], &line, small, Anchor::Left);
@@ -221,10 +204,7 @@ pub(super) fn figure(study: &Convergence) -> Figure {
             });
         }
         let left = MARGIN + (half + GAP) * k as f64;
-        let errors = Axis {
-            name: chart.y.0.clone(),
-            ..errors.clone()
-        };
+        let errors = Axis { name: chart.y.0.clone(), ..errors.clone() };
         chart.draw_over(&mut figure, [left, y, half, HEIGHT], x, errors);
     }
     y += HEIGHT + GAP;

@@ -34,10 +34,7 @@ impl Decades {
         let low = finite().fold(high, f64::min).max(high - MOST_DECADES).min(high - 1.0);
         let count = (BANDS * (high - low)).ceil() as usize;
         Some(Self {
-            exponents: exponents
-                .iter()
-                .map(|exponent| if exponent.is_finite() { *exponent } else { low })
-                .collect(),
+            exponents: exponents.iter().map(|exponent| if exponent.is_finite() { *exponent } else { low }).collect(),
             axis: Axis::between(low, high, Scale::Powers, Label::default()),
             levels: Levels::even([low, high], ColourMap::Lajolla, count),
         })
@@ -63,42 +60,23 @@ pub(super) fn draw(
     let decades = marked.indicator.as_deref().zip(reference);
     let decades = decades.and_then(|(indicator, reference)| Decades::of(indicator, reference));
     let what = match &decades {
-        Some(_) => format!(
-            "colour: contribution of each to the relative error of the {}",
-            report.goal.name
-        ),
+        Some(_) => format!("colour: contribution of each to the relative error of the {}", report.goal.name),
         None => "where the error comes from is not estimated".to_owned(),
     };
-    let title = format!(
-        "Adaptive mesh, level {}: {} triangles; {what}",
-        marked.level,
-        cells.len()
-    );
+    let title = format!("Adaptive mesh, level {}: {} triangles; {what}", marked.level, cells.len());
     let letters = Letters::sized(SMALLEST_LETTERS + 0.5);
-    figure.text(
-        [left, top + 0.5 * letters.line()],
-        &Label::fitted(&title, letters, width),
-        letters,
-        Anchor::Left,
-    );
+    figure.text([left, top + 0.5 * letters.line()], &Label::fitted(&title, letters, width), letters, Anchor::Left);
     let below = top + letters.line() + 1.0;
     let frame = liner.frame([left, below, width - BAR, 0.0]);
     let patches = liner.patches(&frame, &cells, |t| match &decades {
         Some(decades) => [decades.exponents[t]; 6],
         None => [0.0; 6],
     });
-    let plain = Levels {
-        edges: Vec::new(),
-        colours: vec![UNKNOWN],
-    };
+    let plain = Levels { edges: Vec::new(), colours: vec![UNKNOWN] };
     // The finer the mesh, the finer its lines.
     let pen = Pen::new((12.0 / (cells.len() as f64).sqrt()).clamp(0.1, 0.5), SIDES);
     liner.within(figure, &frame, |figure| {
-        draw_bands(
-            figure,
-            &patches,
-            decades.as_ref().map_or(&plain, |decades| &decades.levels),
-        );
+        draw_bands(figure, &patches, decades.as_ref().map_or(&plain, |decades| &decades.levels));
         draw_mesh(figure, &patches, pen);
     });
     frame.draw(figure);

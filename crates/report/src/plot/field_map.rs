@@ -66,10 +66,7 @@ impl FieldColours {
             (ColourMap::Batlow, [low, 0.0])
         };
         let high = if high > low { high } else { low + 1.0 };
-        Self {
-            map,
-            range: [low, high],
-        }
+        Self { map, range: [low, high] }
     }
 }
 
@@ -77,12 +74,7 @@ impl FieldColours {
 pub(super) fn draw_head(figure: &mut Figure, title: &str, subtitle: &Label, width: f64) -> f64 {
     let (bold, small) = (Letters::default().bold(), Letters::default());
     let y = MARGIN + 0.5 * bold.line();
-    figure.text(
-        [MARGIN, y],
-        &Label::fitted(title, bold, width - 2.0 * MARGIN),
-        bold,
-        Anchor::Left,
-    );
+    figure.text([MARGIN, y], &Label::fitted(title, bold, width - 2.0 * MARGIN), bold, Anchor::Left);
     figure.text([MARGIN, y + small.line()], subtitle, small, Anchor::Left);
     y + 1.5 * small.line() + 1.0
 }
@@ -110,21 +102,10 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
         let contributions: Vec<f64> = values.iter().map(|values| values[0]).collect();
         let decades = Decades::of(&contributions, 1.0)?;
         let patches = film.liner.patches(&frame, &cells, |k| [decades.exponents[k]; 6]);
-        film.liner.within(&mut figure, &frame, |figure| {
-            draw_bands(figure, &patches, &decades.levels)
-        });
-        draw_colour_bar(
-            &mut figure,
-            frame.inner,
-            &decades.axis,
-            ColourMap::Lajolla,
-            &decades.edges(),
-        );
+        film.liner.within(&mut figure, &frame, |figure| draw_bands(figure, &patches, &decades.levels));
+        draw_colour_bar(&mut figure, frame.inner, &decades.axis, ColourMap::Lajolla, &decades.edges());
     } else {
-        let FieldColours {
-            map,
-            range: [low, high],
-        } = FieldColours::of(name, extremes.map(|value| value / size));
+        let FieldColours { map, range: [low, high] } = FieldColours::of(name, extremes.map(|value| value / size));
         let mut levels = Levels::round([low, high], map, BANDS);
         // Quadratics dip below the least value of the model between nodes.
         if let Some(floor) = film.floor(name) {
@@ -132,11 +113,8 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
             levels.edges.drain(..below);
             levels.colours.drain(..below);
         }
-        let patches = film
-            .liner
-            .patches(&frame, &cells, |k| values[k].map(|value| value / size));
-        film.liner
-            .within(&mut figure, &frame, |figure| draw_bands(figure, &patches, &levels));
+        let patches = film.liner.patches(&frame, &cells, |k| values[k].map(|value| value / size));
+        film.liner.within(&mut figure, &frame, |figure| draw_bands(figure, &patches, &levels));
         let axis = Axis::between(low, high, Scale::Linear, Label::default());
         draw_colour_bar(&mut figure, frame.inner, &axis, map, &levels.edges);
     }
@@ -155,8 +133,7 @@ pub(super) fn mesh_figure(film: &DrawnFilm, width: f64) -> Figure {
     let frame = film.liner.frame([MARGIN, top, width - 2.0 * MARGIN - 3.0, 0.0]);
     let patches = film.liner.patches(&frame, &film.cells, |_| [0.0; 6]);
     let pen = Pen::new((16.0 / (film.cells.len() as f64).sqrt()).clamp(0.1, 0.5), SIDES);
-    film.liner
-        .within(&mut figure, &frame, |figure| draw_mesh(figure, &patches, pen));
+    film.liner.within(&mut figure, &frame, |figure| draw_mesh(figure, &patches, pen));
     let entries = draw_lines(&mut figure, film, &frame, None);
     frame.draw(&mut figure);
     finish(&mut figure, &film.liner, &frame, &entries);
@@ -180,10 +157,7 @@ fn finish(figure: &mut Figure, liner: &Liner, frame: &Frame, entries: &[Entry]) 
 
 /// Where a field is greatest among its nodes.
 pub(super) fn peak(cells: &[[[f64; 2]; 6]], values: &[[f64; 6]]) -> Option<[f64; 2]> {
-    let nodes = cells
-        .iter()
-        .zip(values)
-        .flat_map(|(nodes, values)| nodes.iter().zip(values));
+    let nodes = cells.iter().zip(values).flat_map(|(nodes, values)| nodes.iter().zip(values));
     let finite = nodes.filter(|(_, value)| value.is_finite());
     finite.max_by(|a, b| a.1.total_cmp(b.1)).map(|(node, _)| *node)
 }
@@ -206,13 +180,7 @@ fn thinnest(film: &DrawnFilm) -> Option<(f64, Option<f64>)> {
 fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option<[f64; 2]>) -> Vec<Entry> {
     let mut entries = Vec::new();
     let mut say = |name: &str, colour: Colour, stroke: Option<Stroke>, mark: Option<Mark>| {
-        entries.push(Entry {
-            name: Label::plain(name),
-            colour,
-            stroke,
-            mark,
-            area: None,
-        });
+        entries.push(Entry { name: Label::plain(name), colour, stroke, mark, area: None });
     };
     let placed = |pieces: &[[[f64; 2]; 2]]| {
         let pieces: Vec<[[f64; 2]; 2]> = pieces
@@ -231,10 +199,7 @@ fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option
         if has_rims {
             say("hole or groove", INK, Some(Stroke::Solid), None);
         }
-        let edges = [
-            ("film breaks", VERMILION, Stroke::Solid),
-            ("film forms again", BLUE, Stroke::Dashed),
-        ];
+        let edges = [("film breaks", VERMILION, Stroke::Solid), ("film forms again", BLUE, Stroke::Dashed)];
         for ((name, colour, stroke), pieces) in edges.into_iter().zip(film.cavity_edges()) {
             if !pieces.is_empty() {
                 let lines = placed(pieces);
@@ -276,7 +241,5 @@ fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option
 /// With a capital at its beginning.
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
-    letters
-        .next()
-        .map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

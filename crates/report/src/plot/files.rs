@@ -59,10 +59,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
     let says_something =
         |name: &str| name != VISCOSITY.name || film.values(name).is_some_and(|values| !is_constant(values));
     let usual = || {
-        FIELDS
-            .iter()
-            .map(|row| row.name)
-            .filter(|name| known.iter().any(|other| other == name) && says_something(name))
+        FIELDS.iter().map(|row| row.name).filter(|name| known.iter().any(|other| other == name) && says_something(name))
     };
     let names: Vec<String> = match options.selected.is_empty() {
         true => usual()
@@ -96,10 +93,7 @@ pub fn figures_of_sweep(sweep: &Value, options: &PlotOptions) -> Result<Vec<(Str
 fn check(selected: &[String], known: &[String]) -> Result<(), Unknown> {
     match selected.iter().find(|name| !known.contains(name)) {
         None => Ok(()),
-        Some(name) => Err(Unknown {
-            name: name.clone(),
-            known: known.to_vec(),
-        }),
+        Some(name) => Err(Unknown { name: name.clone(), known: known.to_vec() }),
     }
 }
 
@@ -120,11 +114,7 @@ pub struct PictureFiles {
 /// [`Error::Format`]: a figure is too large for a PNG.
 pub fn picture_files(figures: &[(String, Figure)]) -> Result<Vec<PictureFiles>, Error> {
     let files = |(name, figure): &(String, Figure)| {
-        Ok(PictureFiles {
-            name: name.clone(),
-            svg: figure.to_svg().into_bytes(),
-            png: to_png(figure)?,
-        })
+        Ok(PictureFiles { name: name.clone(), svg: figure.to_svg().into_bytes(), png: to_png(figure)? })
     };
     figures.par_iter().map(files).collect()
 }
@@ -141,10 +131,7 @@ pub fn write_pictures(dir: &Path, pictures: &[PictureFiles]) -> Result<(), Error
     }
     let usual = FIELDS.iter().map(|row| row.name.to_owned());
     let maps = CATALOGUE.iter().map(|row| format!("map_{}", row.name));
-    let known = usual
-        .chain(OF_FILM.map(str::to_owned))
-        .chain(maps)
-        .chain(["sweep", CONVERGENCE].map(str::to_owned));
+    let known = usual.chain(OF_FILM.map(str::to_owned)).chain(maps).chain(["sweep", CONVERGENCE].map(str::to_owned));
     for name in known.filter(|name| pictures.iter().all(|picture| picture.name != *name)) {
         files.extend(["svg", "png"].map(|ending| (format!("{name}.{ending}").into(), None)));
     }

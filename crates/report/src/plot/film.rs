@@ -46,9 +46,7 @@ impl DrawnFilm {
         let number = |key: &str| geometry[key].as_f64().filter(|value| value.is_finite());
         let (Some(radius), Some(clearance)) = (number("radius").filter(|radius| *radius > 0.0), number("clearance"))
         else {
-            return Err(Error::format("picture")(
-                "result.json has no geometry; solve the scene again",
-            ));
+            return Err(Error::format("picture")("result.json has no geometry; solve the scene again"));
         };
         let unroll = Unrolled::of(picture, radius);
         let cells: Vec<Nodes> = picture.cells.iter().map(|cell| unroll.cell(cell)).collect();
@@ -56,20 +54,13 @@ impl DrawnFilm {
         let angles = match (arc[0].as_f64(), arc[1].as_f64()) {
             (Some(from), Some(to)) => [from.to_radians(), to.to_radians()],
             _ => {
-                let offset = result["quantities"][MIN_FILM_ANGLE.name]["value"]
-                    .as_f64()
-                    .unwrap_or(180.0);
+                let offset = result["quantities"][MIN_FILM_ANGLE.name]["value"].as_f64().unwrap_or(180.0);
                 let from = number("film_start").unwrap_or(offset - 180.0).rem_euclid(360.0);
                 [from.to_radians(), from.to_radians() + TAU]
             }
         };
-        let on_nodes = |values: &Vec<f64>| {
-            picture
-                .cells
-                .iter()
-                .map(|cell| cell.map(|node| values[node as usize]))
-                .collect()
-        };
+        let on_nodes =
+            |values: &Vec<f64>| picture.cells.iter().map(|cell| cell.map(|node| values[node as usize])).collect();
         let nodal = drawn_fields(&picture.point_data).map(|(row, values)| (row.name.to_owned(), on_nodes(values)));
         let on_cells = |values: &Vec<f64>| values.iter().map(|value| [*value; 6]).collect();
         let constant = drawn_fields(&picture.cell_data).map(|(row, values)| (row.name.to_owned(), on_cells(values)));
@@ -83,11 +74,7 @@ impl DrawnFilm {
             is_cylinder: unroll.is_cylinder,
             liner: Liner::between(&cells, radius, angles),
             fields: nodal.chain(constant).collect(),
-            lines: picture
-                .lines
-                .iter()
-                .map(|(name, pieces)| (name.clone(), unrolled(pieces)))
-                .collect(),
+            lines: picture.lines.iter().map(|(name, pieces)| (name.clone(), unrolled(pieces))).collect(),
             cells,
             result,
         })
@@ -159,10 +146,7 @@ impl DrawnFilm {
 
     /// Eccentricity [1] and angle [rad] of the journal's offset.
     pub(crate) fn position(&self) -> Option<[f64; 2]> {
-        Some([
-            self.quantity(&ECCENTRICITY)?,
-            self.quantity(&MIN_FILM_ANGLE)?.to_radians(),
-        ])
+        Some([self.quantity(&ECCENTRICITY)?, self.quantity(&MIN_FILM_ANGLE)?.to_radians()])
     }
 
     /// Angle [rad] at which the film is thinnest and, where it is so at one place along the axis alone, that place [m].
@@ -198,17 +182,12 @@ impl DrawnFilm {
 
     /// Pieces of the lines of that name.
     pub(super) fn line(&self, name: &str) -> &[[[f64; 2]; 2]] {
-        self.lines
-            .iter()
-            .find(|(other, _)| other == name)
-            .map_or(&[], |(_, pieces)| pieces)
+        self.lines.iter().find(|(other, _)| other == name).map_or(&[], |(_, pieces)| pieces)
     }
 
     /// Rims of feeds and pockets by name.
     pub(crate) fn rims(&self) -> impl Iterator<Item = (&str, &[[[f64; 2]; 2]])> {
-        self.lines
-            .iter()
-            .filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
+        self.lines.iter().filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
     }
 
     /// Where the film breaks and where it forms again.
@@ -251,11 +230,7 @@ struct Unrolled<'a> {
 impl<'a> Unrolled<'a> {
     fn of(picture: &'a FilmPicture, radius: f64) -> Self {
         let is_on = |point: &[f64; 3]| (point[0].hypot(point[1]) - radius).abs() < OFF * radius;
-        Self {
-            points: &picture.points,
-            radius,
-            is_cylinder: picture.points.iter().all(is_on),
-        }
+        Self { points: &picture.points, radius, is_cylinder: picture.points.iter().all(is_on) }
     }
 
     fn at(&self, point: [f64; 3]) -> [f64; 2] {

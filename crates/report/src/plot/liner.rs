@@ -33,12 +33,7 @@ impl Liner {
         if cells.is_empty() {
             (low, high) = ([0.0; 2], [radius; 2]);
         }
-        Self {
-            radius,
-            low,
-            high,
-            period,
-        }
+        Self { radius, low, high, period }
     }
 
     /// The liner of radius R [m] between two angles `from` and `to` [rad], where triangles may be any number of turns away; cut off at both ends.
@@ -102,10 +97,12 @@ impl Liner {
         for (k, nodes) in cells.iter().enumerate() {
             let from = nodes.iter().map(|node| node[0]).fold(f64::INFINITY, f64::min);
             let to = nodes.iter().map(|node| node[0]).fold(f64::NEG_INFINITY, f64::max);
-            patches.extend(self.shifts(from, to).into_iter().map(|shift| Patch {
-                points: nodes.map(|[x, z]| self.at(frame, [x + shift, z])),
-                values: values(k),
-            }));
+            patches.extend(
+                self.shifts(from, to).into_iter().map(|shift| Patch {
+                    points: nodes.map(|[x, z]| self.at(frame, [x + shift, z])),
+                    values: values(k),
+                }),
+            );
         }
         patches
     }
@@ -145,17 +142,10 @@ mod tests {
         let patches = liner.patches(&frame, &cells, |k| [k as f64; 6]);
         assert_eq!(patches.len(), 7);
         assert_eq!(patches.iter().filter(|patch| patch.values[0] == 2.0).count(), 2);
-        assert!(
-            (frame.inner[3] / frame.inner[2] - 1.0 / 6.0).abs() < 1e-9,
-            "not to scale"
-        );
+        assert!((frame.inner[3] / frame.inner[2] - 1.0 / 6.0).abs() < 1e-9, "not to scale");
         assert_eq!(liner.shifts(0.2, 0.4), [6.0]);
         let arc = Liner::of(&cells, radius, None, None);
-        assert_eq!(
-            arc.patches(&arc.frame([0.0, 0.0, 85.0, 0.0]), &cells, |_| [0.0; 6])
-                .len(),
-            6
-        );
+        assert_eq!(arc.patches(&arc.frame([0.0, 0.0, 85.0, 0.0]), &cells, |_| [0.0; 6]).len(), 6);
         assert!((arc.stretch(&arc.frame([0.0, 0.0, 30.0, 0.0])) - 1.0).abs() > 0.1);
     }
 }

@@ -31,14 +31,8 @@ pub fn load_figures(title: &str, cycle: &DutyCycle, width: f64) -> Vec<(String, 
     let by_angle = drawn.by_angle();
     let name = |what: &str| format!("{what}: {title}");
     vec![
-        (
-            "load_by_angle".to_owned(),
-            charts_figure(&name("Load over a cycle"), &by_angle, 1, width),
-        ),
-        (
-            "load_polar".to_owned(),
-            charts_figure(&name("Polar load diagram"), &polar, 1, width),
-        ),
+        ("load_by_angle".to_owned(), charts_figure(&name("Load over a cycle"), &by_angle, 1, width)),
+        ("load_polar".to_owned(), charts_figure(&name("Polar load diagram"), &polar, 1, width)),
     ]
 }
 
@@ -96,11 +90,8 @@ impl<'a> Drawn<'a> {
             let [x, y] = self.force(Frame::Shell, angle);
             x.hypot(y)
         });
-        let mut force = Chart::new(
-            "",
-            angle(),
-            Label::plain(&format!("force on the journal, shell's frame, {}", self.unit.0)),
-        );
+        let mut force =
+            Chart::new("", angle(), Label::plain(&format!("force on the journal, shell's frame, {}", self.unit.0)));
         force.series = vec![
             Series::line("x", BLUE, part(0)),
             Series::line("y", GREEN, part(1)),
@@ -146,11 +137,7 @@ pub(super) fn polar(
         let at = [beyond * x, beyond * y];
         let has_room = |note: &Note| (note.at[0] - at[0]).hypot(note.at[1] - at[1]) > ROOM * sheet.extent;
         if chart.notes.iter().all(has_room) {
-            chart.notes.push(Note {
-                at,
-                label: number(mark, 1.0),
-                colour: BLACK,
-            });
+            chart.notes.push(Note { at, label: number(mark, 1.0), colour: BLACK });
         }
     }
     chart
@@ -171,21 +158,13 @@ impl Sheet {
         let extent = f64::max(x[1] - x[0], y[1] - y[0]);
         let extent = if extent > 0.0 { extent } else { 1.0 };
         let edge = EDGE * extent;
-        Self {
-            low: [x[0] - edge, y[0] - edge],
-            high: [x[1] + edge, y[1] + edge],
-            extent,
-        }
+        Self { low: [x[0] - edge, y[0] - edge], high: [x[1] + edge, y[1] + edge], extent }
     }
 
     /// The point, or no number where it is outside.
     fn cut(&self, point: [f64; 2]) -> [f64; 2] {
         let is_inside = |axis: usize| (self.low[axis]..=self.high[axis]).contains(&point[axis]);
-        if is_inside(0) && is_inside(1) {
-            point
-        } else {
-            [f64::NAN; 2]
-        }
+        if is_inside(0) && is_inside(1) { point } else { [f64::NAN; 2] }
     }
 
     /// Rings of the same force with their values, and the axes.
@@ -198,15 +177,8 @@ impl Sheet {
             let point = |angle: f64| self.cut([radius * angle.cos(), radius * angle.sin()]);
             let ring = (0..=720).map(|k| point(TAU * f64::from(k) / 720.0));
             chart.series.push(Series::line("", GRID, ring.collect()));
-            let at = RING_LABELS
-                .into_iter()
-                .map(|turn| point(turn * TAU))
-                .find(|at| at[0].is_finite());
-            chart.notes.extend(at.map(|at| Note {
-                at,
-                label: number(radius, step),
-                colour: GREY,
-            }));
+            let at = RING_LABELS.into_iter().map(|turn| point(turn * TAU)).find(|at| at[0].is_finite());
+            chart.notes.extend(at.map(|at| Note { at, label: number(radius, step), colour: GREY }));
         }
         for (axis, name) in ["*x*", "*y*"].into_iter().enumerate() {
             let point = |value: f64| if axis == 0 { [value, 0.0] } else { [0.0, value] };

@@ -69,8 +69,7 @@ mod tests {
     fn marked(n: u32) -> MarkedMesh {
         let mut raw = RawMesh::default();
         for k in 0..=n {
-            raw.points
-                .extend((0..5).map(|j| [0.1 * f64::from(k) / f64::from(n), 0.01 * f64::from(j) - 0.02]));
+            raw.points.extend((0..5).map(|j| [0.1 * f64::from(k) / f64::from(n), 0.01 * f64::from(j) - 0.02]));
         }
         for k in 0..n {
             for j in 0..4 {
@@ -81,12 +80,7 @@ mod tests {
         let mesh = Mesh::build(raw).expect("a strip");
         let share = |t: usize| 10.0 * (-200.0 * (mesh.corners(t)[0][0] - 0.05).abs()).exp();
         let indicator = (0..mesh.triangles().len()).map(share).collect();
-        MarkedMesh {
-            level: 2,
-            mesh: Arc::new(mesh),
-            radius: 0.0375,
-            indicator: Some(indicator),
-        }
+        MarkedMesh { level: 2, mesh: Arc::new(mesh), radius: 0.0375, indicator: Some(indicator) }
     }
 
     #[test]
@@ -94,10 +88,7 @@ mod tests {
         let mut report = example();
         report.title = "A <bearing> & \u{1b}co".into();
         report.prices[0].extrapolated = true;
-        let study = Convergence {
-            report,
-            mesh: Some(marked(20)),
-        };
+        let study = Convergence { report, mesh: Some(marked(20)) };
         let figure = convergence_figure(&study);
         let svg = figure.to_svg();
         let told = [

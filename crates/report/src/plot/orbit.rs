@@ -25,10 +25,7 @@ const OVER_ANGLE: [(&Row, &str, f64, Colour); 3] = [
 /// The pictures of an orbit by name; `title` is that of the scene.
 pub fn orbit_figures(title: &str, course: &OrbitCourse, width: f64) -> Vec<(String, Figure)> {
     let circle = [circle("", course, MARKED)];
-    let mut figures = vec![(
-        "orbit".to_owned(),
-        charts_figure(&format!("Orbit: {title}"), &circle, 1, width),
-    )];
+    let mut figures = vec![("orbit".to_owned(), charts_figure(&format!("Orbit: {title}"), &circle, 1, width))];
     figures.extend(film_over_cycle(title, course, width));
     figures
 }
@@ -67,10 +64,7 @@ pub fn orbits_beside(courses: [(&str, &OrbitCourse); 2], width: f64) -> Vec<(Str
     let circles = courses.map(|(title, course)| circle(title, course, MARKED));
     vec![
         ("orbits".to_owned(), charts_figure("Two orbits", &circles, 2, width)),
-        (
-            "orbits_by_angle".to_owned(),
-            charts_figure("Two films over the cycle", &over_angle(&courses), 1, width),
-        ),
+        ("orbits_by_angle".to_owned(), charts_figure("Two films over the cycle", &over_angle(&courses), 1, width)),
     ]
 }
 
@@ -83,31 +77,17 @@ pub(super) fn circle(title: &str, course: &OrbitCourse, step: f64) -> Chart {
         let ring = (0..=360).map(|k| point(radius, f64::from(k) / 360.0)).collect();
         let colour = if radius == 1.0 { BLACK } else { GRID };
         chart.series.push(Series::line("", colour, ring));
-        chart.notes.push(Note {
-            at: point(radius, -0.09),
-            label: number(radius, 0.25),
-            colour: GREY,
-        });
+        chart.notes.push(Note { at: point(radius, -0.09), label: number(radius, 0.25), colour: GREY });
     }
     for (turn, name) in [(0.0, "*x*"), (0.25, "*y*")] {
-        chart
-            .series
-            .push(Series::line("", GRID, vec![point(1.0, turn + 0.5), point(1.0, turn)]));
-        chart.notes.push(Note {
-            at: point(1.06, turn),
-            label: Label::marked(name),
-            colour: GREY,
-        });
+        chart.series.push(Series::line("", GRID, vec![point(1.0, turn + 0.5), point(1.0, turn)]));
+        chart.notes.push(Note { at: point(1.06, turn), label: Label::marked(name), colour: GREY });
     }
     chart.series.push(Series::line("", VERMILION, course.path()));
     let marks: Vec<f64> = course.marked_angles(step).collect();
     let points = course.places(marks.iter().copied());
     for (mark, at) in marks.into_iter().zip(&points) {
-        chart.notes.push(Note {
-            at: at.map(|part| 0.93 * part),
-            label: number(mark, 1.0),
-            colour: BLACK,
-        });
+        chart.notes.push(Note { at: at.map(|part| 0.93 * part), label: number(mark, 1.0), colour: BLACK });
     }
     let name = format!("crank angle, each {step} deg; eccentricity over the clearance");
     chart.series.push(Series::marks(&name, VERMILION, Mark::Disc, points));
@@ -119,10 +99,7 @@ fn over_angle(courses: &[(&str, &OrbitCourse)]) -> Vec<Chart> {
     let chart = |(row, name, unit, colour): (&Row, &str, f64, Colour)| {
         let mut chart = Chart::new("", Label::plain("crank angle, deg"), Label::plain(name));
         for (number, (title, course)) in courses.iter().enumerate() {
-            let points = course
-                .curve(row)
-                .into_iter()
-                .map(|[angle, value]| [angle, unit * value]);
+            let points = course.curve(row).into_iter().map(|[angle, value]| [angle, unit * value]);
             let line = Series::line(title, if number == 0 { colour } else { BLACK }, points.collect());
             chart.series.push(match number {
                 0 => line,

@@ -36,11 +36,9 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let along: Vec<[f64; 2]> = places.iter().map(|place| [x, *place]).collect();
     let chart = |row: &FieldRow, line: Line, colour| {
         let (points, places, scale) = match line {
-            Line::Around => (
-                &around,
-                angles.iter().map(|angle| angle.to_degrees()).collect::<Vec<_>>(),
-                Scale::Degrees,
-            ),
+            Line::Around => {
+                (&around, angles.iter().map(|angle| angle.to_degrees()).collect::<Vec<_>>(), Scale::Degrees)
+            }
             Line::Along => (&along, places.iter().map(|place| 1e3 * place).collect(), Scale::Linear),
         };
         let values = finder.values(row, points)?;
@@ -58,18 +56,12 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
             ),
             Line::Along => {
                 let degrees = (x / film.radius).to_degrees().rem_euclid(360.0);
-                (
-                    format!("Along the axis at {degrees:.1}\u{b0}"),
-                    Label::marked("axis *z*, mm"),
-                )
+                (format!("Along the axis at {degrees:.1}\u{b0}"), Label::marked("axis *z*, mm"))
             }
         };
         let mut chart = Chart::new(&title, name, Label::marked(&axis_label(row.label, row.symbol, unit)));
         chart.x.1 = scale;
-        let points = places
-            .into_iter()
-            .zip(values)
-            .map(|(place, value)| [place, value / size]);
+        let points = places.into_iter().zip(values).map(|(place, value)| [place, value / size]);
         chart.series = vec![Series::line("", colour, points.collect())];
         Some(chart)
     };

@@ -53,9 +53,7 @@ impl<'a> Finder<'a> {
             height,
             count,
             boxes: vec![Vec::new(); count[0] * count[1]],
-            floors: (film.field_names())
-                .filter_map(|name| Some((name, film.floor(name)?)))
-                .collect(),
+            floors: (film.field_names()).filter_map(|name| Some((name, film.floor(name)?))).collect(),
         };
         for (cell, nodes) in (0..).zip(&film.cells) {
             let around = least_and_greatest(nodes.iter().map(|node| node[0]));
@@ -102,11 +100,7 @@ impl<'a> Finder<'a> {
         let values = self.film.values(row.name)?[cell];
         let value: f64 = match row.interpolation {
             Interpolation::Linear => on_parts(&values, parts),
-            _ => shapes(parts)
-                .iter()
-                .zip(values)
-                .map(|(shape, value)| shape * value)
-                .sum(),
+            _ => shapes(parts).iter().zip(values).map(|(shape, value)| shape * value).sum(),
         };
         let floor = self.floors.iter().find(|(name, _)| *name == row.name);
         Some(floor.map_or(value, |(_, floor)| value.max(*floor)))
@@ -127,24 +121,16 @@ pub fn sampled(film: &DrawnFilm, row: &FieldRow, points: &[[f64; 2]]) -> Option<
 }
 
 fn shapes([a, b, c]: [f64; 3]) -> [f64; 6] {
-    [
-        a * (2.0 * a - 1.0),
-        b * (2.0 * b - 1.0),
-        c * (2.0 * c - 1.0),
-        4.0 * a * b,
-        4.0 * b * c,
-        4.0 * c * a,
-    ]
+    [a * (2.0 * a - 1.0), b * (2.0 * b - 1.0), c * (2.0 * c - 1.0), 4.0 * a * b, 4.0 * b * c, 4.0 * c * a]
 }
 
 /// Linear on the four parts of a triangle.
 fn on_parts(values: &[f64; 6], parts: [f64; 3]) -> f64 {
     let corner = (0..3).find(|k| parts[*k] >= 0.5);
     let (weights, nodes) = match corner {
-        Some(k) => (
-            [2.0 * parts[k] - 1.0, 2.0 * parts[(k + 1) % 3], 2.0 * parts[(k + 2) % 3]],
-            [k, 3 + k, 3 + (k + 2) % 3],
-        ),
+        Some(k) => {
+            ([2.0 * parts[k] - 1.0, 2.0 * parts[(k + 1) % 3], 2.0 * parts[(k + 2) % 3]], [k, 3 + k, 3 + (k + 2) % 3])
+        }
         // The middle part: weights of the sides across from the corners.
         None => (parts.map(|part| 1.0 - 2.0 * part), [4, 5, 3]),
     };
@@ -162,10 +148,7 @@ fn coordinates(nodes: &Nodes, point: [f64; 2]) -> [f64; 3] {
         let v = sum([1.0 - 4.0 * a, 0.0, 4.0 * t - 1.0, -4.0 * s, 4.0 * s, 4.0 * (a - t)]);
         let off = [point[0] - at[0], point[1] - at[1]];
         let determinant = u[0] * v[1] - u[1] * v[0];
-        let step = [
-            (off[0] * v[1] - off[1] * v[0]) / determinant,
-            (u[0] * off[1] - u[1] * off[0]) / determinant,
-        ];
+        let step = [(off[0] * v[1] - off[1] * v[0]) / determinant, (u[0] * off[1] - u[1] * off[0]) / determinant];
         s += step[0];
         t += step[1];
         if step[0].abs().max(step[1].abs()) < EXACT {
@@ -192,11 +175,7 @@ mod tests {
             ([0.75, 0.25, 0.0], 5.5),
         ];
         for (parts, wanted) in nodes {
-            assert!(
-                (on_parts(&values, parts) - wanted).abs() < 1e-12,
-                "{parts:?}: {}",
-                on_parts(&values, parts)
-            );
+            assert!((on_parts(&values, parts) - wanted).abs() < 1e-12, "{parts:?}: {}", on_parts(&values, parts));
         }
     }
 
@@ -204,13 +183,7 @@ mod tests {
     fn coordinates_follow_curved_sides() {
         let nodes = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, -0.05], [0.5, 0.5], [0.0, 0.5]];
         let parts = [0.3, 0.5, 0.2];
-        let at = [0, 1].map(|d| {
-            shapes(parts)
-                .iter()
-                .zip(nodes)
-                .map(|(shape, node)| shape * node[d])
-                .sum::<f64>()
-        });
+        let at = [0, 1].map(|d| shapes(parts).iter().zip(nodes).map(|(shape, node)| shape * node[d]).sum::<f64>());
         let found = coordinates(&nodes, at);
         assert!((0..3).all(|k| (found[k] - parts[k]).abs() < 1e-12), "{found:?}");
     }

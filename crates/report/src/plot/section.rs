@@ -45,31 +45,16 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let outer = BORE * width + WALL * width;
     let half = outer + RELIEF * width + 7.0;
     let centre = [0.5 * width, top + half];
-    let axes = Polar {
-        centre,
-        base: outer,
-        scale: 1.0,
-    };
+    let axes = Polar { centre, base: outer, scale: 1.0 };
     draw_angles(&mut figure, axes, RELIEF * width);
     draw_pressure(&mut figure, film, axes, RELIEF * width);
     draw_shell(&mut figure, film, axes, (&shape, outer));
     let journal = axes.point(towards, eccentricity * shape.gap);
     let radius = shape.circle - shape.gap;
     figure.disc(journal, radius, JOURNAL, Pen::new(0.8, INK));
-    draw_motion(
-        &mut figure,
-        film,
-        Polar {
-            centre: journal,
-            ..axes
-        },
-        radius,
-    );
+    draw_motion(&mut figure, film, Polar { centre: journal, ..axes }, radius);
     // The line of centres, from the liner's through the journal's.
-    figure.line(
-        &[centre, axes.point(towards, shape.at(towards))],
-        Pen::new(0.7, INK).stroked(Stroke::Dashed),
-    );
+    figure.line(&[centre, axes.point(towards, shape.at(towards))], Pen::new(0.7, INK).stroked(Stroke::Dashed));
     let elsewhere = film.thinnest().map(|(angle, _)| angle);
     let elsewhere = elsewhere.filter(|angle| wrapped(angle - towards).abs() > SAME_DIRECTION);
     if let Some(angle) = elsewhere {
@@ -86,10 +71,7 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
         (times / 5.0).round() * 5.0
     )];
     notes.extend(elsewhere.map(|angle| {
-        format!(
-            "dotted in the shell: thinnest film, at {:.1}\u{b0}",
-            angle.to_degrees().rem_euclid(360.0)
-        )
+        format!("dotted in the shell: thinnest film, at {:.1}\u{b0}", angle.to_degrees().rem_euclid(360.0))
     }));
     let bottom = top + 2.0 * half;
     for (line, note) in (0..).zip(&notes) {
@@ -129,9 +111,7 @@ fn equation(row: &Row, value: f64) -> String {
 /// The pressure at mid-length outside the shell, on rings of round values.
 fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) {
     let [from, to] = film.liner.angles();
-    let angles: Vec<f64> = (0..=POINTS)
-        .map(|k| from + (to - from) * k as f64 / POINTS as f64)
-        .collect();
+    let angles: Vec<f64> = (0..=POINTS).map(|k| from + (to - from) * k as f64 / POINTS as f64).collect();
     let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, 0.0]).collect();
     let Some(values) = Finder::new(film).values(&PRESSURE, &points) else {
         return;
@@ -143,23 +123,12 @@ fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) 
     }
     let (unit, size) = readable_unit_of(high.max(-low), PRESSURE.unit);
     // Tension is drawn inwards from the circle of zero.
-    let tension = if low < -1e-3 * high {
-        -low / (high - low) * room
-    } else {
-        0.0
-    };
-    let axes = Polar {
-        base: axes.base + tension,
-        scale: (room - tension) / (high / size).max(1e-300),
-        ..axes
-    };
+    let tension = if low < -1e-3 * high { -low / (high - low) * room } else { 0.0 };
+    let axes = Polar { base: axes.base + tension, scale: (room - tension) / (high / size).max(1e-300), ..axes };
     let step = linear_steps(high / size, 3.0);
     let count = (high / size / step + 1e-9).floor() as usize;
     for k in 1..=count {
-        figure.line(
-            &axes.arc(axes.base + axes.scale * step * k as f64, from, to),
-            Pen::new(0.4, GRID),
-        );
+        figure.line(&axes.arc(axes.base + axes.scale * step * k as f64, from, to), Pen::new(0.4, GRID));
     }
     let runs = angles.iter().zip(&values).collect::<Vec<_>>();
     for run in runs.split(|(_, value)| !value.is_finite()).filter(|run| run.len() > 1) {
@@ -171,36 +140,17 @@ fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) 
     }
     // Numbers where there is least pressure along the whole ring.
     let is_quiet = |angle: f64| {
-        let near = angles
-            .iter()
-            .zip(&values)
-            .filter(|(other, _)| (*other - angle).abs() < 0.35);
-        near.map(|(_, value)| if value.is_finite() { value.abs() } else { 0.0 })
-            .fold(0.0, f64::max)
+        let near = angles.iter().zip(&values).filter(|(other, _)| (*other - angle).abs() < 0.35);
+        near.map(|(_, value)| if value.is_finite() { value.abs() } else { 0.0 }).fold(0.0, f64::max)
     };
-    let candidates = angles
-        .iter()
-        .step_by(12)
-        .copied()
-        .filter(|angle| angle - from > 0.2 && to - angle > 0.2);
-    let along = candidates
-        .min_by(|a, b| is_quiet(*a).total_cmp(&is_quiet(*b)))
-        .unwrap_or(from);
+    let candidates = angles.iter().step_by(12).copied().filter(|angle| angle - from > 0.2 && to - angle > 0.2);
+    let along = candidates.min_by(|a, b| is_quiet(*a).total_cmp(&is_quiet(*b))).unwrap_or(from);
     let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY).with_halo();
     for k in 1..=count {
         let value = step * k as f64;
-        let unit = if k == count {
-            format!(" {}", printed_unit(unit))
-        } else {
-            String::new()
-        };
+        let unit = if k == count { format!(" {}", printed_unit(unit)) } else { String::new() };
         let label = number(value, step).and(Label::plain(&unit));
-        figure.text(
-            axes.point(along, axes.base + axes.scale * value),
-            &label,
-            letters,
-            Anchor::Centre,
-        );
+        figure.text(axes.point(along, axes.base + axes.scale * value), &label, letters, Anchor::Centre);
     }
 }
 
@@ -243,17 +193,9 @@ fn draw_angles(figure: &mut Figure, axes: Polar, room: f64) {
     for quarter in 0..4 {
         let angle = f64::from(quarter) * FRAC_PI_2;
         let end = axes.base + room;
-        figure.line(
-            &[axes.point(angle, axes.base), axes.point(angle, end)],
-            Pen::new(0.4, GRID),
-        );
+        figure.line(&[axes.point(angle, axes.base), axes.point(angle, end)], Pen::new(0.4, GRID));
         let label = Label::plain(&format!("{}\u{b0}", 90 * quarter));
-        let half = 0.5
-            * if quarter % 2 == 0 {
-                label.width(letters)
-            } else {
-                letters.capital()
-            };
+        let half = 0.5 * if quarter % 2 == 0 { label.width(letters) } else { letters.capital() };
         figure.text(axes.point(angle, end + 2.0 + half), &label, letters, Anchor::Centre);
     }
 }
@@ -274,31 +216,18 @@ fn draw_motion(figure: &mut Figure, film: &DrawnFilm, axes: Polar, radius: f64) 
             let back = [2.0 * from[0] - tip[0], 2.0 * from[1] - tip[1]];
             figure.arrow_head(back, *tip, 2.0, INK);
         }
-        figure.text(
-            axes.point(middle, 0.62 * radius - 3.0),
-            &Label::marked("*\u{3c9}*"),
-            letters,
-            Anchor::Centre,
-        );
+        figure.text(axes.point(middle, 0.62 * radius - 3.0), &Label::marked("*\u{3c9}*"), letters, Anchor::Centre);
     }
     let Some(load) = load else { return };
     let tip = axes.point(load, 0.82 * radius);
-    figure.line(
-        &[axes.centre, axes.point(load, 0.78 * radius)],
-        Pen::new(1.6, VERMILION),
-    );
+    figure.line(&[axes.centre, axes.point(load, 0.78 * radius)], Pen::new(1.6, VERMILION));
     figure.arrow_head(axes.centre, tip, 2.6, VERMILION);
     let turn = attitude.unwrap_or(0.0);
     // The letter of the load on the side away from the attitude angle.
     let aside = if turn >= 0.0 { -1.0 } else { 1.0 };
     let clear = 2.2 * letters.capital() / (0.66 * radius);
     let coloured = letters.coloured(VERMILION).with_halo();
-    figure.text(
-        axes.point(load + aside * clear, 0.66 * radius),
-        &Label::marked("*W*"),
-        coloured,
-        Anchor::Centre,
-    );
+    figure.text(axes.point(load + aside * clear, 0.66 * radius), &Label::marked("*W*"), coloured, Anchor::Centre);
     if turn.abs() > 1e-3 {
         let distance = 0.42 * radius;
         let arc = axes.arc(distance, load, load + turn);
@@ -310,16 +239,7 @@ fn draw_motion(figure: &mut Figure, film: &DrawnFilm, axes: Polar, radius: f64) 
         let room = distance * turn.abs();
         let label = Label::marked("*\u{3b2}*");
         let needed = label.width(letters) + 6.0 * POINT;
-        let at = if room > 2.0 * needed {
-            load + 0.5 * turn
-        } else {
-            load + turn + turn.signum() * needed / distance
-        };
-        figure.text(
-            axes.point(at, distance + 2.2),
-            &label,
-            letters.with_halo(),
-            Anchor::Centre,
-        );
+        let at = if room > 2.0 * needed { load + 0.5 * turn } else { load + turn + turn.signum() * needed / distance };
+        figure.text(axes.point(at, distance + 2.2), &label, letters.with_halo(), Anchor::Centre);
     }
 }

@@ -39,11 +39,7 @@ struct Throw {
 impl Throw {
     /// Where the webs lie [m].
     fn webs(&self) -> [[f64; 2]; 2] {
-        let ThrowShape {
-            web_thickness,
-            pin_length,
-            ..
-        } = self.shape;
+        let ThrowShape { web_thickness, pin_length, .. } = self.shape;
         let second = self.from + web_thickness + pin_length;
         [[self.from, self.from + web_thickness], [second, second + web_thickness]]
     }
@@ -80,14 +76,7 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
     let scale = room / (to - from + 2.0 * half);
     let letters = Letters::sized(SMALLEST_LETTERS);
     let top = MARGIN + Letters::default().line() + 1.5 * letters.line();
-    let drawn = Drawn {
-        shaft,
-        radius,
-        throws,
-        journal,
-        scale,
-        origin: [MARGIN - scale * from, top + scale * half],
-    };
+    let drawn = Drawn { shaft, radius, throws, journal, scale, origin: [MARGIN - scale * from, top + scale * half] };
     let title = format!("{}: the shaft", view.title());
     let description = "the shaft to scale from the side, with its bearings, and along its axis, with its throws";
     let mut figure = Figure::new([width, 0.0], &title, description);
@@ -114,9 +103,7 @@ fn extent(shaft: &Crankshaft, bearings: &[Value]) -> [f64; 2] {
         let at = bearing["at"].as_f64()?;
         Some([at - half, at + half])
     });
-    ends.fold([0.0, shaft.length()], |[from, to], [low, high]| {
-        [from.min(low), to.max(high)]
-    })
+    ends.fold([0.0, shaft.length()], |[from, to], [low, high]| [from.min(low), to.max(high)])
 }
 
 fn throws(shaft: &Crankshaft) -> Vec<Throw> {
@@ -124,11 +111,7 @@ fn throws(shaft: &Crankshaft) -> Vec<Throw> {
     let mut throws = Vec::new();
     for piece in &shaft.pieces {
         if let (ShaftPiece::Throw { fires_at }, Some(shape)) = (piece, shaft.throw) {
-            throws.push(Throw {
-                shape,
-                from,
-                angle: -fires_at,
-            });
+            throws.push(Throw { shape, from, angle: -fires_at });
         }
         from += shaft.length_of(piece);
     }
@@ -156,10 +139,7 @@ impl Drawn<'_> {
             let pin = 0.5 * throw.shape.pin_diameter;
             let [first, second] = throw.webs();
             self.draw_box(figure, [first[1], second[0]], [middle - pin, middle + pin], STEEL);
-            let ends = [
-                f64::min(-self.journal, middle - pin),
-                f64::max(self.journal, middle + pin),
-            ];
+            let ends = [f64::min(-self.journal, middle - pin), f64::max(self.journal, middle + pin)];
             for web in [first, second] {
                 self.draw_box(figure, web, ends, WEB);
             }
@@ -229,18 +209,11 @@ impl Drawn<'_> {
         let line = names + 0.8 * letters.line();
         figure.line(&[[left, line], [right, line]], Pen::new(0.5, INK));
         let step = linear_steps(1e3 * length, TICKS);
-        let ticks = (0..)
-            .map(|k| step * f64::from(k))
-            .take_while(|tick| *tick <= 1e3 * length);
+        let ticks = (0..).map(|k| step * f64::from(k)).take_while(|tick| *tick <= 1e3 * length);
         for tick in ticks {
             let [x, _] = self.at([1e-3 * tick, 0.0]);
             figure.line(&[[x, line], [x, line + 1.0]], Pen::new(0.5, INK));
-            figure.text(
-                [x, line + 0.9 * letters.line()],
-                &number(tick, step),
-                letters,
-                Anchor::Centre,
-            );
+            figure.text([x, line + 0.9 * letters.line()], &number(tick, step), letters, Anchor::Centre);
         }
         let name = Label::marked("*z*, mm, *x* upwards; throws by the crank angle at which they fire");
         figure.text([left, line + 1.9 * letters.line()], &name, letters, Anchor::Left);
@@ -249,23 +222,14 @@ impl Drawn<'_> {
     /// Along the axis at the crank angle 0, x to the right as in polar diagrams.
     fn along(&self, figure: &mut Figure, centre: [f64; 2]) {
         let letters = Letters::sized(SMALLEST_LETTERS).with_halo();
-        let axes = Polar {
-            centre,
-            base: 0.0,
-            scale: self.scale,
-        };
+        let axes = Polar { centre, base: 0.0, scale: self.scale };
         let pin = self.shaft.throw.map_or(0.0, |throw| 0.5 * throw.pin_diameter);
         let reach = self.scale * f64::max(self.radius + pin, (1.0 + SHELL) * self.journal);
         for (turn, name) in [(0.0, "*x*"), (0.25, "*y*")] {
             let angle = TAU * turn;
             let ends = [axes.point(angle + TAU / 2.0, reach), axes.point(angle, reach)];
             figure.line(&ends, Pen::new(0.4, GRID));
-            figure.text(
-                axes.point(angle, reach + 2.0),
-                &Label::marked(name),
-                letters.coloured(GREY),
-                Anchor::Centre,
-            );
+            figure.text(axes.point(angle, reach + 2.0), &Label::marked(name), letters.coloured(GREY), Anchor::Centre);
         }
         for throw in &self.throws {
             let pin = self.scale * 0.5 * throw.shape.pin_diameter;
@@ -275,11 +239,7 @@ impl Drawn<'_> {
         }
         figure.disc(centre, self.scale * self.journal, STEEL, Pen::new(0.6, INK));
         for (_, _, angle) in self.weights() {
-            figure.mark(
-                axes.point(angle, WEIGHT * self.scale * self.radius),
-                Mark::Diamond,
-                PURPLE,
-            );
+            figure.mark(axes.point(angle, WEIGHT * self.scale * self.radius), Mark::Diamond, PURPLE);
         }
         for (names, angle) in self.groups() {
             // Beyond the middle of the pin, where no counterweight is marked.

@@ -35,18 +35,14 @@ pub fn shaft_figures(views: &ShaftViews, width: f64) -> Vec<(String, Figure)> {
         figures.push((file.to_owned(), charts_figure(&name(what), charts, columns, width)));
     };
     add("shaft_loads", "What the films carry, kN", &loads(own), COLUMNS);
-    let circles: Vec<_> = own
-        .journals()
-        .map(|(bearing, course)| circle(bearing, course, MARKED))
-        .collect();
+    let circles: Vec<_> = own.journals().map(|(bearing, course)| circle(bearing, course, MARKED)).collect();
     add("shaft_orbits", "Paths of the journals", &circles, COLUMNS);
     add("shaft_films", "Least film over the cycle", &[over(own, LEAST_FILM)], 1);
     add("shaft_by_angle", "Films over the cycle", &by_angle(own), 2);
     for (variant, other) in views.beside.iter().filter(|(_, other)| !other.courses.is_empty()) {
-        for (file, what, number) in [
-            ("loads", "Load on each bearing", MAGNITUDE),
-            ("films", "Least film of each bearing", LEAST_FILM),
-        ] {
+        for (file, what, number) in
+            [("loads", "Load on each bearing", MAGNITUDE), ("films", "Least film of each bearing", LEAST_FILM)]
+        {
             let charts = compared(own, (*variant, other), number);
             add(&format!("{}_{file}", variant.name()), what, &charts, 2);
         }
@@ -57,9 +53,8 @@ pub fn shaft_figures(views: &ShaftViews, width: f64) -> Vec<(String, Figure)> {
 /// Name of the picture of the shaft itself.
 pub const SHAFT: &str = "shaft";
 
-const LEAST_FILM: (&str, &Over) = ("least film thickness, um", &|course| {
-    scaled(course.curve(&FILM_THICKNESS_MIN), 1e6)
-});
+const LEAST_FILM: (&str, &Over) =
+    ("least film thickness, um", &|course| scaled(course.curve(&FILM_THICKNESS_MIN), 1e6));
 const MAGNITUDE: (&str, &Over) = ("load, kN", &|course| scaled(magnitude(course, LOAD), 1e-3));
 
 /// The load of each bearing as a polar diagram, all to one scale.
@@ -68,10 +63,7 @@ fn loads(view: &ShaftView) -> Vec<Chart> {
         let forces = course.vectors(LOAD, angles.into_iter());
         forces.into_iter().map(|force| force.map(|part| 1e-3 * part)).collect()
     };
-    let tips: Vec<_> = view
-        .journals()
-        .map(|(_, course)| kilonewtons(course, course.even_angles().collect()))
-        .collect();
+    let tips: Vec<_> = view.journals().map(|(_, course)| kilonewtons(course, course.even_angles().collect())).collect();
     let sheet = Sheet::around(&tips.concat());
     let name = format!("crank angle, each {MARKED} deg");
     let chart = |((bearing, course), tip): ((&str, &OrbitCourse), Vec<[f64; 2]>)| {
@@ -89,11 +81,7 @@ fn over(view: &ShaftView, (name, number): (&str, &Over)) -> Chart {
     for (place, (bearing, course)) in view.journals().enumerate() {
         let line = Series::line(bearing, SERIES[place % SERIES.len()], number(course));
         // Colours come again after some bearings.
-        let stroke = if place < SERIES.len() {
-            Stroke::Solid
-        } else {
-            Stroke::Dashed
-        };
+        let stroke = if place < SERIES.len() { Stroke::Solid } else { Stroke::Dashed };
         chart.series.push(line.stroked(stroke));
     }
     chart
@@ -103,21 +91,13 @@ fn over(view: &ShaftView, (name, number): (&str, &Over)) -> Chart {
 fn by_angle(view: &ShaftView) -> Vec<Chart> {
     let numbers: [(&str, &Over); 5] = [
         ("tilt, mrad", &|course| scaled(magnitude(course, TILT), 1e3)),
-        ("greatest pressure, MPa", &|course| {
-            scaled(course.curve(&PRESSURE_MAX), 1e-6)
-        }),
+        ("greatest pressure, MPa", &|course| scaled(course.curve(&PRESSURE_MAX), 1e-6)),
         ("share of contact in the load", &|course| course.curve(&CONTACT_SHARE)),
-        ("power that turns the journal, W", &|course| {
-            course.curve(&FRICTION_POWER)
-        }),
-        ("oil that leaves at the ends, ml/s", &|course| {
-            scaled(course.curve(&SIDE_FLOW), 1e6)
-        }),
+        ("power that turns the journal, W", &|course| course.curve(&FRICTION_POWER)),
+        ("oil that leaves at the ends, ml/s", &|course| scaled(course.curve(&SIDE_FLOW), 1e6)),
     ];
     let charts = numbers.into_iter().map(|number| over(view, number));
-    charts
-        .filter(|chart| chart.series.iter().any(|series| !series.points.is_empty()))
-        .collect()
+    charts.filter(|chart| chart.series.iter().any(|series| !series.points.is_empty())).collect()
 }
 
 /// One number of each journal on both shafts, all charts over one axis.
@@ -140,9 +120,5 @@ fn scaled(points: Vec<[f64; 2]>, unit: f64) -> Vec<[f64; 2]> {
 /// The magnitude of a vector over the crank angle.
 fn magnitude(course: &OrbitCourse, components: [&Row; 2]) -> Vec<[f64; 2]> {
     let vectors = course.vectors(components, course.even_angles());
-    course
-        .even_angles()
-        .zip(vectors)
-        .map(|(angle, [x, y])| [angle, x.hypot(y)])
-        .collect()
+    course.even_angles().zip(vectors).map(|(angle, [x, y])| [angle, x.hypot(y)]).collect()
 }

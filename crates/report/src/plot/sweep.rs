@@ -118,18 +118,12 @@ impl<'a> Cases<'a> {
     /// Value and error of a quantity.
     fn quantity(&self, indices: &[usize], name: &str) -> Option<[f64; 2]> {
         let quantity = &self.row(indices)?["quantities"][name];
-        Some([
-            quantity["value"].as_f64()?,
-            quantity["error"].as_f64().unwrap_or(f64::NAN),
-        ])
+        Some([quantity["value"].as_f64()?, quantity["error"].as_f64().unwrap_or(f64::NAN)])
     }
 
     /// Whether a quantity is not the same in all cases.
     fn varies(&self, name: &str) -> bool {
-        let values = self
-            .rows
-            .iter()
-            .filter_map(|row| row["quantities"][name]["value"].as_f64());
+        let values = self.rows.iter().filter_map(|row| row["quantities"][name]["value"].as_f64());
         let [low, high] = least_and_greatest(values);
         high - low > ROUND_OFF * low.abs().max(high.abs())
     }
@@ -166,20 +160,13 @@ impl<'a> Cases<'a> {
     /// The unit in which a quantity is shown, with its size: that which the scene asks for, else a readable one.
     pub(crate) fn unit_of(&self, name: &str) -> Option<(&'a str, f64)> {
         let (most, unit) = self.size(name)?;
-        Some(if self.are_asked() {
-            (unit, 1.0)
-        } else {
-            readable_unit_of(most, unit)
-        })
+        Some(if self.are_asked() { (unit, 1.0) } else { readable_unit_of(most, unit) })
     }
 
     /// The quantities that are drawn: those of the selection, else those that the scene asks for, else the headlines.
     pub(crate) fn names(&self, selected: &[String]) -> Vec<String> {
         let is_input = |name: &str| self.inputs.iter().any(|input| input.name == name);
-        let headlines = CATALOGUE
-            .iter()
-            .filter(|row| row.headline != Headline::Never)
-            .map(|row| row.name.to_owned());
+        let headlines = CATALOGUE.iter().filter(|row| row.headline != Headline::Never).map(|row| row.name.to_owned());
         let asked = self.asked.iter().map(|(name, _)| (*name).to_owned());
         let names: Vec<String> = match (selected.is_empty(), self.asked.is_empty()) {
             (false, _) => selected.to_vec(),
@@ -198,11 +185,7 @@ impl<'a> Cases<'a> {
 /// The names of quantities that a sweep has, for messages.
 pub(crate) fn quantity_names(sweep: &Value) -> Vec<String> {
     let rows = sweep["rows"].as_array().map(Vec::as_slice).unwrap_or_default();
-    let first = rows.iter().find_map(|row| {
-        row["quantities"]
-            .as_object()
-            .filter(|quantities| !quantities.is_empty())
-    });
+    let first = rows.iter().find_map(|row| row["quantities"].as_object().filter(|quantities| !quantities.is_empty()));
     first.map_or(Vec::new(), |quantities| quantities.keys().cloned().collect())
 }
 
@@ -212,20 +195,13 @@ pub(super) fn sweep_figures(sweep: &Value, selected: &[String], width: f64) -> V
         return Vec::new();
     };
     let names = cases.names(selected);
-    let numeric: Vec<usize> = (0..cases.inputs.len())
-        .filter(|k| cases.inputs[*k].is_numeric())
-        .collect();
+    let numeric: Vec<usize> = (0..cases.inputs.len()).filter(|k| cases.inputs[*k].is_numeric()).collect();
     let Some(&across) = numeric.last() else {
         return Vec::new();
     };
-    let upwards = (0..cases.inputs.len())
-        .rev()
-        .find(|k| *k != across && cases.inputs[*k].values.len() > 1);
-    let charts: Vec<Chart> = names
-        .iter()
-        .take(CHARTS)
-        .filter_map(|name| chart(&cases, name, across, upwards))
-        .collect();
+    let upwards = (0..cases.inputs.len()).rev().find(|k| *k != across && cases.inputs[*k].values.len() > 1);
+    let charts: Vec<Chart> =
+        names.iter().take(CHARTS).filter_map(|name| chart(&cases, name, across, upwards)).collect();
     let mut figures = Vec::new();
     if !charts.is_empty() {
         let columns = if width > 120.0 { 2 } else { 1 };
@@ -261,9 +237,7 @@ fn chart(cases: &Cases, name: &str, across: usize, upwards: Option<usize>) -> Op
         Some(axis) => {
             let count = cases.inputs[axis].values.len();
             let shown = count.min(CURVES);
-            (0..shown)
-                .map(|k| Some(if shown > 1 { k * (count - 1) / (shown - 1) } else { 0 }))
-                .collect()
+            (0..shown).map(|k| Some(if shown > 1 { k * (count - 1) / (shown - 1) } else { 0 })).collect()
         }
     };
     for (family, colour) in families.into_iter().zip(SERIES) {
@@ -273,19 +247,14 @@ fn chart(cases: &Cases, name: &str, across: usize, upwards: Option<usize>) -> Op
                 indices[axis] = index;
                 let other = &cases.inputs[axis];
                 let unit = printed_unit(if other.unit == "1" { "" } else { other.unit });
-                format!("{} = {} {unit}", other.name.replace('_', " "), other.word(index))
-                    .trim_end()
-                    .to_owned()
+                format!("{} = {} {unit}", other.name.replace('_', " "), other.word(index)).trim_end().to_owned()
             }
             _ => String::new(),
         };
         let points = (0..input.values.len()).map(|k| {
             indices[across] = k;
             let [value, error] = cases.quantity(&indices, name).unwrap_or([f64::NAN; 2]);
-            (
-                [input.values[k].as_f64().unwrap_or(f64::NAN), value / size],
-                error / size,
-            )
+            ([input.values[k].as_f64().unwrap_or(f64::NAN), value / size], error / size)
         });
         let (points, bars): (Vec<[f64; 2]>, Vec<f64>) = points.unzip();
         let line = Series::line(&series_name, colour, points).marked(Mark::Disc);
@@ -303,39 +272,25 @@ fn map(cases: &Cases, name: &str, [across, upwards]: [usize; 2], width: f64) -> 
         (indices[upwards], indices[across]) = (j, k);
         cases.quantity(&indices, name).map(|[value, _]| value / size)
     };
-    let values: Vec<Vec<Option<f64>>> = (0..y.values.len())
-        .map(|j| (0..x.values.len()).map(|k| value(j, k)).collect())
-        .collect();
+    let values: Vec<Vec<Option<f64>>> =
+        (0..y.values.len()).map(|j| (0..x.values.len()).map(|k| value(j, k)).collect()).collect();
     let known = || values.iter().flatten().flatten().copied();
-    let (low, high) = (
-        known().fold(f64::INFINITY, f64::min),
-        known().fold(f64::NEG_INFINITY, f64::max),
-    );
+    let (low, high) = (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
     let (map, [low, high]) = match low < 0.0 && high > 0.0 {
         true => (ColourMap::Vik, [-low.abs().max(high), low.abs().max(high)]),
         false => (ColourMap::Batlow, [low, if high > low { high } else { low + 1.0 }]),
     };
     let step = linear_steps(high - low, 100.0);
     let cell = |value: &Option<f64>| match value {
-        Some(value) => Cell {
-            fill: map.colour((value - low) / (high - low)),
-            word: number(*value, step),
-        },
-        None => Cell {
-            fill: ABSENT,
-            word: Label::plain("\u{2013}"),
-        },
+        Some(value) => Cell { fill: map.colour((value - low) / (high - low)), word: number(*value, step) },
+        None => Cell { fill: ABSENT, word: Label::plain("\u{2013}") },
     };
     let others: Vec<String> = (0..cases.inputs.len())
         .filter(|k| ![across, upwards].contains(k))
         .map(|k| format!("{} = {}", cases.inputs[k].name, cases.inputs[k].word(0)))
         .collect();
     let words = |input: &Input| (0..input.values.len()).map(|k| Label::plain(&input.word(k))).collect();
-    let at = if others.is_empty() {
-        String::new()
-    } else {
-        format!(" at {}", others.join(", "))
-    };
+    let at = if others.is_empty() { String::new() } else { format!(" at {}", others.join(", ")) };
     let grid = CellGrid {
         title: label.clone(),
         legend: Label::plain(&format!("{}{at}; grey: no film", cases.title)),

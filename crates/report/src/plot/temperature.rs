@@ -12,16 +12,12 @@ pub(crate) const BALANCE: &str = "heat";
 
 /// True where a run has sought the temperature of one film: over a cycle there are no curves.
 pub(super) fn is_sought(result: &Value) -> bool {
-    result[BALANCE]["curve"]
-        .as_array()
-        .is_some_and(|curve| !curve.is_empty())
+    result[BALANCE]["curve"].as_array().is_some_and(|curve| !curve.is_empty())
 }
 
 /// The picture of a balance of heat, at most that wide [mm], from the object of `result.json`; `None` where it has none.
 pub(crate) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
-    let points = result[BALANCE]["curve"]
-        .as_array()
-        .filter(|points| !points.is_empty())?;
+    let points = result[BALANCE]["curve"].as_array().filter(|points| !points.is_empty())?;
     let number = |point: &Value, key: &str| point[key].as_f64().unwrap_or(f64::NAN);
     let curve = |name: &str, colour, value: &dyn Fn(&Value) -> f64| {
         let points = points.iter().map(|point| [number(point, "temperature"), value(point)]);
@@ -32,25 +28,16 @@ pub(crate) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
     let mut chart = Chart::new("", name, Label::plain("power, W"));
     chart.series = vec![
         curve("friction", VERMILION, &|point| number(point, FRICTION_POWER.name)),
-        curve("heat carried off", BLUE, &|point| {
-            number(point, HEAT_CARRIED.name) + number(point, HEAT_HOUSING.name)
-        }),
+        curve("heat carried off", BLUE, &|point| number(point, HEAT_CARRIED.name) + number(point, HEAT_HOUSING.name)),
     ];
     let found = |row: &Row| result["quantities"][row.name]["value"].as_f64();
     if let (Some(temperature), Some(power)) = (found(&TEMPERATURE_EFFECTIVE), found(&FRICTION_POWER)) {
         let name = format!("{temperature:.1} \u{b0}C, {power:.0} W");
         let line = vec![[temperature, 0.0], [temperature, power]];
         chart.series.push(Series::line("", INK, line).stroked(Stroke::Dashed));
-        chart
-            .series
-            .push(Series::marks(&name, INK, Mark::Ring, vec![[temperature, power]]));
+        chart.series.push(Series::marks(&name, INK, Mark::Ring, vec![[temperature, power]]));
     }
-    Some(charts_figure(
-        &format!("{title}: balance of heat"),
-        &[chart],
-        1,
-        width.min(0.6 * PAGE_WIDTH),
-    ))
+    Some(charts_figure(&format!("{title}: balance of heat"), &[chart], 1, width.min(0.6 * PAGE_WIDTH)))
 }
 
 #[cfg(test)]
@@ -74,13 +61,7 @@ mod tests {
         let points = [[75.0, 400.0, -3.0], [82.0, 330.0, 329.0], [90.0, 280.0, 700.0]];
         let figure = temperature_figure(&result(&points), PAGE_WIDTH).expect("a picture");
         let svg = figure.to_svg();
-        for words in [
-            "A &lt;bearing&gt;",
-            "friction",
-            "heat carried off",
-            "82.0 \u{b0}C, 330 W",
-            "power, W",
-        ] {
+        for words in ["A &lt;bearing&gt;", "friction", "heat carried off", "82.0 \u{b0}C, 330 W", "power, W"] {
             assert!(svg.contains(words), "no {words}");
         }
         assert!(to_png(&figure).is_ok());

@@ -127,9 +127,6 @@ fn gaps(missing: &[u32], unfinished: &[u32]) -> String {
         1 => Some(format!("{} {one}", listed(numbers))),
         _ => Some(format!("{} {many}", listed(numbers))),
     };
-    let parts = [
-        words(missing, "is missing", "are missing"),
-        words(unfinished, "has not ended", "have not ended"),
-    ];
+    let parts = [words(missing, "is missing", "are missing"), words(unfinished, "has not ended", "have not ended")];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", and ")
 }

@@ -47,37 +47,21 @@ impl Table {
         };
         let headings = columns.headings();
         let table = to_csv(std::iter::once(&headings).chain(kept.values()));
-        let begun = Begun {
-            identity,
-            complete: false,
-            process: std::process::id(),
-        };
+        let begun = Begun { identity, complete: false, process: std::process::id() };
         let about = json(&begun)?;
-        let (about_step, table_step) = (
-            (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
-            (OsStr::new(TABLE_FILE), Some(&table[..])),
-        );
+        let (about_step, table_step) =
+            ((OsStr::new(REPORT_FILE), Some(about.as_bytes())), (OsStr::new(TABLE_FILE), Some(&table[..])));
         let page_step = (OsStr::new(SWEEP_PAGE_FILE), None);
         let [rotor_step, rotor_step_3] = ROTOR_FILES.map(|name| (OsStr::new(name), None));
         // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
         match kept.is_empty() {
             true => folder::replace_alone(
                 dir,
-                &[
-                    page_step,
-                    rotor_step,
-                    rotor_step_3,
-                    (table_step.0, None),
-                    about_step,
-                    table_step,
-                ],
+                &[page_step, rotor_step, rotor_step_3, (table_step.0, None), about_step, table_step],
             )?,
             false => folder::replace_alone(dir, &[page_step, rotor_step, rotor_step_3, about_step, table_step])?,
         }
-        let file = OpenOptions::new()
-            .append(true)
-            .open(&path)
-            .map_err(Error::system(&path))?;
+        let file = OpenOptions::new().append(true).open(&path).map_err(Error::system(&path))?;
         // Without locks in the file system runs must not share a folder.
         let _ = file.try_lock();
         Ok((Self { path, file }, kept))
@@ -146,9 +130,7 @@ fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<u
         return Ok(BTreeMap::new());
     };
     let rows = earlier.rows.into_iter();
-    Ok(rows
-        .filter_map(|row| Some((case_of(&row).filter(|case| *case < identity.cases)?, row)))
-        .collect())
+    Ok(rows.filter_map(|row| Some((case_of(&row).filter(|case| *case < identity.cases)?, row))).collect())
 }
 
 /// Number (from 0) of the case of a row.
@@ -170,19 +152,13 @@ impl Earlier {
     /// # Errors
     /// It is another sweep than the one of this identity and these columns, or cannot be read.
     pub(super) fn read(dir: &Path, identity: &Identity, columns: &Columns) -> Result<Option<Self>, SweepError> {
-        let other = |difference: &'static str| SweepError::Other {
-            folder: dir.to_path_buf(),
-            difference,
-        };
+        let other = |difference: &'static str| SweepError::Other { folder: dir.to_path_buf(), difference };
         let (table, about) = (dir.join(TABLE_FILE), dir.join(REPORT_FILE));
         if !table.exists() {
             return Ok(None);
         }
         let read = |path: &Path| {
-            std::fs::read(path).map_err(|source| SweepError::Earlier {
-                path: path.to_path_buf(),
-                source,
-            })
+            std::fs::read(path).map_err(|source| SweepError::Earlier { path: path.to_path_buf(), source })
         };
         if !about.exists() {
             return Err(other("without the record of what it was computed from"));
@@ -192,22 +168,15 @@ impl Earlier {
             return Err(other(difference));
         }
         let rows = whole_rows(&read(&table)?, &columns.headings()).ok_or_else(|| other("with other columns"))?;
-        Ok(Some(Self {
-            rows,
-            is_complete: about.get("complete") == Some(&true.into()),
-        }))
+        Ok(Some(Self { rows, is_complete: about.get("complete") == Some(&true.into()) }))
     }
 }
 
 /// How the sweep that is recorded differs from one with this identity, if it does.
 fn difference(about: &serde_json::Value, identity: &Identity) -> Option<&'static str> {
     let differs = |key: &str, own: serde_json::Value| about.get(key) != Some(&own);
-    let part = about
-        .get("part")
-        .map(|part| ["number", "of"].map(|key| part[key].as_u64()));
-    let own_part = identity
-        .part
-        .map(|part| [part.number(), part.of()].map(|count| Some(count.into())));
+    let part = about.get("part").map(|part| ["number", "of"].map(|key| part[key].as_u64()));
+    let own_part = identity.part.map(|part| [part.number(), part.of()].map(|count| Some(count.into())));
     if differs("format", identity.format.as_str().into()) || differs("version", identity.version.as_str().into()) {
         Some("of another version of the program")
     } else if differs("scene_sha256", identity.scene_sha256.as_str().into()) {

@@ -87,11 +87,7 @@ pub fn run(
     let mut report = begun(sweep, options)?;
     let (mut table, rows) = Table::open(&dir, &report, options.fresh)?;
     report.kept = rows.len();
-    let mut now = Progress {
-        kept: rows.len(),
-        done: rows.len(),
-        cases: cases.len(),
-    };
+    let mut now = Progress { kept: rows.len(), done: rows.len(), cases: cases.len() };
     progress(Notice::Progress(now));
     let rows = RefCell::new(rows);
     let is_kept = |case: usize| !cases.contains(&case) || rows.borrow().contains_key(&case);
@@ -111,11 +107,7 @@ pub fn run(
         Ok(())
     })?;
     if now.done < now.cases {
-        return Err(SweepError::Interrupted {
-            done: now.done,
-            cases: now.cases,
-            table: dir.join(TABLE_FILE),
-        });
+        return Err(SweepError::Interrupted { done: now.done, cases: now.cases, table: dir.join(TABLE_FILE) });
     }
     report.rows = rows.into_inner().into_values().collect();
     report.seconds = clock.elapsed().as_secs_f64();
@@ -144,10 +136,7 @@ pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> 
 pub fn part_rows(sweep: &Sweep, options: &SweepOptions) -> Result<Vec<u8>, SweepError> {
     let (columns, cases) = (columns(sweep, options), cases(sweep, options));
     let mut rows = BTreeMap::new();
-    sweep.run(&options.case, &|case| !cases.contains(&case), &mut |event| -> Result<
-        (),
-        SweepError,
-    > {
+    sweep.run(&options.case, &|case| !cases.contains(&case), &mut |event| -> Result<(), SweepError> {
         if let Event::Ended(case, found) = event {
             rows.insert(case, columns.row(&sweep.plan, case, &found)?);
         }
@@ -238,13 +227,8 @@ fn meshes_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
 
 /// SHA-256 of all tables of loads, gas pressures and measured shapes, and of the scenes of bearings on crankshafts, each once; `None` where there are none.
 fn tables_sha256(sweep: &Sweep) -> Result<Option<String>, Error> {
-    let of_shafts: Vec<PathBuf> = (sweep.shafts.iter().flat_map(ShaftScene::files))
-        .map(|(_, path, _)| path)
-        .collect();
-    let tables = (sweep.scenes)
-        .iter()
-        .flat_map(Scene::files)
-        .filter(|(key, ..)| key.as_ref() != MESH_FILE);
+    let of_shafts: Vec<PathBuf> = (sweep.shafts.iter().flat_map(ShaftScene::files)).map(|(_, path, _)| path).collect();
+    let tables = (sweep.scenes).iter().flat_map(Scene::files).filter(|(key, ..)| key.as_ref() != MESH_FILE);
     let read = |path: &Path| {
         let text = read_text(path).map_err(|error| CompileError::Duty(error.to_string()))?;
         Ok(text.into_bytes())

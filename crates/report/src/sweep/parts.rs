@@ -47,17 +47,11 @@ pub(super) fn rows_of_parts(sweep: &Sweep, begun: &SweepReport, dir: &Path) -> R
     let (mut missing, mut unfinished) = (Vec::new(), Vec::new());
     let mut rows = Vec::new();
     for (part, cases) in sweep.parts(of) {
-        let identity = Identity {
-            part: Some(part),
-            ..begun.identity.clone()
-        };
+        let identity = Identity { part: Some(part), ..begun.identity.clone() };
         let folder = part_folder(dir, part);
         let earlier = Earlier::read(&folder, &identity, &begun.columns);
-        let earlier = earlier.map_err(|cause| SweepError::Part {
-            part,
-            dir: dir.to_path_buf(),
-            cause: Box::new(cause),
-        })?;
+        let earlier =
+            earlier.map_err(|cause| SweepError::Part { part, dir: dir.to_path_buf(), cause: Box::new(cause) })?;
         match earlier {
             None => missing.push(part.number()),
             Some(earlier) if !earlier.is_complete => unfinished.push(part.number()),
@@ -79,12 +73,7 @@ pub(super) fn rows_of_parts(sweep: &Sweep, begun: &SweepReport, dir: &Path) -> R
     }
     match missing.is_empty() && unfinished.is_empty() {
         true => Ok(rows),
-        false => Err(SweepError::Gaps {
-            dir: dir.to_path_buf(),
-            missing,
-            unfinished,
-            of,
-        }),
+        false => Err(SweepError::Gaps { dir: dir.to_path_buf(), missing, unfinished, of }),
     }
 }
 
@@ -96,10 +85,7 @@ fn division(dir: &Path) -> Result<u32, SweepError> {
     let folder = dir.join(PARTS_FOLDER);
     let none = || SweepError::NoParts { dir: dir.to_path_buf() };
     let mut divisions = BTreeSet::new();
-    let unreadable = |source: io::Error| SweepError::Earlier {
-        path: folder.clone(),
-        source,
-    };
+    let unreadable = |source: io::Error| SweepError::Earlier { path: folder.clone(), source };
     let entries = std::fs::read_dir(&folder).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => none(),
         _ => unreadable(error),
@@ -118,10 +104,7 @@ fn division(dir: &Path) -> Result<u32, SweepError> {
     match divisions.into_iter().collect::<Vec<_>>()[..] {
         [] => Err(none()),
         [of] => Ok(of),
-        [first, second, ..] => Err(SweepError::Divisions {
-            folder,
-            divisions: [first, second],
-        }),
+        [first, second, ..] => Err(SweepError::Divisions { folder, divisions: [first, second] }),
     }
 }
 
@@ -142,23 +125,11 @@ mod tests {
 
     #[test]
     fn names_of_parts_are_read_back_and_no_others() {
-        for (number, of, text) in [
-            (3, 40, "003-of-040"),
-            (1, 1, "001-of-001"),
-            (12, 20_000, "00012-of-20000"),
-        ] {
+        for (number, of, text) in [(3, 40, "003-of-040"), (1, 1, "001-of-001"), (12, 20_000, "00012-of-20000")] {
             let part = Part::new(number, of).expect("a part");
             assert_eq!((name(part).as_str(), part_named(text)), (text, Some(part)));
         }
-        for text in [
-            "3-of-40",
-            "003-of-040 (copy)",
-            "041-of-040",
-            "000-of-040",
-            "+03-of-040",
-            "003",
-            "a-of-b",
-        ] {
+        for text in ["3-of-40", "003-of-040 (copy)", "041-of-040", "000-of-040", "+03-of-040", "003", "a-of-b"] {
             assert_eq!(part_named(text), None, "{text}");
         }
     }

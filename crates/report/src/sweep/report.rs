@@ -186,10 +186,7 @@ impl Serialize for RowRecord<'_> {
         let mut quantities = serde_json::Map::new();
         for (place, column) in columns.quantities.iter().enumerate() {
             if let Some(value) = report.value(row, place) {
-                let error = row
-                    .get(columns.place(place) + 1)
-                    .filter(|_| columns.bars)
-                    .and_then(number);
+                let error = row.get(columns.place(place) + 1).filter(|_| columns.bars).and_then(number);
                 quantities.insert(
                     column.name.to_string(),
                     serde_json::json!({ "value": value, "unit": column.unit, "error": error }),

@@ -65,10 +65,7 @@ impl Columns {
             let text = |value: Option<f64>| match value {
                 None => Ok(String::new()),
                 Some(value) if value.is_finite() => Ok(format!("{value:?}")),
-                Some(value) => Err(Error::NotFinite {
-                    name: format!("case {}, {name}", number + 1),
-                    value,
-                }),
+                Some(value) => Err(Error::NotFinite { name: format!("case {}, {name}", number + 1), value }),
             };
             row.push(text(quantity.map(|quantity| column.value(quantity.value)))?);
             if self.bars {
@@ -77,9 +74,7 @@ impl Columns {
             }
         }
         row.push(found.unknowns.map_or(String::new(), |unknowns| unknowns.to_string()));
-        row.push(listed(
-            found.warnings.iter().map(|warning| warning.kind.code.to_owned()),
-        ));
+        row.push(listed(found.warnings.iter().map(|warning| warning.kind.code.to_owned())));
         row.push(Verdict::of(&found.criteria).map_or_else(String::new, |verdict| verdict.name().to_owned()));
         let missed = found.criteria.iter().filter(|criterion| criterion.is_missed());
         row.push(listed(missed.map(Criterion::fault)));
@@ -93,13 +88,7 @@ impl Columns {
         let mut row = inputs(plan, number);
         row.push(FAILED.to_owned());
         row.resize(self.place(self.quantities.len()), String::new());
-        row.extend(TAIL.map(|column| {
-            if column == REASON {
-                in_a_line(reason)
-            } else {
-                String::new()
-            }
-        }));
+        row.extend(TAIL.map(|column| if column == REASON { in_a_line(reason) } else { String::new() }));
         row
     }
 
@@ -116,9 +105,7 @@ impl Columns {
     /// What a row has in one of the last columns: [`UNKNOWNS`] to [`SECONDS`].
     pub fn tail<'a>(&self, row: &'a Row, name: &str) -> &'a str {
         let place = TAIL.iter().position(|other| *other == name);
-        place
-            .and_then(|place| row.get(self.place(self.quantities.len()) + place))
-            .map_or("", |text| text)
+        place.and_then(|place| row.get(self.place(self.quantities.len()) + place)).map_or("", |text| text)
     }
 }
 
@@ -192,14 +179,8 @@ pub(crate) fn to_csv<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Vec<u8> {
 /// The rows of a table whose writer may have been killed: whole ones, up to the first that is not. `None` where the table has other
 /// headings.
 pub(crate) fn whole_rows(bytes: &[u8], headings: &Row) -> Option<Vec<Row>> {
-    let end = bytes
-        .iter()
-        .rposition(|byte| *byte == b'\n')
-        .map_or(0, |place| place + 1);
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(&bytes[..end]);
+    let end = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |place| place + 1);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..end]);
     let mut records = reader.records();
     let row = |record: csv::StringRecord| -> Row { record.iter().map(str::to_owned).collect() };
     match records.next() {

@@ -18,10 +18,7 @@ pub(crate) fn add_on(add_on: &AddOn) -> String {
     lines.extend(add_on.lists.iter().map(|(title, quantities)| {
         let numbers: Vec<String> = match &quantities[..] {
             [one] => vec![number(one)],
-            all => all
-                .iter()
-                .map(|it| format!("{} {}", it.row.symbol, number(it)))
-                .collect(),
+            all => all.iter().map(|it| format!("{} {}", it.row.symbol, number(it))).collect(),
         };
         format!("{title}: {}", numbers.join(", "))
     }));
@@ -60,14 +57,8 @@ fn comparisons(add_on: &AddOn) -> Option<String> {
         }
         let times: Vec<[f64; 2]> = answers.iter().filter_map(|answer| answer.seconds).collect();
         if let Some([film, _]) = times.first() {
-            let others = times
-                .iter()
-                .map(|[_, other]| if *other > 0.0 { time(*other) } else { "-".to_owned() });
-            table.add_row(
-                ["run time".to_owned(), String::new(), time(*film)]
-                    .into_iter()
-                    .chain(others),
-            );
+            let others = times.iter().map(|[_, other]| if *other > 0.0 { time(*other) } else { "-".to_owned() });
+            table.add_row(["run time".to_owned(), String::new(), time(*film)].into_iter().chain(others));
         }
         table.to_string()
     })
@@ -120,11 +111,7 @@ mod tests {
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, LOAD, Row, SIDE_FLOW};
 
     fn comparison(row: &'static Row, [film, other]: [f64; 2], error: Option<f64>) -> Comparison {
-        Comparison {
-            row,
-            film: Some(Estimate { value: film, error }),
-            other: Some(Estimate { value: other, error }),
-        }
+        Comparison { row, film: Some(Estimate { value: film, error }), other: Some(Estimate { value: other, error }) }
     }
 
     #[test]

@@ -20,10 +20,7 @@ pub(crate) fn of_shaft(result: &ShaftResult) -> Vec<Criterion> {
 
 /// The criteria of a bearing and the verdict; nothing where the scene sets none and nothing is usual.
 pub(crate) fn criteria(result: &RunResult) -> Option<String> {
-    let broken = result
-        .temperature
-        .as_ref()
-        .map_or(0, |report| report.broken_assumptions);
+    let broken = result.temperature.as_ref().map_or(0, |report| report.broken_assumptions);
     judged(&result.criteria, broken)
 }
 

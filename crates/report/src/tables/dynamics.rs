@@ -23,10 +23,7 @@ pub(crate) fn dynamics(result: &RunResult, shown: Shown) -> Option<String> {
         parts.push(at_whirl(report, coefficients));
     }
     if shown == Shown::All {
-        let list = result
-            .quantities
-            .iter()
-            .filter(|quantity| quantity.row.table == Table::Dynamics);
+        let list = result.quantities.iter().filter(|quantity| quantity.row.table == Table::Dynamics);
         parts.push(quantities(list, result.bars));
     }
     parts.push(rotor(result, report));
@@ -64,17 +61,10 @@ fn at_whirl(report: &DynamicsReport, at: &CoefficientReport) -> String {
 
 /// Stiffness and damping side by side.
 fn pair(pair: &Pair, forces: [&str; 4], [first, second]: [&str; 2]) -> String {
-    let motions = [
-        format!("e_{first}"),
-        format!("e_{second}"),
-        format!("g_{first}"),
-        format!("g_{second}"),
-    ];
+    let motions = [format!("e_{first}"), format!("e_{second}"), format!("g_{first}"), format!("g_{second}")];
     let order = pair.stiffness.len();
     let of = |matrix: &str, prime: &str| {
-        let headings = motions[..order]
-            .iter()
-            .map(|motion| format!("{matrix} by {motion}{prime}"));
+        let headings = motions[..order].iter().map(|motion| format!("{matrix} by {motion}{prime}"));
         headings.collect::<Vec<_>>()
     };
     let headings = std::iter::once(String::new()).chain(of("K", "")).chain(of("C", "'"));
@@ -98,9 +88,7 @@ fn coefficient(value: f64) -> String {
 fn rotor(result: &RunResult, report: &DynamicsReport) -> String {
     let shown = |quantity: &Quantity| {
         let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
-        format!("{} {unit}", significant(quantity.value / size, DIGITS))
-            .trim_end()
-            .to_owned()
+        format!("{} {unit}", significant(quantity.value / size, DIGITS)).trim_end().to_owned()
     };
     let mut line = match report.rotor.stable {
         Stable::WithAnyMass => "rotor     a rigid rotor is stable with any mass".to_owned(),
@@ -109,9 +97,7 @@ fn rotor(result: &RunResult, report: &DynamicsReport) -> String {
         Stable::BelowCriticalMass => {
             let [mass, ratio] = [&CRITICAL_MASS, &WHIRL_RATIO].map(|row| result.quantity(row).map(shown));
             let mass = mass.unwrap_or_default();
-            let whirls = ratio.map_or(String::new(), |ratio| {
-                format!(", and whirls with more at {ratio} of the speed")
-            });
+            let whirls = ratio.map_or(String::new(), |ratio| format!(", and whirls with more at {ratio} of the speed"));
             format!("rotor     a rigid rotor is stable with up to {mass} for this bearing{whirls}")
         }
     };
@@ -119,10 +105,7 @@ fn rotor(result: &RunResult, report: &DynamicsReport) -> String {
         let mass = significant(mass, DIGITS);
         line += &match result.quantity(&LOGARITHMIC_DECREMENT) {
             Some(decrement) if decrement.value < 0.0 => {
-                format!(
-                    "; with {mass} kg its whirl grows: logarithmic decrement {}",
-                    shown(decrement)
-                )
+                format!("; with {mass} kg its whirl grows: logarithmic decrement {}", shown(decrement))
             }
             Some(decrement) => format!("; with {mass} kg its logarithmic decrement is {}", shown(decrement)),
             None => format!("; with {mass} kg it does not whirl"),

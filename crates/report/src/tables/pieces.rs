@@ -37,16 +37,8 @@ pub fn mesh(mesh: &MeshFacts) -> String {
 
 /// What is simulated, a line each, and what is not.
 pub fn effects(effects: &Effects) -> String {
-    let width = effects
-        .simulated
-        .iter()
-        .map(|effect| effect.name.len())
-        .max()
-        .unwrap_or(0);
-    let lines = effects
-        .simulated
-        .iter()
-        .map(|effect| format!("{:width$}  {}", effect.name, effect.sentence));
+    let width = effects.simulated.iter().map(|effect| effect.name.len()).max().unwrap_or(0);
+    let lines = effects.simulated.iter().map(|effect| format!("{:width$}  {}", effect.name, effect.sentence));
     let simulated: Vec<_> = lines.collect();
     format!(
         "simulated      {}\nnot simulated  {}",
@@ -58,9 +50,7 @@ pub fn effects(effects: &Effects) -> String {
 /// An empty table with this header, as wide as the terminal at most; the columns `numbers` are aligned to the right.
 pub fn table(header: impl IntoIterator<Item = impl Into<Cell>>, numbers: Range<usize>) -> Table {
     let mut table = Table::new();
-    table
-        .load_style(presets::UTF8_FULL_CONDENSED)
-        .set_content_arrangement(ContentArrangement::Dynamic);
+    table.load_style(presets::UTF8_FULL_CONDENSED).set_content_arrangement(ContentArrangement::Dynamic);
     if let Some((_, width)) = console::Term::stdout().size_checked() {
         table.set_width(width);
     }
@@ -105,10 +95,7 @@ mod tests {
 
     #[test]
     fn estimated_times_are_short() {
-        assert_eq!(
-            [0.2, 42.4, 700.0, 12_600.0].map(duration),
-            ["1 s", "42 s", "12 min", "3.5 h"]
-        );
+        assert_eq!([0.2, 42.4, 700.0, 12_600.0].map(duration), ["1 s", "42 s", "12 min", "3.5 h"]);
         assert_eq!([counted(1, "case"), counted(0, "case")], ["1 case", "0 cases"]);
     }
 }

@@ -52,9 +52,7 @@ pub(crate) fn bars(result: &RunResult) -> Vec<String> {
 fn parts(main: &Quantity) -> Option<String> {
     let bar = main.bar?;
     let parts = bar.parts().into_iter().filter(|(_, _, part)| *part > 0.0);
-    let parts: Vec<_> = parts
-        .map(|(_, words, part)| format!("{words} {}", in_unit_of(main, part)))
-        .collect();
+    let parts: Vec<_> = parts.map(|(_, words, part)| format!("{words} {}", in_unit_of(main, part))).collect();
     let total = in_unit_of(main, bar.total());
     (!parts.is_empty()).then(|| format!("bar       of the {}, ± {total}: {}", main.name, parts.join(", ")))
 }
@@ -70,12 +68,7 @@ fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
         let (_, error) = facts.errors.iter().find(|(name, _)| *name == main.name)?;
         Some(format!(", {} ± {}", main.row.symbol, in_unit_of(main, *error)))
     });
-    format!(
-        "{} unknowns{}, {} ({mesh})",
-        facts.unknowns,
-        error.unwrap_or_default(),
-        time(facts.seconds)
-    )
+    format!("{} unknowns{}, {} ({mesh})", facts.unknowns, error.unwrap_or_default(), time(facts.seconds))
 }
 
 /// An error in a unit that suits it, and not the value.
@@ -96,11 +89,7 @@ mod tests {
     /// A load with a bar, an angle whose bar is not resolved, an eccentricity that is given.
     fn with_bars() -> RunResult {
         let mut result = result();
-        let parts = Bar {
-            discretisation: 0.9,
-            front: 0.1,
-            ..Bar::default()
-        };
+        let parts = Bar { discretisation: 0.9, front: 0.1, ..Bar::default() };
         let mut eccentricity = Quantity::new(&ECCENTRICITY, 0.6);
         eccentricity.bar = Some(Bar::default());
         result.quantities.push(eccentricity);
@@ -113,11 +102,7 @@ mod tests {
     #[test]
     fn a_value_has_the_digits_that_its_bar_supports() {
         let text = quantities(&with_bars().quantities, true);
-        for row in [
-            "12.9112 ┆        0.001 ┆ kN",
-            "49 ┆ not resolved ┆ deg",
-            "0.600000 ┆        exact ┆",
-        ] {
+        for row in ["12.9112 ┆        0.001 ┆ kN", "49 ┆ not resolved ┆ deg", "0.600000 ┆        exact ┆"] {
             assert!(text.contains(row), "no {row} in\n{text}");
         }
         assert!(!quantities(&with_bars().quantities, false).contains("not resolved"));
@@ -146,16 +131,10 @@ levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
           12000 unknowns, W ± 1 N, 1.20 s (divided where the error comes from)
 balance";
         assert!(text.contains(wanted), "{text}");
-        let position = EFFECTS
-            .iter()
-            .copied()
-            .filter(|effect| effect.socket == Socket::Position);
+        let position = EFFECTS.iter().copied().filter(|effect| effect.socket == Socket::Position);
         result.effects.simulated.extend(position);
         assert!(!run_report(&result, Shown::Headlines, &[], Some(written())).contains("bar  "));
-        result.quantities[2].bar = Some(Bar {
-            position: 2e-5,
-            ..Bar::default()
-        });
+        result.quantities[2].bar = Some(Bar { position: 2e-5, ..Bar::default() });
         let text = run_report(&result, Shown::Headlines, &[], Some(written()));
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");

@@ -79,12 +79,7 @@ fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
     let first = headlines(&result.quantities, |quantity| quantity.row, &result.effects);
     let is_first = |quantity: &&Quantity| first.iter().any(|other| other.name == quantity.name);
     let mut parts = vec![quantities(first.iter().copied(), result.bars)];
-    let of = |table: Table| {
-        result
-            .quantities
-            .iter()
-            .filter(move |quantity| quantity.row.table == table)
-    };
+    let of = |table: Table| result.quantities.iter().filter(move |quantity| quantity.row.table == table);
     if of(Table::Cap).next().is_some() {
         parts.push(format!("joint of the cap\n{}", quantities(of(Table::Cap), result.bars)));
     }
@@ -112,19 +107,13 @@ fn balances(balances: Balances) -> String {
         part(balances.power)
     );
     if balances.moment != 0.0 {
-        line += &format!(
-            ", moments of friction and load by {} of the friction",
-            part(balances.moment)
-        );
+        line += &format!(", moments of friction and load by {} of the friction", part(balances.moment));
     }
     if balances.force != 0.0 {
         line += &format!(", load and film force by {} of the load", part(balances.force));
     }
     if balances.tilt != 0.0 {
-        line += &format!(
-            ", moments of load and film by {} of the load at an end",
-            part(balances.tilt)
-        );
+        line += &format!(", moments of load and film by {} of the load at an end", part(balances.tilt));
     }
     if let Some(deflection) = balances.deflection {
         line += &format!(", deflection and pressure by {} of the deflection", part(deflection));
@@ -138,16 +127,15 @@ fn balances(balances: Balances) -> String {
 /// How the orbit closed, and the steps of its last cycle.
 fn orbit(facts: &OrbitFacts) -> String {
     let last = facts.cycles.last();
-    let [closure, steps, films] = last.map_or([0.0; 3], |cycle| {
-        [cycle.closure, cycle.steps as f64, cycle.films as f64]
-    });
+    let [closure, steps, films] =
+        last.map_or([0.0; 3], |cycle| [cycle.closure, cycle.steps as f64, cycle.films as f64]);
     let earlier = match facts.earlier_cycles {
         0 => String::new(),
         count => format!(", {count} of them in earlier runs"),
     };
-    let oil = last.and_then(|cycle| cycle.oil_closure).map_or(String::new(), |oil| {
-        format!(" with {} of the oil elsewhere", significant(oil, 2))
-    });
+    let oil = last
+        .and_then(|cycle| cycle.oil_closure)
+        .map_or(String::new(), |oil| format!(" with {} of the oil elsewhere", significant(oil, 2)));
     format!(
         "orbit     cycle {}{earlier} ended {} of the clearance from where it began{oil}; {steps} steps and {films} films in it",
         facts.earlier_cycles + facts.cycles.len(),
@@ -158,25 +146,19 @@ fn orbit(facts: &OrbitFacts) -> String {
 /// How large the cavity is, and the oil that it makes where its model conserves none.
 fn cavity(result: &RunResult) -> Option<String> {
     let share = significant(100.0 * result.quantity(&CAVITY_SHARE)?.value, 2);
-    let made = result
-        .quantity(&CAVITY_FLOW)
-        .filter(|made| made.value > 0.0)
-        .map(|made| {
-            let (unit, size) = readable_unit(made.value, made.row.unit);
-            format!(
-                "; it makes {} {unit} of oil, since this cavitation model does not conserve oil",
-                significant(made.value / size, 2)
-            )
-        });
+    let made = result.quantity(&CAVITY_FLOW).filter(|made| made.value > 0.0).map(|made| {
+        let (unit, size) = readable_unit(made.value, made.row.unit);
+        format!(
+            "; it makes {} {unit} of oil, since this cavitation model does not conserve oil",
+            significant(made.value / size, 2)
+        )
+    });
     let names = result.of_hill.iter().map(|name| name.replace('_', " "));
     let of_hill = match names.collect::<Vec<_>>().join(" and ") {
         names if names.is_empty() => names,
         names => format!("; {names}: by the sharp hill over it"),
     };
-    Some(format!(
-        "cavity    {share} % of the film{}{of_hill}",
-        made.unwrap_or_default()
-    ))
+    Some(format!("cavity    {share} % of the film{}{of_hill}", made.unwrap_or_default()))
 }
 
 /// How often the expensive operations ran; nothing where nothing was counted.
@@ -198,10 +180,7 @@ fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
     }
     if let (Some(films), Some(products)) = (counts.deflection_steps, counts.deflection_products) {
         let products = plural(products, "product", "products");
-        counted.push(format!(
-            "{} and {products} with the tangent for the deflection",
-            plural(films, "film", "films")
-        ));
+        counted.push(format!("{} and {products} with the tangent for the deflection", plural(films, "film", "films")));
     }
     if counts.levels > 0 {
         let meshes = plural(counts.levels, "coarser mesh", "coarser meshes");
@@ -225,13 +204,8 @@ fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
 /// The total time, then its parts.
 fn timing(parts: &[(String, f64)]) -> String {
     let (total, parts): (Vec<_>, Vec<_>) = parts.iter().partition(|(part, _)| part == "total");
-    let total = total
-        .first()
-        .map_or(String::new(), |(_, seconds)| format!("{}: ", time(*seconds)));
-    let parts: Vec<_> = parts
-        .iter()
-        .map(|(part, seconds)| format!("{part} {}", time(*seconds)))
-        .collect();
+    let total = total.first().map_or(String::new(), |(_, seconds)| format!("{}: ", time(*seconds)));
+    let parts: Vec<_> = parts.iter().map(|(part, seconds)| format!("{part} {}", time(*seconds))).collect();
     total + &parts.join(", ")
 }
 
@@ -243,11 +217,7 @@ pub(crate) mod tests {
     use oilwedge_study::result::{Geometry, MeshFacts, RESULT_FORMAT, Status};
 
     pub(crate) fn written() -> Written<'static> {
-        Written {
-            folder: Path::new("out/shell"),
-            has_fields: true,
-            pictures: "",
-        }
+        Written { folder: Path::new("out/shell"), has_fields: true, pictures: "" }
     }
 
     pub(crate) fn result() -> RunResult {
@@ -260,17 +230,9 @@ pub(crate) mod tests {
             mesh_sha256: String::new(),
             status: Status::Converged,
             reason: None,
-            effects: Effects {
-                simulated: EFFECTS[2..4].to_vec(),
-                not_simulated: vec!["squeeze"],
-            },
+            effects: Effects { simulated: EFFECTS[2..4].to_vec(), not_simulated: vec!["squeeze"] },
             geometry: Geometry::default(),
-            mesh: MeshFacts {
-                cells: 592,
-                nodes: 1245,
-                order: 2,
-                min_angle_deg: 31.04,
-            },
+            mesh: MeshFacts { cells: 592, nodes: 1245, order: 2, min_angle_deg: 31.04 },
             quantities: vec![Quantity::new(&LOAD, 12_910.0), Quantity::new(&ATTITUDE_ANGLE, 49.29)],
             bars: false,
             levels: vec![],
@@ -290,12 +252,7 @@ pub(crate) mod tests {
             criteria: Vec::new(),
             dynamics: None,
             history: vec![],
-            counts: Counts {
-                nonlinear_iterations: 1,
-                factorisations: 1,
-                linear_solves: 1,
-                ..Counts::default()
-            },
+            counts: Counts { nonlinear_iterations: 1, factorisations: 1, linear_solves: 1, ..Counts::default() },
             linear_solver: None,
             of_hill: Vec::new(),
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
@@ -330,14 +287,8 @@ pub(crate) mod tests {
         let mut result = result();
         result.quantities.push(Quantity::new(&LOAD_X, 12.0));
         let [short, all] = [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], Some(written())));
-        assert!(
-            !short.contains("load_x") && short.contains("--all shows all 3 quantities"),
-            "{short}"
-        );
-        assert!(
-            all.find("attitude_angle") < all.find("load_x") && all.find("load_x").is_some(),
-            "{all}"
-        );
+        assert!(!short.contains("load_x") && short.contains("--all shows all 3 quantities"), "{short}");
+        assert!(all.find("attitude_angle") < all.find("load_x") && all.find("load_x").is_some(), "{all}");
         for text in [short, all] {
             assert!(text.ends_with("\nverdict   converged; no warnings\n"), "{text}");
         }
@@ -352,10 +303,7 @@ pub(crate) mod tests {
             result.counts.levels = levels;
             let text = run_report(&result, Shown::Headlines, &[], Some(written()));
             let work = format!("12 nonlinear iterations, started from {words}\n");
-            assert!(
-                text.contains(&work) && text.contains("cavity    42 % of the film\n"),
-                "{text}"
-            );
+            assert!(text.contains(&work) && text.contains("cavity    42 % of the film\n"), "{text}");
         }
         assert!(!run_report(&self::result(), Shown::Headlines, &[], Some(written())).contains("cavity "));
     }
@@ -376,19 +324,8 @@ pub(crate) mod tests {
         result.status = Status::NoSolution;
         result.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(
-            &result,
-            Shown::Headlines,
-            &[],
-            Some(Written {
-                has_fields: false,
-                ..written()
-            }),
-        );
-        assert!(
-            text.contains("there is no solution") && text.contains("reason: no steady film"),
-            "{text}"
-        );
+        let text = run_report(&result, Shown::Headlines, &[], Some(Written { has_fields: false, ..written() }));
+        assert!(text.contains("there is no solution") && text.contains("reason: no steady film"), "{text}");
         assert!(!text.contains("balance") && !text.contains("film.vtu"), "{text}");
     }
 

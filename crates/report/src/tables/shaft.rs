@@ -52,11 +52,7 @@ pub fn shaft_report(
     if !result.bearings.is_empty() {
         parts.push(bearings(result));
         parts.extend(judged(&of_shaft(result), 0));
-        parts.extend(
-            beside
-                .iter()
-                .map(|(variant, other)| compared(result, *variant, &other.result)),
-        );
+        parts.extend(beside.iter().map(|(variant, other)| compared(result, *variant, &other.result)));
         lines.push(balance(result));
     }
     lines.extend(result.counterweights.iter().flat_map(counterweights));
@@ -69,10 +65,7 @@ pub fn shaft_report(
             significant(last.closure, 2)
         )
     }));
-    let parts_of_time = result
-        .timing_s
-        .iter()
-        .map(|(part, seconds)| format!("{part} {}", time(*seconds)));
+    let parts_of_time = result.timing_s.iter().map(|(part, seconds)| format!("{part} {}", time(*seconds)));
     lines.push(format!("time      {}", parts_of_time.collect::<Vec<_>>().join(", ")));
     lines.push(format!("written   {}: {}", folder.display(), files.join(", ")));
     lines.extend(pictures.lines().map(str::to_owned));
@@ -111,10 +104,7 @@ fn counterweights(found: &CounterweightReport) -> Vec<String> {
 
 /// The columns of a shaft at rest or over a cycle: the load first, the least film second.
 fn columns(result: &ShaftResult) -> Columns {
-    let is_cycle = result
-        .bearings
-        .iter()
-        .any(|bearing| bearing.quantity(&CYCLE_LOAD_MAX).is_some());
+    let is_cycle = result.bearings.iter().any(|bearing| bearing.quantity(&CYCLE_LOAD_MAX).is_some());
     if is_cycle { OVER_CYCLE } else { AT_REST }
 }
 
@@ -147,9 +137,7 @@ fn compared(own: &ShaftResult, variant: Variant, other: &ShaftResult) -> String 
         for (_, row) in [columns[0], columns[1]] {
             let change = bearing.quantity(row).zip(beside.quantity(row));
             cells.extend([number(bearing, row), number(beside, row)]);
-            cells.push(change.map_or(String::new(), |(a, b)| {
-                format!("{:+.1} %", 1e2 * (b.value / a.value - 1.0))
-            }));
+            cells.push(change.map_or(String::new(), |(a, b)| format!("{:+.1} %", 1e2 * (b.value / a.value - 1.0))));
         }
         rows.add_row(cells);
     }
@@ -183,10 +171,7 @@ fn balance(result: &ShaftResult) -> String {
     );
     let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
     if let Some(worst) = energies.reduce(f64::max) {
-        line += &format!(
-            ", energy over the cycle of a bearing by {} of the dissipation",
-            part(worst)
-        );
+        line += &format!(", energy over the cycle of a bearing by {} of the dissipation", part(worst));
     }
     line
 }

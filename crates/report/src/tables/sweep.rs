@@ -15,9 +15,7 @@ use crate::sweep::{LIMITS, REASON, Row, SweepReport, VERDICT, WARNINGS};
 /// How many cases have each code.
 fn tally(report: &SweepReport, column: &str) -> String {
     let entries = report.tally(column);
-    let entries = entries
-        .iter()
-        .map(|(entry, count)| format!("{}: {}", printable(entry), counted(*count, "case")));
+    let entries = entries.iter().map(|(entry, count)| format!("{}: {}", printable(entry), counted(*count, "case")));
     match entries.collect::<Vec<_>>() {
         none if none.is_empty() => "none".to_owned(),
         some => some.join("; "),
@@ -43,26 +41,16 @@ pub fn sweep_report(report: &SweepReport, folder: Option<&Path>) -> String {
     let counts = (counts.iter()).filter(|(count, _)| *count > 0);
     let counts = counts.map(|(count, words)| format!("{count} {words}"));
     let part = report.identity.part.map(|part| format!("part {part}"));
-    let status: Vec<String> = (part.into_iter())
-        .chain([counted(cases, "case")])
-        .chain(counts)
-        .collect();
-    let mut parts = vec![
-        heading(&report.identity.title, &status.join(", ")),
-        effects(&report.effects),
-        rows(report, folder),
-    ];
+    let status: Vec<String> = (part.into_iter()).chain([counted(cases, "case")]).chain(counts).collect();
+    let mut parts =
+        vec![heading(&report.identity.title, &status.join(", ")), effects(&report.effects), rows(report, folder)];
     let own = cases - report.kept;
     let mut lines = Vec::new();
     if report.kept > 0 {
         lines.push(format!("kept      {} of an earlier run", counted(report.kept, "case")));
     }
     let each = report.seconds / own.max(1) as f64;
-    let of_parts = if report.is_joined {
-        ", added up over all parts"
-    } else {
-        ""
-    };
+    let of_parts = if report.is_joined { ", added up over all parts" } else { "" };
     lines.push(match own {
         0 => format!("time      {}: nothing was left to compute", time(report.seconds)),
         _ => format!("time      {}: {} a case{of_parts}", time(report.seconds), time(each)),
@@ -84,10 +72,7 @@ fn crown(report: &SweepReport) -> Option<String> {
     let is_si = report.plan.columns.is_none();
     let sections = report.rows.iter().filter_map(|row| {
         let (middle, deviation) = (report.value(row, middle)?, report.value(row, deviation)?);
-        Some(Sections {
-            middle,
-            ends: [middle - deviation; 2],
-        })
+        Some(Sections { middle, ends: [middle - deviation; 2] })
     });
     let depth = common_crown(&sections.collect::<Vec<_>>()).filter(|depth| is_si && *depth > 0.0)?;
     Some(format!(
@@ -123,11 +108,7 @@ fn shown(report: &SweepReport) -> Vec<Shown> {
     let column = |&(place, column): &(usize, &Column)| {
         let values = report.rows.iter().filter_map(|row| report.value(row, place));
         let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), column.row.unit);
-        Shown {
-            place,
-            heading: headed(column.row.symbol, unit),
-            size,
-        }
+        Shown { place, heading: headed(column.row.symbol, unit), size }
     };
     let headlines = headlines(&all, |(_, column)| column.row, &report.effects);
     headlines.into_iter().map(column).collect()
@@ -145,10 +126,7 @@ fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
     let inputs = report.columns.inputs.iter().map(|input| printable(input));
     let headings = columns.iter().map(|column| column.heading.clone());
     let first = ["case".to_owned()].into_iter().chain(inputs);
-    let is_judged = report
-        .rows
-        .iter()
-        .any(|row| !report.columns.tail(row, VERDICT).is_empty());
+    let is_judged = report.rows.iter().any(|row| !report.columns.tail(row, VERDICT).is_empty());
     let last: Vec<&str> = [VERDICT, WARNINGS].into_iter().skip(usize::from(!is_judged)).collect();
     let mut table = table(
         first.chain(headings).chain(last.iter().map(|&name| name.to_owned())),
@@ -175,11 +153,7 @@ fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
     let mut text = table.to_string();
     if cut {
         let all = if folder.is_some() { "; all are in sweep.csv" } else { "" };
-        text += &format!(
-            "\nthe first and the last {} of {} cases{all}",
-            SHOWN / 2,
-            report.rows.len()
-        );
+        text += &format!("\nthe first and the last {} of {} cases{all}", SHOWN / 2, report.rows.len());
     }
     let reason = |row| report.columns.tail(row, REASON);
     let reasons = report.rows.iter().filter(|row| !reason(row).is_empty());

@@ -25,10 +25,7 @@ pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
 pub(crate) fn imbalance(balances: Balances) -> String {
     match balances.thermal {
         0.0 => String::new(),
-        open => format!(
-            ", friction and heat carried off by {} of the friction",
-            significant(open, 2)
-        ),
+        open => format!(", friction and heat carried off by {} of the friction", significant(open, 2)),
     }
 }
 
@@ -42,13 +39,7 @@ pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
 
 /// Friction and heat carried off at temperatures around that found.
 fn curve(report: &TemperatureReport) -> String {
-    let header = [
-        "film [C]",
-        "mu0 [mPa.s]",
-        "friction [W]",
-        "carried off [W]",
-        ECCENTRICITY.name,
-    ];
+    let header = ["film [C]", "mu0 [mPa.s]", "friction [W]", "carried off [W]", ECCENTRICITY.name];
     let mut rows = table(header, 0..5);
     for point in &report.curve {
         rows.add_row([

@@ -15,11 +15,7 @@ pub(crate) fn verdict(result: &RunResult) -> String {
 
 /// The same of a crankshaft, by the criteria of all its bearings.
 pub(crate) fn of_shaft(result: &ShaftResult) -> String {
-    line(
-        status(result.status).to_owned(),
-        &criteria::of_shaft(result),
-        result.warnings.len(),
-    )
+    line(status(result.status).to_owned(), &criteria::of_shaft(result), result.warnings.len())
 }
 
 fn line(ending: String, criteria: &[Criterion], warnings: usize) -> String {
@@ -90,15 +86,8 @@ mod tests {
         result.warnings = vec![TURBULENT.says("so")];
         assert_eq!(verdict(&result), "verdict   converged, within the tolerance; 1 warning");
         result.status = Status::NotConverged;
-        let of = |value, origin| {
-            Criterion::new(
-                "least film",
-                "um",
-                (value, Accuracy::NotAsked),
-                [Some(3.0), None],
-                origin,
-            )
-        };
+        let of =
+            |value, origin| Criterion::new("least film", "um", (value, Accuracy::NotAsked), [Some(3.0), None], origin);
         result.criteria = vec![of(2.0, Origin::Usual)];
         assert_eq!(
             verdict(&result),

@@ -70,12 +70,7 @@ pub(super) struct Array<'a> {
 impl<'a> Array<'a> {
     /// An array without a unit.
     pub(super) fn plain(name: &'a str, components: usize, numbers: Numbers<'a>) -> Self {
-        Self {
-            name,
-            unit: None,
-            components,
-            numbers,
-        }
+        Self { name, unit: None, components, numbers }
     }
 
     /// Its numbers as text: the number of bytes and the bytes in one, or sizes of the compressed blocks and, after them, the blocks.

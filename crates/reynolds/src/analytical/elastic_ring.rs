@@ -61,12 +61,7 @@ impl ElasticRing {
 
     /// Displacement for each pascal [m/Pa] of a layer that is thin beside all waves of the pressure, bonded to a rigid housing.
     pub fn thin_layer(&self) -> f64 {
-        let Self {
-            thickness,
-            modulus,
-            poisson,
-            ..
-        } = *self;
+        let Self { thickness, modulus, poisson, .. } = *self;
         thickness * (1.0 - 2.0 * poisson) * (1.0 + poisson) / (modulus * (1.0 - poisson))
     }
 
@@ -99,10 +94,7 @@ impl ElasticRing {
             OuterSurface::Clamped => outside.displacement,
             OuterSurface::Free => outside.stress,
         };
-        let constants = solved(
-            [bore.stress[0], bore.stress[1], held[0], held[1]],
-            [-0.5, -0.5, 0.0, 0.0],
-        );
+        let constants = solved([bore.stress[0], bore.stress[1], held[0], held[1]], [-0.5, -0.5, 0.0, 0.0]);
         let parts = bore.displacement.iter().flat_map(|row| row.iter().zip(constants));
         let sum: f64 = parts.map(|(factor, constant)| factor * constant).sum();
         sum * self.radius / (2.0 * self.shear_modulus())
@@ -121,10 +113,7 @@ impl ElasticRing {
                     [kappa * square, -1.0, -r.powi(-2), 0.0],
                     [-2.0 * square, 2.0 * kappa * r.ln(), 0.0, 1.0],
                 ],
-                stress: [
-                    [0.0, (1.0 + kappa) / r, 0.0, 0.0],
-                    [slope, 2.0 / r, 2.0 * r.powi(-3), 0.0],
-                ],
+                stress: [[0.0, (1.0 + kappa) / r, 0.0, 0.0], [slope, 2.0 / r, 2.0 * r.powi(-3), 0.0]],
             };
         }
         let n = n as f64;
@@ -134,18 +123,8 @@ impl ElasticRing {
                 [-(n + 1.0) * grown * r, kappa * decayed * r, -grown / r, 0.0],
             ],
             stress: [
-                [
-                    (1.0 - n * n) * grown,
-                    (1.0 - n) * decayed,
-                    (1.0 - n) * grown / (r * r),
-                    0.0,
-                ],
-                [
-                    (n + 1.0) * grown,
-                    (1.0 - n * n) * decayed,
-                    0.0,
-                    (n + 1.0) * decayed / (r * r),
-                ],
+                [(1.0 - n * n) * grown, (1.0 - n) * decayed, (1.0 - n) * grown / (r * r), 0.0],
+                [(n + 1.0) * grown, (1.0 - n * n) * decayed, 0.0, (n + 1.0) * decayed / (r * r)],
             ],
         }
     }
@@ -166,10 +145,7 @@ fn solved(mut a: [Row; 4], mut b: Row) -> Row {
         let (upper, above) = (a[k], b[k]);
         for row in k + 1..4 {
             let factor = a[row][k] / upper[k];
-            a[row]
-                .iter_mut()
-                .zip(upper)
-                .for_each(|(entry, upper)| *entry -= factor * upper);
+            a[row].iter_mut().zip(upper).for_each(|(entry, upper)| *entry -= factor * upper);
             b[row] -= factor * above;
         }
     }
@@ -185,13 +161,8 @@ fn solved(mut a: [Row; 4], mut b: Row) -> Row {
 mod tests {
     use super::*;
 
-    const STEEL: ElasticRing = ElasticRing {
-        radius: 0.05,
-        thickness: 0.05,
-        modulus: 2.1e11,
-        poisson: 0.3,
-        outer: OuterSurface::Clamped,
-    };
+    const STEEL: ElasticRing =
+        ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: OuterSurface::Clamped };
 
     /// Hooke's law and equilibrium of `(u_r cos, u_t sin, s_r cos, s_rt sin)` along r: derivatives.
     fn along_r(ring: &ElasticRing, n: f64, r: f64, [u, v, s, t]: Row) -> Row {
@@ -200,12 +171,7 @@ mod tests {
         let hoop = (u + n * v) / r;
         let stretch = (s - lame * hoop) / (lame + 2.0 * g);
         let around = lame * stretch + (lame + 2.0 * g) * hoop;
-        [
-            stretch,
-            t / g + (v + n * u) / r,
-            -(s - around + n * t) / r,
-            -(2.0 * t - n * around) / r,
-        ]
+        [stretch, t / g + (v + n * u) / r, -(s - around + n * t) / r, -(2.0 * t - n * around) / r]
     }
 
     /// The state at the outer surface, by the classical method of Runge and Kutta.
@@ -228,34 +194,16 @@ mod tests {
     /// A second method: the ordinary differential equations in r, shot from the bore.
     #[test]
     fn a_ring_is_that_of_the_equations_in_r() {
-        let aluminium = ElasticRing {
-            radius: 0.03,
-            thickness: 0.02,
-            modulus: 7e10,
-            poisson: 0.33,
-            outer: OuterSurface::Free,
-        };
-        let soft = ElasticRing {
-            thickness: 0.003,
-            modulus: 5e6,
-            poisson: 0.49,
-            ..STEEL
-        };
-        let thin = ElasticRing {
-            thickness: 0.001,
-            outer: OuterSurface::Free,
-            ..STEEL
-        };
+        let aluminium =
+            ElasticRing { radius: 0.03, thickness: 0.02, modulus: 7e10, poisson: 0.33, outer: OuterSurface::Free };
+        let soft = ElasticRing { thickness: 0.003, modulus: 5e6, poisson: 0.49, ..STEEL };
+        let thin = ElasticRing { thickness: 0.001, outer: OuterSurface::Free, ..STEEL };
         for ring in [STEEL, aluminium, soft, thin] {
             let first = if ring.outer == OuterSurface::Free { 2 } else { 1 };
             for n in first..=16 {
                 let by = [[1e-9, 0.0, 0.0, 0.0], [0.0, 1e-9, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0]];
                 let [by_u, by_v, by_p] = by.map(|start| shot(&ring, n as f64, start));
-                let held = if ring.outer == OuterSurface::Clamped {
-                    [0, 1]
-                } else {
-                    [2, 3]
-                };
+                let held = if ring.outer == OuterSurface::Clamped { [0, 1] } else { [2, 3] };
                 let [i, j] = held;
                 let determinant = by_u[i] * by_v[j] - by_v[i] * by_u[j];
                 let u = -1e-9 * (by_p[i] * by_v[j] - by_v[i] * by_p[j]) / determinant;
@@ -267,10 +215,7 @@ mod tests {
 
     #[test]
     fn thin_and_thick_rings_have_their_limits() {
-        let thin = ElasticRing {
-            thickness: 5e-6,
-            ..STEEL
-        };
+        let thin = ElasticRing { thickness: 5e-6, ..STEEL };
         for n in [0, 1, 2, 8, 32, 180] {
             assert!((thin.compliance(n) / thin.thin_layer() - 1.0).abs() < 2e-4, "{n}");
         }
@@ -280,21 +225,14 @@ mod tests {
             assert!((STEEL.compliance(n) / half_plane(n as f64) - 1.0).abs() < 2e-3, "{n}");
         }
         // A thin free ring is a curved beam: p a^4/(D (n^2 - 1)^2).
-        let ring = ElasticRing {
-            thickness: 1e-4,
-            outer: OuterSurface::Free,
-            ..STEEL
-        };
+        let ring = ElasticRing { thickness: 1e-4, outer: OuterSurface::Free, ..STEEL };
         let bending = 2.1e11 * 1e-12 / (12.0 * (1.0 - 0.09));
         for n in [2usize, 3, 5] {
             let beam = 0.05f64.powi(4) / (bending * ((n * n - 1) as f64).powi(2));
             assert!((ring.compliance(n) / beam - 1.0).abs() < 1e-2, "{n}");
         }
         // Lame's ring without an outer surface: p a (1 + nu)/E.
-        let thick = ElasticRing {
-            thickness: 50.0,
-            ..STEEL
-        };
+        let thick = ElasticRing { thickness: 50.0, ..STEEL };
         assert!((thick.compliance(0) / (0.05 * 1.3 / 2.1e11) - 1.0).abs() < 1e-5);
         assert_eq!(ring.compliance(1), 0.0);
     }

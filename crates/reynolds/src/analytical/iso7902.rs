@@ -24,10 +24,7 @@ use std::f64::consts::PI;
 
 /// Polynomial in b, coefficients from the constant on.
 fn polynomial<const N: usize>(coefficients: [f64; N], b: f64) -> f64 {
-    coefficients
-        .iter()
-        .rev()
-        .fold(0.0, |sum, coefficient| sum * b + coefficient)
+    coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * b + coefficient)
 }
 
 /// Sommerfeld number So.
@@ -134,11 +131,7 @@ mod tests {
     #[test]
     fn numbers_by_hand() {
         // b = 0.345, eps = 0.8: So 1.040, beta 30.0 deg; a finite-difference film has 1.022 and 31.9 deg.
-        assert!(
-            (sommerfeld_number(0.8, 0.345) - 1.040).abs() < 5e-4,
-            "{}",
-            sommerfeld_number(0.8, 0.345)
-        );
+        assert!((sommerfeld_number(0.8, 0.345) - 1.040).abs() < 5e-4, "{}", sommerfeld_number(0.8, 0.345));
         assert!((attitude(0.8, 0.345).to_degrees() - 30.0).abs() < 0.05);
         for (eps, b) in [(0.1, 0.25), (0.5, 0.5), (0.9, 1.0), (0.95, 1.5)] {
             let number = sommerfeld_number(eps, b);

@@ -75,11 +75,7 @@ impl ShortLoad {
 impl ShortFilm {
     /// The film of a journal that turns at `omega_0` about a centre at rest.
     pub fn steady(eccentricity: f64) -> Self {
-        Self {
-            eccentricity,
-            rotation: 1.0,
-            closing: 0.0,
-        }
+        Self { eccentricity, rotation: 1.0, closing: 0.0 }
     }
 
     /// Pressure of the full film `p psi^2/(mu omega_0)` over `(B/D)^2`, at `phi` [rad] from the narrowest film and the axial
@@ -126,10 +122,7 @@ impl ShortFilm {
     /// Power that drives oil out of the half film, `-eps G V/2` and `E W/2`, over `(B D^2/2) (mu omega_0^2/psi) (B/D)^2`.
     pub fn pumping_power(&self) -> [f64; 2] {
         let load = self.half_film();
-        [
-            -0.5 * self.eccentricity * self.rotation * load.across,
-            0.5 * self.closing * load.along,
-        ]
+        [-0.5 * self.eccentricity * self.rotation * load.across, 0.5 * self.closing * load.along]
     }
 
     /// `gamma` [rad] at the angle `phi` [rad].
@@ -179,21 +172,9 @@ mod tests {
     const POINTS: u32 = 40_000;
 
     fn films() -> impl Iterator<Item = ShortFilm> {
-        let speeds = [
-            (1.0, 0.0),
-            (0.4, 0.4),
-            (0.0, 0.3),
-            (-0.7, 0.2),
-            (0.5, -0.6),
-            (-1.0, -0.1),
-            (0.0, -1.0),
-        ];
+        let speeds = [(1.0, 0.0), (0.4, 0.4), (0.0, 0.3), (-0.7, 0.2), (0.5, -0.6), (-1.0, -0.1), (0.0, -1.0)];
         [0.0, 1e-6, 0.3, 0.8].into_iter().flat_map(move |eccentricity| {
-            speeds.map(|(rotation, closing)| ShortFilm {
-                eccentricity,
-                rotation,
-                closing,
-            })
+            speeds.map(|(rotation, closing)| ShortFilm { eccentricity, rotation, closing })
         })
     }
 
@@ -205,20 +186,14 @@ mod tests {
 
     /// The middle rule errs by `piece^2` times a second derivative, which is some hundreds at eps = 0.8.
     fn assert_near(found: f64, sum: f64, what: &str, film: &ShortFilm) {
-        assert!(
-            (found - sum).abs() < 3e-7 * (1.0 + sum.abs()),
-            "{what} of {film:?}: {found}, sum {sum}"
-        );
+        assert!((found - sum).abs() < 3e-7 * (1.0 + sum.abs()), "{what} of {film:?}: {found}, sum {sum}");
     }
 
     #[test]
     fn integrals_are_those_of_their_names() {
         for film in films() {
             let eps = film.eccentricity;
-            let cases = [
-                (film.half_integrals(), film.loaded_from(), PI),
-                (film.full_integrals(), 0.0, TAU),
-            ];
+            let cases = [(film.half_integrals(), film.loaded_from(), PI), (film.full_integrals(), 0.0, TAU)];
             for (a, from, span) in cases {
                 // Powers of sine and cosine above, of the film below.
                 let named = [
@@ -230,9 +205,8 @@ mod tests {
                     (a.a3_20, [2, 0, 3], "A3_20"),
                 ];
                 for (found, [m, n, k], what) in named {
-                    let right = sum(from, span, |phi| {
-                        phi.sin().powi(m) * phi.cos().powi(n) / (1.0 - eps * phi.cos()).powi(k)
-                    });
+                    let right =
+                        sum(from, span, |phi| phi.sin().powi(m) * phi.cos().powi(n) / (1.0 - eps * phi.cos()).powi(k));
                     assert_near(found, right, what, &film);
                 }
             }
@@ -254,12 +228,7 @@ mod tests {
             assert_near(load.magnitude(), along.hypot(across), "So", &film);
             // Both ends: dp/dzeta = 2 p(0), Q = 2 R Int h^3/(12 mu) |dp/dz| dphi is q = 1/12 Int H^3 P(phi, 0) dphi.
             let thick = |phi: f64| (1.0 - film.eccentricity * phi.cos()).powi(3);
-            assert_near(
-                film.side_flow(),
-                sum(0.0, TAU, |phi| thick(phi) * loaded(phi) / 12.0),
-                "q",
-                &film,
-            );
+            assert_near(film.side_flow(), sum(0.0, TAU, |phi| thick(phi) * loaded(phi) / 12.0), "q", &film);
             // Int h^3/(12 mu) (dp/dz)^2 dA, with Int (2 zeta)^2 dzeta = 8/3, is kN = 1/18 Int H^3 P(phi, 0)^2 dphi.
             let dissipated = sum(0.0, TAU, |phi| thick(phi) * loaded(phi).powi(2) / 18.0);
             assert_near(film.pumping_power().iter().sum(), dissipated, "kN", &film);
@@ -277,10 +246,7 @@ mod tests {
     fn the_other_sense_is_the_mirror_image() {
         for film in films() {
             let load = film.half_film();
-            let mirrored = ShortFilm {
-                rotation: -film.rotation,
-                ..film
-            };
+            let mirrored = ShortFilm { rotation: -film.rotation, ..film };
             assert_near(mirrored.half_film().along, load.along, "W", &film);
             assert_near(mirrored.half_film().across, -load.across, "V", &film);
         }
@@ -295,15 +261,9 @@ mod tests {
             let half = film.half_film();
             let load = eps / (2.0 * rest * rest) * (PI * PI * rest + 16.0 * eps * eps).sqrt();
             assert!((half.magnitude() / load - 1.0).abs() < 1e-12, "{eps}");
-            assert!(
-                (half.attitude() - (PI * rest.sqrt() / (4.0 * eps)).atan()).abs() < 1e-12,
-                "{eps}"
-            );
+            assert!((half.attitude() - (PI * rest.sqrt() / (4.0 * eps)).atan()).abs() < 1e-12, "{eps}");
             let full = film.full_film();
-            assert!(
-                (full.magnitude() / (PI * eps / rest.powf(1.5)) - 1.0).abs() < 1e-12,
-                "{eps}"
-            );
+            assert!((full.magnitude() / (PI * eps / rest.powf(1.5)) - 1.0).abs() < 1e-12, "{eps}");
             assert!((full.attitude() - PI / 2.0).abs() < 1e-12, "{eps}");
             assert_eq!(film.side_flow(), 0.5 * eps);
         }

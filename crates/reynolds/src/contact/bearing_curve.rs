@@ -30,10 +30,7 @@ impl BearingCurve {
         let approach = 1.0 - gap / self.depth;
         match approach {
             _ if approach <= 0.0 => ContactPressure::default(),
-            _ if approach >= 1.0 => ContactPressure {
-                pressure: self.hardness,
-                slope: 0.0,
-            },
+            _ if approach >= 1.0 => ContactPressure { pressure: self.hardness, slope: 0.0 },
             _ => ContactPressure {
                 pressure: self.hardness * approach * approach,
                 slope: -2.0 * self.hardness * approach / self.depth,

@@ -67,22 +67,14 @@ impl GreenwoodTripp {
     /// Of a combined roughness sigma [m], `eta beta sigma` [1], `sigma/beta` [1], the modulus E' [Pa] and the hardness [Pa], all positive.
     pub fn new(roughness: f64, density: f64, sharpness: f64, modulus: f64, hardness: f64) -> Self {
         let factor = 16.0 * SQRT_2 / 15.0 * PI * density.powi(2) * sharpness.sqrt() * modulus;
-        Self {
-            roughness,
-            hardness,
-            factor,
-            yields_at: ratio_of(hardness / factor),
-        }
+        Self { roughness, hardness, factor, yields_at: ratio_of(hardness / factor) }
     }
 
     /// At the gap `h` [m].
     pub fn at(&self, gap: f64) -> ContactPressure {
         let l = gap / self.roughness;
         if l <= self.yields_at {
-            return ContactPressure {
-                pressure: self.hardness,
-                slope: 0.0,
-            };
+            return ContactPressure { pressure: self.hardness, slope: 0.0 };
         }
         if l >= TO {
             return ContactPressure::default();
@@ -95,10 +87,7 @@ impl GreenwoodTripp {
         }
         let [logarithm, slope] = LOGARITHM.at(l);
         let pressure = self.factor * logarithm.exp();
-        ContactPressure {
-            pressure,
-            slope: pressure * slope / self.roughness,
-        }
+        ContactPressure { pressure, slope: pressure * slope / self.roughness }
     }
 
     /// Gap [m] at which the pressure is the hardness; minus infinity where it never is.
@@ -163,12 +152,7 @@ mod tests {
     #[test]
     fn the_expansion_is_the_integral() {
         // A factor of one, and no cap.
-        let law = GreenwoodTripp {
-            roughness: 1.0,
-            hardness: f64::INFINITY,
-            factor: 1.0,
-            yields_at: f64::NEG_INFINITY,
-        };
+        let law = GreenwoodTripp { roughness: 1.0, hardness: f64::INFINITY, factor: 1.0, yields_at: f64::NEG_INFINITY };
         for k in 0..=1600 {
             let l = -4.5 + 0.01 * f64::from(k);
             let ContactPressure { pressure, slope } = law.at(l);

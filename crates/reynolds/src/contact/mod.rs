@@ -104,10 +104,7 @@ mod tests {
     const LAWS: fn() -> [ContactLaw; 2] = || {
         [
             ContactLaw::GreenwoodTripp(GreenwoodTripp::new(6e-7, 0.05, 0.01, 115e9, 1e9)),
-            ContactLaw::BearingCurve(BearingCurve {
-                depth: 1.2e-6,
-                hardness: 9e8,
-            }),
+            ContactLaw::BearingCurve(BearingCurve { depth: 1.2e-6, hardness: 9e8 }),
         ]
     };
 
@@ -121,10 +118,7 @@ mod tests {
                 let (slope, difference) = (law.at(gap).slope, (ahead - behind) / (2.0 * step));
                 assert!(slope <= 0.0);
                 let bend = 1e-6 * law.at(gap).pressure / law.scale() + 1e-8 * law.hardness() / law.scale();
-                assert!(
-                    (slope - difference).abs() < bend,
-                    "{law:?} {gap:e}: {slope:e} {difference:e}"
-                );
+                assert!((slope - difference).abs() < bend, "{law:?} {gap:e}: {slope:e} {difference:e}");
             }
         }
     }
@@ -132,10 +126,7 @@ mod tests {
     #[test]
     fn pressures_end_at_the_hardness_and_at_the_reach() {
         for law in LAWS() {
-            let cap = ContactPressure {
-                pressure: law.hardness(),
-                slope: 0.0,
-            };
+            let cap = ContactPressure { pressure: law.hardness(), slope: 0.0 };
             for gap in [-1e-3, -1e-5] {
                 assert_eq!(law.at(gap), cap, "{law:?}");
             }

@@ -165,11 +165,7 @@ pub fn conserving_error(
     let (sin, cos) = total.angle().sin_cos();
     let [along, across] = [[cos, sin], [-sin, cos]].map(|[x, y]| pair.shares(|at| x * at.force[0] + y * at.force[1]));
     let front = pair.front();
-    let Disagreement {
-        doubt,
-        carried,
-        in_both,
-    } = pair.disagreement(coarse, [&fraction.values, &other.values]);
+    let Disagreement { doubt, carried, in_both } = pair.disagreement(coarse, [&fraction.values, &other.values]);
     let widened = 1.0 + doubt / DOUBTFUL;
     let least = fraction.values.iter().copied().fold(1.0, f64::min);
     let films = [(system, film), (system.vertices_only(), coarse)];
@@ -185,10 +181,7 @@ pub fn conserving_error(
     let per_share = (OF_SPREAD + OF_SPREAD_AGAIN * spread.times).min(MOST_OF_SPREAD);
     let part = per_share * spread.shares.iter().sum::<f64>();
     let around = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;
-    let with_spread = |bar: Bar, of: f64| Bar {
-        transport: part * of.abs(),
-        ..bar
-    };
+    let with_spread = |bar: Bar, of: f64| Bar { transport: part * of.abs(), ..bar };
     let force = total.magnitude();
     let load = with_spread(bar(&along), force);
     let arm = 0.5 * problem.bearing.length;
@@ -240,14 +233,8 @@ impl<'a> Pair<'a> {
         following: Option<&'a FollowingWall>,
     ) -> Self {
         let pressure: Vec<f64> = film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
-        let mut pair = Self {
-            system,
-            film,
-            radius: problem.bearing.radius,
-            following,
-            pressure,
-            difference: Vec::new(),
-        };
+        let mut pair =
+            Self { system, film, radius: problem.bearing.radius, following, pressure, difference: Vec::new() };
         let differences = (pair.vertices().zip(&coarse.unknown))
             .map(|(dof, &unknown)| (problem.pressure_at(unknown) - pair.pressure[dof]).abs());
         pair.difference = differences.collect();
@@ -262,12 +249,10 @@ impl<'a> Pair<'a> {
 
     /// How far the two films differ in what is in the cavity, and how full it is: `fractions` are those of the dofs and of the vertices.
     fn disagreement(&self, coarse: &FilmSolution, fractions: [&[f64]; 2]) -> Disagreement {
-        let fractions: Vec<[f64; 2]> = (self.vertices().enumerate())
-            .map(|(vertex, dof)| [fractions[0][dof], fractions[1][vertex]])
-            .collect();
-        let in_doubt: Vec<bool> = (self.vertices().zip(&coarse.cavity))
-            .map(|(dof, &other)| self.film.cavity[dof] != other)
-            .collect();
+        let fractions: Vec<[f64; 2]> =
+            (self.vertices().enumerate()).map(|(vertex, dof)| [fractions[0][dof], fractions[1][vertex]]).collect();
+        let in_doubt: Vec<bool> =
+            (self.vertices().zip(&coarse.cavity)).map(|(dof, &other)| self.film.cavity[dof] != other).collect();
         let in_both = (self.vertices().enumerate())
             .filter(|&(vertex, dof)| self.film.cavity[dof] && coarse.cavity[vertex])
             .map(|(vertex, _)| fractions[vertex]);
@@ -289,10 +274,7 @@ impl<'a> Pair<'a> {
     fn weights(&self, [x, z]: [f64; 2]) -> Weights {
         let (sin, cos) = (x / self.radius).sin_cos();
         let [x, y, m_x, m_y] = self.following.map_or([0.0; GOALS], |wall| wall.at([x, z]));
-        Weights {
-            force: [cos + x, sin + y],
-            moment: [z * cos + m_x, z * sin + m_y],
-        }
+        Weights { force: [cos + x, sin + y], moment: [z * cos + m_x, z * sin + m_y] }
     }
 
     fn share(&self, t: usize, weight: &dyn Fn([f64; 2]) -> f64) -> Bar {
@@ -307,11 +289,7 @@ impl<'a> Pair<'a> {
             let surplus = area / 12.0 * (sum([3, 4, 5]) - sum([0, 1, 2]));
             front = surplus.abs() * weight([0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0));
         }
-        Bar {
-            discretisation,
-            front,
-            ..Bar::default()
-        }
+        Bar { discretisation, front, ..Bar::default() }
     }
 
     /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its limit pressures are
@@ -389,21 +367,12 @@ fn at_rims(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f
 fn where_least(mut pairs: Vec<[f64; 2]>) -> f64 {
     pairs.sort_by(|[a, b], [c, d]| a.min(*b).total_cmp(&c.min(*d)));
     let part = (pairs.len() as f64 * LEAST_PART).ceil() as usize;
-    pairs
-        .iter()
-        .take(part)
-        .fold(0.0, |most, [a, b]| most.max((a - b).abs()))
+    pairs.iter().take(part).fold(0.0, |most, [a, b]| most.max((a - b).abs()))
 }
 
 /// Of each region and of all ends together.
 fn flow_bars(system: &FilmSystem, flows: &Flows, others: &Flows, carried: f64) -> (Vec<f64>, f64) {
-    let pairs = || {
-        system
-            .supply
-            .regions()
-            .iter()
-            .zip(flows.regions.iter().zip(&others.regions))
-    };
+    let pairs = || system.supply.regions().iter().zip(flows.regions.iter().zip(&others.regions));
     let bar = |difference: f64, passing: f64, kind: BoundaryKind| {
         let by_carried = match kind {
             BoundaryKind::End => CARRIED_TO_ENDS,

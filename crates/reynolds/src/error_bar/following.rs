@@ -38,13 +38,11 @@ impl FollowingWall {
     #[inline]
     pub(crate) fn at(&self, position: [f64; 2]) -> [f64; GOALS] {
         let mut sums = [0.0; GOALS];
-        self.grid
-            .splines_at(position)
-            .each(self.grid.numbers(), |spline, value| {
-                for (sum, coefficients) in sums.iter_mut().zip(&self.coefficients) {
-                    *sum += value * coefficients[spline];
-                }
-            });
+        self.grid.splines_at(position).each(self.grid.numbers(), |spline, value| {
+            for (sum, coefficients) in sums.iter_mut().zip(&self.coefficients) {
+                *sum += value * coefficients[spline];
+            }
+        });
         sums
     }
 }

@@ -38,10 +38,7 @@ pub(super) fn rims(
     let fields = [&film.unknown[..], dual].map(|values| Field { space, values });
     let law = FilmLaw::new(problem, 1.0);
     let edge_part = |region: &SupplyRegion, edge: u32| {
-        let disc = region.disc.map(|disc| Circle {
-            centre: disc.centre,
-            radius: disc.radius,
-        });
+        let disc = region.disc.map(|disc| Circle { centre: disc.centre, radius: disc.radius });
         let circle = disc.or(mesh.circle(edge).copied())?;
         let mut sum = 0.0;
         for at in edge_points(mesh, edge) {

@@ -96,10 +96,7 @@ pub struct Bar {
 impl Bar {
     /// A bar of the discretisation alone.
     pub fn of(discretisation: f64) -> Self {
-        Self {
-            discretisation,
-            ..Self::default()
-        }
+        Self { discretisation, ..Self::default() }
     }
 
     /// The parts by the names of their fields.
@@ -280,9 +277,8 @@ impl FilmError {
         };
         let plain = per_eta * eta.abs() + PER_SUM * all;
         let size = size.filter(|_| self.is_smooth && value == Value::Cubic);
-        let triangles = size.map_or(plain, |size| {
-            plain.min(smooth_law(eta, all - corner - bend, size) + PER_CORNER * bend)
-        });
+        let triangles =
+            size.map_or(plain, |size| plain.min(smooth_law(eta, all - corner - bend, size) + PER_CORNER * bend));
         let algebra = goal.algebra.abs().max(DEVIATIONS * goal.scatter);
         Bar {
             discretisation: triangles + PER_CORNER * corner,
@@ -324,25 +320,17 @@ impl FilmError {
     /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:
     /// what the rules of integration add to the change is all error, and so is what they differ by where that cancels in the change.
     pub fn drag(&self, [shear, pressure]: [f64; 2], change: f64, value: Value) -> Bar {
-        let goal = GoalError::default()
-            .plus(shear, &self.drag[0])
-            .plus(pressure, &self.drag[1]);
+        let goal = GoalError::default().plus(shear, &self.drag[0]).plus(pressure, &self.drag[1]);
         let bar = self.bar(&goal, None, value, 0.4);
         let integration = (change - goal.shares.iter().sum::<f64>()).abs();
-        Bar {
-            discretisation: bar.discretisation + integration.max(shear.abs() * self.shear_rules),
-            ..bar
-        }
+        Bar { discretisation: bar.discretisation + integration.max(shear.abs() * self.shear_rules), ..bar }
     }
 
     /// Bar of a flow [m3/s], which follows the law of smooth films if it has a `size` [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity
     /// runs within a triangle, or at nodes of two regions.
     pub fn flow(&self, goal: &GoalError, size: Option<f64>, unsure: f64, value: Value) -> Bar {
         let bar = self.bar(goal, size, value, 1.0);
-        Bar {
-            front: bar.front + PER_UNSURE * unsure,
-            ..bar
-        }
+        Bar { front: bar.front + PER_UNSURE * unsure, ..bar }
     }
 
     /// The goal along the load (0) or across it (1).
@@ -369,8 +357,6 @@ impl FilmError {
         let [along, across] = [0, 1].map(|direction| self.along(direction).shares);
         // Deep in the cavity quadratics waver about its pressure, for they are held amid edges only: nothing to refine for.
         let parts = along.iter().zip(&across).zip(&self.deep);
-        parts
-            .map(|((a, b), &deep)| if deep { 0.0 } else { a.abs().max(b.abs()) })
-            .collect()
+        parts.map(|((a, b), &deep)| if deep { 0.0 } else { a.abs().max(b.abs()) }).collect()
     }
 }

@@ -37,13 +37,7 @@ pub(super) fn film_error(
     let better = &system.cubic().system;
     let raised = system.cubic().prolongation.prolong(&film.unknown);
     let split = Split::new(system, film, cubic, &raised);
-    let vectors = GoalVectors {
-        problem,
-        cubic: better,
-        better: &cubic.unknown,
-        raised: &raised,
-        following,
-    };
+    let vectors = GoalVectors { problem, cubic: better, better: &cubic.unknown, raised: &raised, following };
     let [x, y, thrust] = vectors.of(|At { cos, sin, mu, .. }| [cos + mu[0], sin + mu[1], 1.0]);
     let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
@@ -150,9 +144,8 @@ impl<'a> Split<'a> {
                 continue;
             }
             // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
-            let chi: Vec<f64> = (0..self.film.unknown.len())
-                .map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k))))
-                .collect();
+            let chi: Vec<f64> =
+                (0..self.film.unknown.len()).map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k)))).collect();
             let chi = self.system.cubic().prolongation.prolong(&chi);
             let (_, error) = self.goal(&self.stiffness.multiply(&chi))?;
             if region.kind == BoundaryKind::End {
@@ -170,13 +163,7 @@ impl<'a> Split<'a> {
         if goal.iter().all(|&entry| entry == 0.0) {
             let shares = vec![0.0; self.system.space().mesh().triangles().len()];
             let dual = vec![0.0; self.system.space().dofs()];
-            return Ok((
-                dual,
-                GoalError {
-                    shares,
-                    ..GoalError::default()
-                },
-            ));
+            return Ok((dual, GoalError { shares, ..GoalError::default() }));
         }
         let dual = self.film.linearisation.apply_factor(between.restrict(goal), true)?;
         let raised = between.prolong(&dual);
@@ -188,12 +175,7 @@ impl<'a> Split<'a> {
         }
         let parts = self.residual.iter().zip(&raised).map(|(r, z)| -r * z);
         let (algebra, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
-        let error = GoalError {
-            shares: between.shared(&products),
-            geometry: 0.0,
-            algebra,
-            scatter: squares.sqrt(),
-        };
+        let error = GoalError { shares: between.shared(&products), geometry: 0.0, algebra, scatter: squares.sqrt() };
         Ok((dual, error))
     }
 }
@@ -223,12 +205,7 @@ struct At {
 impl GoalVectors<'_> {
     /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights w.
     fn of<const N: usize>(&self, weights: impl Fn(At) -> [f64; N]) -> [Vec<f64>; N] {
-        let Self {
-            problem,
-            cubic,
-            following,
-            ..
-        } = *self;
+        let Self { problem, cubic, following, .. } = *self;
         let (space, mesh) = (cubic.space(), cubic.space().mesh());
         let rule = KinkRule::for_degree(space.degree());
         let mut goals = [(); N].map(|()| vec![0.0; space.dofs()]);
@@ -293,9 +270,7 @@ fn front(cubic: &FilmSystem, film: &FilmSolution) -> (Vec<bool>, Vec<bool>) {
     }
     let at_edge = |t: usize| mesh.triangles()[t].iter().any(|&v| near[v as usize]);
     let places = inside.iter().enumerate();
-    places
-        .map(|(t, &inside)| (inside || at_edge(t), inside && !at_edge(t)))
-        .unzip()
+    places.map(|(t, &inside)| (inside || at_edge(t), inside && !at_edge(t))).unzip()
 }
 
 /// Triangles at corners of the film: where it takes up more than [`REENTRANT`] or its thickness jumps, and where its edge bends otherwise, but for

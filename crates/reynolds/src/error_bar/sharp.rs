@@ -104,10 +104,7 @@ impl Verdict {
 /// Lets bars of the load of a film reach to that of its hill.
 fn reach(error: &mut ConservingError, film: &Share, hill: &Share) {
     let apart = [0, 1].map(|d| (hill.force[d] - film.force[d]).abs());
-    let widened = |bar: Bar, to: f64| Bar {
-        discretisation: bar.discretisation + (to - bar.total()).max(0.0),
-        ..bar
-    };
+    let widened = |bar: Bar, to: f64| Bar { discretisation: bar.discretisation + (to - bar.total()).max(0.0), ..bar };
     let [along, across] = along_and_across(film, hill);
     error.load = widened(error.load, along.abs());
     error.across = widened(error.across, across.abs());
@@ -119,10 +116,7 @@ fn reach(error: &mut ConservingError, film: &Share, hill: &Share) {
 fn along_and_across(film: &Share, hill: &Share) -> [f64; 2] {
     let ([x, y], force) = (hill.force, length(hill));
     let apart = [0, 1].map(|d| hill.force[d] - film.force[d]);
-    [
-        (apart[0] * x + apart[1] * y) / force,
-        (apart[1] * x - apart[0] * y) / force,
-    ]
+    [(apart[0] * x + apart[1] * y) / force, (apart[1] * x - apart[0] * y) / force]
 }
 
 /// True if a hill may narrow the bars of a film with this `error` by much.
@@ -189,10 +183,7 @@ impl LoadBars {
 
 /// The bar of a number of the hill, with what oil that is spread makes in that of the `film`.
 fn with_oil(bar: f64, film: Bar) -> Bar {
-    Bar {
-        transport: film.transport,
-        ..Bar::of(bar)
-    }
+    Bar { transport: film.transport, ..Bar::of(bar) }
 }
 
 fn length(share: &Share) -> f64 {

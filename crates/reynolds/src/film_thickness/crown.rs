@@ -24,10 +24,7 @@ pub struct Crown {
 impl Profile for Crown {
     fn at(&self, [_, z]: [f64; 2]) -> Relief {
         let (part, per_length) = (z / self.half_length, self.depth / self.half_length);
-        Relief {
-            depth: self.depth * part * part,
-            slope: [0.0, 2.0 * per_length * part],
-        }
+        Relief { depth: self.depth * part * part, slope: [0.0, 2.0 * per_length * part] }
     }
 
     fn bends(&self, _position: [f64; 2]) -> [f64; 2] {

@@ -100,18 +100,10 @@ impl Deflection {
     /// A change of this deflection by `coefficients` [m]: in a stage its rate changes too.
     #[must_use]
     pub fn change(&self, coefficients: Vec<f64>) -> Self {
-        let nothing = |stage: &WallStage| WallStage {
-            known: vec![0.0; coefficients.len()].into(),
-            ..*stage
-        };
+        let nothing = |stage: &WallStage| WallStage { known: vec![0.0; coefficients.len()].into(), ..*stage };
         let stage = self.stage.as_ref().map(nothing);
         let rate = None;
-        Self {
-            stage,
-            rate,
-            ..self.clone()
-        }
-        .with(coefficients)
+        Self { stage, rate, ..self.clone() }.with(coefficients)
     }
 
     /// This wall in a stage.
@@ -123,10 +115,7 @@ impl Deflection {
 
     /// The stage of a method in time that begins with this deflection: `per_time` is its `1/(gamma dt)` [1/s].
     pub fn resting(&self, per_time: f64) -> WallStage {
-        WallStage {
-            per_time,
-            known: self.coefficients.clone(),
-        }
+        WallStage { per_time, known: self.coefficients.clone() }
     }
 
     /// This wall at the rate that it has, whatever its deflection: in no stage.
@@ -194,9 +183,7 @@ impl FilmContribution for Deflection {
 impl FilmProblem {
     /// The deflection of the wall; none where the wall is rigid.
     pub fn deflection(&self) -> Option<&Deflection> {
-        self.film_thickness
-            .iter()
-            .find_map(|contribution| contribution.as_deflection())
+        self.film_thickness.iter().find_map(|contribution| contribution.as_deflection())
     }
 
     /// Whether its wall gives way, and has done so.
@@ -208,9 +195,7 @@ impl FilmProblem {
     /// This problem with its wall not bent.
     #[must_use]
     pub fn with_wall_at_rest(self) -> Self {
-        let at_rest = self
-            .deflection()
-            .map(|deflection| Deflection::none(deflection.wall.clone()));
+        let at_rest = self.deflection().map(|deflection| Deflection::none(deflection.wall.clone()));
         self.deflected(at_rest.as_ref())
     }
 
@@ -224,20 +209,14 @@ impl FilmProblem {
     /// This problem with a deflection that was found so.
     #[must_use]
     pub fn closed_by(self, closing: Closing) -> Self {
-        let deflection = self.deflection().map(|deflection| Deflection {
-            closing,
-            ..deflection.clone()
-        });
+        let deflection = self.deflection().map(|deflection| Deflection { closing, ..deflection.clone() });
         self.deflected(deflection.as_ref())
     }
 
     /// This problem with another deflection of its wall; unchanged where the wall is rigid.
     #[must_use]
     pub fn deflected(mut self, deflection: Option<&Deflection>) -> Self {
-        let places = self
-            .film_thickness
-            .iter_mut()
-            .filter(|contribution| contribution.as_deflection().is_some());
+        let places = self.film_thickness.iter_mut().filter(|contribution| contribution.as_deflection().is_some());
         if let Some(deflection) = deflection {
             places.for_each(|place| *place = Arc::new(deflection.clone()));
         }
@@ -246,8 +225,7 @@ impl FilmProblem {
 
     /// This problem in a rigid wall.
     pub fn with_rigid_wall(mut self) -> Self {
-        self.film_thickness
-            .retain(|contribution| contribution.as_deflection().is_none());
+        self.film_thickness.retain(|contribution| contribution.as_deflection().is_none());
         self
     }
 }

@@ -33,11 +33,7 @@ pub struct Eccentricity {
 
 impl FilmContribution for Eccentricity {
     fn add(&self, journal: &JournalState, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
-        let change = JournalChange {
-            offset: journal.offset,
-            velocity: journal.velocity,
-            ..JournalChange::default()
-        };
+        let change = JournalChange { offset: journal.offset, velocity: journal.velocity, ..JournalChange::default() };
         for point in film.iter_mut() {
             point.thickness += self.clearance;
         }
@@ -78,17 +74,10 @@ impl FilmContribution for Eccentricity {
 mod tests {
     use super::*;
 
-    const FILM: Eccentricity = Eccentricity {
-        radius: 0.04,
-        clearance: 4e-5,
-    };
+    const FILM: Eccentricity = Eccentricity { radius: 0.04, clearance: 4e-5 };
 
     fn at(offset: [f64; 2], x: f64) -> FilmPoint {
-        let journal = JournalState {
-            offset,
-            velocity: offset.map(|e| 3.0 * e),
-            ..JournalState::default()
-        };
+        let journal = JournalState { offset, velocity: offset.map(|e| 3.0 * e), ..JournalState::default() };
         let mut point = [FilmPoint::default()];
         FILM.add(&journal, 0, &[[x, 0.0]], &mut point);
         point[0]
@@ -101,11 +90,7 @@ mod tests {
             let difference = (at(offset, x + 1e-6).thickness - at(offset, x - 1e-6).thickness) / 2e-6;
             assert!((at(offset, x).slope[0] - difference).abs() < 1e-12);
             let (here, moved) = (at(offset, x), at([1.1e-5, -2.3e-5], x));
-            let change = JournalChange {
-                offset: [1e-6, -3e-6],
-                velocity: [3e-6, -9e-6],
-                ..JournalChange::default()
-            };
+            let change = JournalChange { offset: [1e-6, -3e-6], velocity: [3e-6, -9e-6], ..JournalChange::default() };
             let mut varied = [FilmPoint::default()];
             FILM.vary(&change, 0, &[[x, 0.0]], &mut varied);
             assert!((here.thickness + varied[0].thickness - moved.thickness).abs() < 1e-19);

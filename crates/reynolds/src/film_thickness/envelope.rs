@@ -87,10 +87,7 @@ impl Envelope {
         };
         let reaches = self.sectors[(sector as usize).min(SECTORS - 1)].iter().map(reach);
         let (reach, [around, along]) = reaches.reduce(|most, other| if other.0 > most.0 { other } else { most })?;
-        Some(Relief {
-            depth: self.film_less_clearance + reach,
-            slope: [around / self.radius, along],
-        })
+        Some(Relief { depth: self.film_less_clearance + reach, slope: [around / self.radius, along] })
     }
 }
 
@@ -102,12 +99,7 @@ fn furthest(positions: &[Wearing], angles: [f64; 2], half_length: f64) -> Vec<We
             x * angle.cos() + y * angle.sin()
         };
         let [a, b] = angles;
-        [
-            reach(a, -half_length),
-            reach(a, half_length),
-            reach(b, -half_length),
-            reach(b, half_length),
-        ]
+        [reach(a, -half_length), reach(a, half_length), reach(b, -half_length), reach(b, half_length)]
     };
     let mut all: Vec<([f64; 4], Wearing)> = positions.iter().map(|it| (corners(it), *it)).collect();
     // A position is beaten by one with a greater sum alone.
@@ -161,12 +153,7 @@ mod tests {
 
     #[test]
     fn few_positions_count_in_a_sector_and_they_are_those_that_reach_furthest() {
-        let bearing = Bearing {
-            radius: 0.05,
-            length: 0.05,
-            clearance: 5e-5,
-            end_pressure: 0.0,
-        };
+        let bearing = Bearing { radius: 0.05, length: 0.05, clearance: 5e-5, end_pressure: 0.0 };
         let positions = path(1000);
         let envelope = Envelope::new(&bearing, 8e-6, &positions);
         let most = envelope.sectors.iter().map(Vec::len).max().unwrap_or(0);
@@ -188,12 +175,7 @@ mod tests {
             wearing([4.0e-5, 1.0e-5], [3e-4, -1e-4]),
             wearing([4.0e-5, -0.5e-5], [-4e-4, 2e-4]),
         ];
-        let bearing = Bearing {
-            radius: 0.05,
-            length: 0.05,
-            clearance: 5e-5,
-            end_pressure: 0.0,
-        };
+        let bearing = Bearing { radius: 0.05, length: 0.05, clearance: 5e-5, end_pressure: 0.0 };
         let envelope = Envelope::new(&bearing, 8e-6, &positions);
         let mut worn = 0;
         for i in 0..360 {

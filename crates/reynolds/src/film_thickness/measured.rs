@@ -57,10 +57,7 @@ impl Measured {
             places: points.angles.iter().map(|angle| radius * angle).collect(),
             period: closed.then_some(std::f64::consts::TAU * radius),
         };
-        let along = PointAxis {
-            places: points.zs.clone(),
-            period: None,
-        };
+        let along = PointAxis { places: points.zs.clone(), period: None };
         let rows = points.zs.len();
         let by_x = |depths: &dyn Fn(usize) -> f64| {
             let values: Vec<f64> = (0..points.angles.len()).map(depths).collect();
@@ -74,12 +71,7 @@ impl Measured {
             nodes.extend((0..rows).map(|j| [depths[j], slopes[j], slopes_along[j], twists[j]]));
         }
         let steps = [BEND_OVER * radius, BEND_ALONG * length];
-        let mut surface = Self {
-            around,
-            along,
-            nodes,
-            steps,
-        };
+        let mut surface = Self { around, along, nodes, steps };
         surface.limit_twists();
         surface
     }
@@ -169,11 +161,7 @@ mod tests {
         let angles: Vec<f64> = (0..columns).map(|i| TAU * f64::from(i) / f64::from(columns)).collect();
         let zs = vec![-0.02, -0.013, -0.004, 0.003, 0.011, 0.02];
         let row = |&angle: &f64| zs.iter().map(|&z| depth(angle, z)).collect();
-        Points {
-            depths: angles.iter().map(row).collect(),
-            angles,
-            zs,
-        }
+        Points { depths: angles.iter().map(row).collect(), angles, zs }
     }
 
     #[test]
@@ -197,11 +185,7 @@ mod tests {
         let measured = Measured::new(&points(24, shape), RADIUS, 0.04, true);
         let step = 1e-9;
         // Across a column, across the seam, across a row.
-        for ([x, z], d) in [
-            ([TAU * RADIUS / 24.0, 0.007], 0),
-            ([0.0, -0.001], 0),
-            ([0.02, 0.003], 1),
-        ] {
+        for ([x, z], d) in [([TAU * RADIUS / 24.0, 0.007], 0), ([0.0, -0.001], 0), ([0.02, 0.003], 1)] {
             let at = |way: f64| {
                 let mut place = [x, z];
                 place[d] += way * step;
@@ -220,9 +204,7 @@ mod tests {
         // Depths of a linear congruential generator with jumps and level stretches, on uneven distances.
         let mut state = 5u64;
         let mut next = || {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (state >> 33) as f64 / (1u64 << 31) as f64
         };
         let mut grow = |count: usize, from: f64, to: f64| {
@@ -231,17 +213,12 @@ mod tests {
             places
         };
         let (angles, zs) = (grow(40, 0.0, TAU), grow(15, -0.02, 0.02));
-        let depths: Vec<Vec<f64>> = (0..40)
-            .map(|_| (0..15).map(|_| 1e-6 * (6.0 * next()).floor()).collect())
-            .collect();
+        let depths: Vec<Vec<f64>> = (0..40).map(|_| (0..15).map(|_| 1e-6 * (6.0 * next()).floor()).collect()).collect();
         let points = Points { angles, zs, depths };
         let measured = Measured::new(&points, RADIUS, 0.04, true);
         let twists = measured.nodes.iter().filter(|node| node[3] != 0.0).count();
         for i in 0..40 {
-            let (left, right) = (
-                points.angles[i],
-                points.angles.get(i + 1).map_or(points.angles[0] + TAU, |at| *at),
-            );
+            let (left, right) = (points.angles[i], points.angles.get(i + 1).map_or(points.angles[0] + TAU, |at| *at));
             for j in 0..14 {
                 let corners = [i, (i + 1) % 40].map(|i| [points.depths[i][j], points.depths[i][j + 1]]);
                 let [low, high] = [f64::min, f64::max].map(|of| corners.concat().into_iter().reduce(of).expect("four"));
@@ -249,10 +226,7 @@ mod tests {
                     let x = RADIUS * (left + a * (right - left));
                     let z = points.zs[j] + b * (points.zs[j + 1] - points.zs[j]);
                     let depth = measured.at([x, z]).depth;
-                    assert!(
-                        (low - 1e-17..=high + 1e-17).contains(&depth),
-                        "{i} {j}: {depth:e} of {low:e} to {high:e}"
-                    );
+                    assert!((low - 1e-17..=high + 1e-17).contains(&depth), "{i} {j}: {depth:e} of {low:e} to {high:e}");
                 }
             }
         }
@@ -279,11 +253,7 @@ mod tests {
 
     #[test]
     fn one_angle_stands_for_all() {
-        let one = Points {
-            angles: vec![0.0],
-            zs: vec![-0.02, 0.0, 0.02],
-            depths: vec![vec![4e-6, 0.0, 4e-6]],
-        };
+        let one = Points { angles: vec![0.0], zs: vec![-0.02, 0.0, 0.02], depths: vec![vec![4e-6, 0.0, 4e-6]] };
         let measured = Measured::new(&one, RADIUS, 0.04, true);
         for x in [0.0, 0.1, 0.3] {
             let found = measured.at([x, 0.01]);

@@ -1,4 +1,14 @@
-//! Cubics between points along one axis of a measured surface: the slopes at the points, and what two neighbours have to do with a place between them.
+//! # Points along one axis of a measured surface
+//!
+//! **Equation.** Hermite's cubic between neighbours at the distance `d`, with `t` the part of the way: `y = (1 + 2 t)(1 - t)^2 y_0 + t (1 - t)^2 d y'_0 + t^2 (3 - 2 t) y_1 + t^2 (t - 1) d y'_1`. Slopes
+//! `y'` are those of the parabola through a point and its neighbours, of the sign of both secants and at most [`STEEPEST`] times the flatter one.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | places | m | `places` |
+//! | period | m | `period` |
+//!
+//! **Source.** Fritsch, Carlson, SIAM Journal on Numerical Analysis 17 (1980) 238. **Range.** Growing places. **Verified by** the tests of `measured.rs`.
 
 /// Slopes are at most so many times the flatter secant beside their point.
 const STEEPEST: f64 = 3.0;
@@ -44,10 +54,8 @@ impl PointAxis {
     /// Slopes of depths, limited so that a cubic stays between two of them.
     pub(super) fn depth_slopes(&self, depths: &[f64]) -> Vec<f64> {
         let limited = |(k, slope): (usize, f64)| {
-            let secants: Vec<f64> = self
-                .neighbours(k)
-                .map(|(next, distance)| (depths[next] - depths[k]) / distance)
-                .collect();
+            let secants: Vec<f64> =
+                self.neighbours(k).map(|(next, distance)| (depths[next] - depths[k]) / distance).collect();
             let sign = secants.first().map_or(0.0, |first| first.signum());
             let flattest = secants.iter().map(|secant| sign * secant).fold(f64::INFINITY, f64::min);
             sign * (sign * slope).clamp(0.0, STEEPEST * flattest.max(0.0))
@@ -111,11 +119,7 @@ impl PointAxis {
 impl CubicParts {
     /// Beyond an end: on straight from one point, a distance [m] from it.
     fn of_one(point: usize, distance: f64, slope: f64) -> Self {
-        Self {
-            neighbours: [point, point],
-            value: [[1.0, distance], [0.0, 0.0]],
-            slope: [[0.0, slope], [0.0, 0.0]],
-        }
+        Self { neighbours: [point, point], value: [[1.0, distance], [0.0, 0.0]], slope: [[0.0, slope], [0.0, 0.0]] }
     }
 
     /// Between two points `length` [m] apart: Hermite's cubics at the part `t` of the way.
@@ -123,10 +127,7 @@ impl CubicParts {
         let (s, rise) = (1.0 - t, 6.0 * t * (1.0 - t) / length);
         Self {
             neighbours: [before, after],
-            value: [
-                [s * s * (1.0 + 2.0 * t), length * t * s * s],
-                [t * t * (1.0 + 2.0 * s), -length * s * t * t],
-            ],
+            value: [[s * s * (1.0 + 2.0 * t), length * t * s * s], [t * t * (1.0 + 2.0 * s), -length * s * t * t]],
             slope: [[-rise, s * (s - 2.0 * t)], [rise, t * (t - 2.0 * s)]],
         }
     }

@@ -77,18 +77,9 @@ mod tests {
         let (around, along) = (Around::centred(9, 0.1), Along::on_breaks(&[-0.02, 0.0, 0.02]));
         let compliance = Compliance::of_slices((0.04, &around, &along), |_| 1e-14).expect("a grid");
         let coarser = None;
-        let grid = Grid {
-            radius: 0.04,
-            around,
-            along,
-        };
+        let grid = Grid { radius: 0.04, around, along };
         let coefficients = (0..grid.number()).map(|k| 1e-5 * (1.7 * k as f64).sin()).collect();
-        Deflection::none(Arc::new(Wall {
-            grid,
-            compliance,
-            coarser,
-        }))
-        .with(coefficients)
+        Deflection::none(Arc::new(Wall { grid, compliance, coarser })).with(coefficients)
     }
 
     /// One of each kind.
@@ -97,46 +88,20 @@ mod tests {
         let zs = vec![-0.02, -0.005, 0.015, 0.02];
         let depth = |angle: f64, z: f64| 3e-6 * (angle.cos() + 50.0 * z * angle.sin());
         let points = Points {
-            depths: angles
-                .iter()
-                .map(|&angle| zs.iter().map(|&z| depth(angle, z)).collect())
-                .collect(),
+            depths: angles.iter().map(|&angle| zs.iter().map(|&z| depth(angle, z)).collect()).collect(),
             angles,
             zs,
         };
         [
-            Shape(Arc::new(Crown {
-                depth: 7e-6,
-                half_length: 0.02,
-            })),
-            Shape(Arc::new(Oval {
-                radius: 0.04,
-                depth: -6e-6,
-                angle: 0.4,
-            })),
-            Shape(Arc::new(Worn {
-                radius: 0.04,
-                depth: 9e-6,
-                angle: 0.9,
-                half_width: 0.7,
-            })),
+            Shape(Arc::new(Crown { depth: 7e-6, half_length: 0.02 })),
+            Shape(Arc::new(Oval { radius: 0.04, depth: -6e-6, angle: 0.4 })),
+            Shape(Arc::new(Worn { radius: 0.04, depth: 9e-6, angle: 0.9, half_width: 0.7 })),
             Shape(Arc::new(Envelope::new(
-                &Bearing {
-                    radius: 0.04,
-                    length: 0.04,
-                    clearance: 4e-5,
-                    end_pressure: 0.0,
-                },
+                &Bearing { radius: 0.04, length: 0.04, clearance: 4e-5, end_pressure: 0.0 },
                 1e-5,
                 &[
-                    Wearing {
-                        offset: [2.5e-5, 2e-5],
-                        tilt: [1e-4, -2e-4],
-                    },
-                    Wearing {
-                        offset: [-1e-5, -3.8e-5],
-                        tilt: [0.0, 3e-4],
-                    },
+                    Wearing { offset: [2.5e-5, 2e-5], tilt: [1e-4, -2e-4] },
+                    Wearing { offset: [-1e-5, -3.8e-5], tilt: [0.0, 3e-4] },
                 ],
             ))),
             Shape(Arc::new(Measured::new(&points, 0.04, 0.04, true))),
@@ -146,14 +111,8 @@ mod tests {
     /// Every contribution against finite differences: its slope, and what it changes where the journal moves.
     #[test]
     fn slopes_and_variations_match_differences() {
-        let eccentricity = Eccentricity {
-            radius: 0.04,
-            clearance: 4e-5,
-        };
-        let groove = GrooveDepth {
-            depth: 2e-5,
-            inside: vec![true],
-        };
+        let eccentricity = Eccentricity { radius: 0.04, clearance: 4e-5 };
+        let groove = GrooveDepth { depth: 2e-5, inside: vec![true] };
         let tilt = Tilt { radius: 0.04 };
         let [crown, oval, worn, envelope, measured] = shapes();
         let deflection = bent();
@@ -171,17 +130,8 @@ mod tests {
             tilt: [2e-4, -5e-4],
             tilt_rate: [7e-3, 1e-3],
         };
-        let contributions: [&dyn FilmContribution; 9] = [
-            &eccentricity,
-            &groove,
-            &tilt,
-            &crown,
-            &oval,
-            &worn,
-            &envelope,
-            &measured,
-            &deflection,
-        ];
+        let contributions: [&dyn FilmContribution; 9] =
+            [&eccentricity, &groove, &tilt, &crown, &oval, &worn, &envelope, &measured, &deflection];
         for contribution in contributions {
             let place = |step: f64, x: f64, z: f64| {
                 let scaled = |values: [f64; 2]| values.map(|value| step * value);

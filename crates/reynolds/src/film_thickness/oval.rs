@@ -30,10 +30,7 @@ impl Profile for Oval {
     fn at(&self, [x, _]: [f64; 2]) -> Relief {
         let (sin, cos) = (2.0 * (x / self.radius - self.angle)).sin_cos();
         let per_radius = self.depth / self.radius;
-        Relief {
-            depth: self.depth * cos,
-            slope: [-2.0 * per_radius * sin, 0.0],
-        }
+        Relief { depth: self.depth * cos, slope: [-2.0 * per_radius * sin, 0.0] }
     }
 
     /// By those of the single angle, which are known for all positions at once.
@@ -45,10 +42,7 @@ impl Profile for Oval {
             for (q, (s, c)) in sines.iter().zip(&cosines).take(positions.len()).enumerate() {
                 let (sin, cos) = (2.0 * s * c, (c - s) * (c + s));
                 let (sin, cos) = (sin * turned_cos - cos * turned_sin, cos * turned_cos + sin * turned_sin);
-                let relief = Relief {
-                    depth: self.depth * cos,
-                    slope: [-2.0 * per_radius * sin, 0.0],
-                };
+                let relief = Relief { depth: self.depth * cos, slope: [-2.0 * per_radius * sin, 0.0] };
                 visit(first + q, relief);
             }
         }
@@ -65,21 +59,14 @@ mod tests {
 
     #[test]
     fn many_positions_have_the_profile_of_each() {
-        let oval = Oval {
-            radius: 0.05,
-            depth: 1e-5,
-            angle: 0.4,
-        };
+        let oval = Oval { radius: 0.05, depth: 1e-5, angle: 0.4 };
         let positions: Vec<[f64; 2]> = (0..2 * MOST_POINTS + 3).map(|k| [0.001 * k as f64, 0.01]).collect();
         let mut visited = 0;
         oval.each(&positions, &mut |q, Relief { depth, slope }| {
             let alone = oval.at(positions[q]);
             assert_eq!(q, visited);
             assert!((depth - alone.depth).abs() < 1e-14 * oval.depth, "{q}");
-            assert!(
-                (slope[0] - alone.slope[0]).abs() < 1e-14 * oval.depth / oval.radius,
-                "{q}"
-            );
+            assert!((slope[0] - alone.slope[0]).abs() < 1e-14 * oval.depth / oval.radius, "{q}");
             visited += 1;
         });
         assert_eq!(visited, positions.len());

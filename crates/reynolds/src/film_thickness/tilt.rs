@@ -31,11 +31,7 @@ pub struct Tilt {
 
 impl FilmContribution for Tilt {
     fn add(&self, journal: &JournalState, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
-        let change = JournalChange {
-            tilt: journal.tilt,
-            tilt_rate: journal.tilt_rate,
-            ..JournalChange::default()
-        };
+        let change = JournalChange { tilt: journal.tilt, tilt_rate: journal.tilt_rate, ..JournalChange::default() };
         self.vary(&change, cell, positions, film);
     }
 

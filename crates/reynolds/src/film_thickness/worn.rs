@@ -46,18 +46,12 @@ impl Profile for Worn {
             return Relief::default();
         }
         let per_length = self.depth / (self.half_width * self.radius);
-        Relief {
-            depth: self.depth * (1.0 - part * part),
-            slope: [-2.0 * per_length * part, 0.0],
-        }
+        Relief { depth: self.depth * (1.0 - part * part), slope: [-2.0 * per_length * part, 0.0] }
     }
 
     fn bends(&self, [x, _]: [f64; 2]) -> [f64; 2] {
         let inside = if self.part(x).abs() < 1.0 { 1.0 } else { 0.0 };
-        [
-            -2.0 * inside * self.depth / (self.half_width * self.radius).powi(2),
-            0.0,
-        ]
+        [-2.0 * inside * self.depth / (self.half_width * self.radius).powi(2), 0.0]
     }
 
     fn finest(&self, [x, _]: [f64; 2]) -> f64 {

@@ -96,20 +96,9 @@ mod tests {
     #[test]
     fn variations_match_differences() {
         let factors: [Arc<dyn FlowFactor>; 1] = [Arc::new(PatirCheng { roughness: 1.0 })];
-        let change = FilmPoint {
-            thickness: 0.4,
-            slope: [0.3, -0.2],
-            rate: 0.7,
-            ..FilmPoint::default()
-        };
+        let change = FilmPoint { thickness: 0.4, slope: [0.3, -0.2], rate: 0.7, ..FilmPoint::default() };
         for thickness in [0.1, 0.6, 1.7, 4.0, 9.5] {
-            let film = FilmPoint {
-                thickness,
-                slope: [0.2, 0.1],
-                rate: -0.4,
-                viscosity: 0.7,
-                velocity: [1.3, 0.6],
-            };
+            let film = FilmPoint { thickness, slope: [0.2, 0.1], rate: -0.4, viscosity: 0.7, velocity: [1.3, 0.6] };
             let at = |step: f64| FilmPoint {
                 thickness: film.thickness + step * change.thickness,
                 slope: [0, 1].map(|k| film.slope[k] + step * change.slope[k]),
@@ -126,10 +115,7 @@ mod tests {
             for (k, exact) in values(&varied).into_iter().enumerate() {
                 let difference = (ahead[k] - behind[k]) / 2e-5;
                 let scale = 1.0 + exact.abs();
-                assert!(
-                    (difference - exact).abs() < 1e-8 * scale,
-                    "{thickness} {k}: {difference} {exact}"
-                );
+                assert!((difference - exact).abs() < 1e-8 * scale, "{thickness} {k}: {difference} {exact}");
             }
         }
     }

@@ -56,10 +56,7 @@ impl FlowFactor for PatirCheng {
                 [gap * distribution + sigma * density, distribution, density / sigma]
             }
         };
-        Scales {
-            conductance: [1.0 - less, DECAY * less / sigma],
-            mean_gap,
-        }
+        Scales { conductance: [1.0 - less, DECAY * less / sigma], mean_gap }
     }
 }
 

@@ -29,10 +29,7 @@ impl Gap {
     /// The greatest least gap [m] that a journal with this tilt may have at any offset, where none leaves a film; `None` where one does.
     pub fn lack_of_room(&self, journal: &JournalState) -> Option<f64> {
         let clearance = self.bearing.clearance;
-        let amid = JournalState {
-            offset: [0.0; 2],
-            ..*journal
-        };
+        let amid = JournalState { offset: [0.0; 2], ..*journal };
         if self.least_of_one(&amid) > 0.0 {
             return None;
         }
@@ -42,10 +39,7 @@ impl Gap {
             let place = self.thinnest(&JournalState { offset, ..*journal });
             let (sin, cos) = place.angle.sin_cos();
             let level = place.thickness + cos * offset[0] + sin * offset[1];
-            bounds.push(Bound {
-                direction: [cos, sin],
-                level,
-            });
+            bounds.push(Bound { direction: [cos, sin], level });
             greatest = greatest.max(place.thickness);
             greatest
         };

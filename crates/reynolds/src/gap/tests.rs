@@ -9,12 +9,7 @@ use crate::film_thickness::{Eccentricity, Tilt};
 use crate::lubricant::{Lubricant, PressureLaw};
 use crate::{Cavitation, Form, Theory};
 
-const BEARING: Bearing = Bearing {
-    radius: 0.05,
-    length: 0.05,
-    clearance: 5e-5,
-    end_pressure: 0.0,
-};
+const BEARING: Bearing = Bearing { radius: 0.05, length: 0.05, clearance: 5e-5, end_pressure: 0.0 };
 
 /// A shape of the liner: some function of angle and axial position [m].
 #[derive(Debug)]
@@ -42,10 +37,7 @@ fn mesh(first: f64, turn: f64) -> Arc<Mesh> {
     let point = |k: u32| {
         let (i, j) = (k / (ROWS + 1), k % (ROWS + 1));
         let angle = first + turn * f64::from(i) / f64::from(COLUMNS);
-        [
-            BEARING.radius * angle,
-            BEARING.length * (f64::from(j) / f64::from(ROWS) - 0.5),
-        ]
+        [BEARING.radius * angle, BEARING.length * (f64::from(j) / f64::from(ROWS) - 0.5)]
     };
     let cells = (0..COLUMNS).flat_map(|i| (0..ROWS).map(move |j| (i, j)));
     let triangles = cells.flat_map(|(i, j)| {
@@ -68,17 +60,11 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
         bearing: BEARING,
         journal: JournalState::default(),
         film_thickness: vec![
-            Arc::new(Eccentricity {
-                radius: BEARING.radius,
-                clearance: BEARING.clearance,
-            }),
+            Arc::new(Eccentricity { radius: BEARING.radius, clearance: BEARING.clearance }),
             Arc::new(Tilt { radius: BEARING.radius }),
             Arc::new(Shape(shape)),
         ],
-        lubricant: Lubricant {
-            viscosity: 0.02,
-            pressure_law: PressureLaw::Constant,
-        },
+        lubricant: Lubricant { viscosity: 0.02, pressure_law: PressureLaw::Constant },
         form: Form::Conservative,
         terms: Vec::new(),
         cavitation: Cavitation::None,
@@ -86,18 +72,11 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
         contact: None,
         flow_factors: Vec::new(),
     };
-    Gap {
-        bearing: BEARING,
-        shaped: Some(Arc::new(Shaped::of(&problem, mesh))),
-    }
+    Gap { bearing: BEARING, shaped: Some(Arc::new(Shaped::of(&problem, mesh))) }
 }
 
 fn journals() -> [JournalState; 4] {
-    let at = |offset: [f64; 2], tilt: [f64; 2]| JournalState {
-        offset,
-        tilt,
-        ..JournalState::default()
-    };
+    let at = |offset: [f64; 2], tilt: [f64; 2]| JournalState { offset, tilt, ..JournalState::default() };
     [
         at([0.0; 2], [0.0; 2]),
         at([3e-5, -2e-5], [0.0; 2]),
@@ -118,10 +97,7 @@ fn circles_searched_on_the_mesh_have_their_closed_form() {
         }
         for angle in [0.3, 2.0, 5.1] {
             let (found, closed) = (gap.reach(&journal, angle), BEARING.reach(&journal, angle));
-            assert!(
-                (found - closed).abs() < 1e-10 * BEARING.clearance,
-                "{found:e} {closed:e}"
-            );
+            assert!((found - closed).abs() < 1e-10 * BEARING.clearance, "{found:e} {closed:e}");
         }
     }
 }
@@ -131,34 +107,18 @@ fn a_pit_with_edges_has_its_least_film_there() {
     // A journal that sinks into a pit of a parabola 0.4 rad to each side touches its edges first, where the slope jumps.
     let pit = |phi: f64, _: f64| 3e-5 * (1.0 - ((phi.rem_euclid(TAU) - 1.0) / 0.4).powi(2)).max(0.0);
     let e = 4e-5;
-    let journal = JournalState {
-        offset: [e * 1f64.cos(), e * 1f64.sin()],
-        ..JournalState::default()
-    };
+    let journal = JournalState { offset: [e * 1f64.cos(), e * 1f64.sin()], ..JournalState::default() };
     let edge = BEARING.clearance - e * 0.4f64.cos();
     // The edge lies elsewhere in the triangles of each mesh; along it the film is the same.
     for first in 0..8 {
         let gap = gap(pit, &mesh(0.02 * f64::from(first), TAU));
-        let places = [
-            gap.thinnest(&journal),
-            gap.thinnest_at(&journal, -0.025),
-            gap.thinnest_at(&journal, 0.011),
-        ];
+        let places = [gap.thinnest(&journal), gap.thinnest_at(&journal, -0.025), gap.thinnest_at(&journal, 0.011)];
         for found in places {
-            assert!(
-                (found.thickness / edge - 1.0).abs() < 1e-9,
-                "{first}: {found:?} {edge:e}"
-            );
-            assert!(
-                ((found.angle.rem_euclid(TAU) - 1.0).abs() - 0.4).abs() < 1e-9,
-                "{first}: {found:?}"
-            );
+            assert!((found.thickness / edge - 1.0).abs() < 1e-9, "{first}: {found:?} {edge:e}");
+            assert!(((found.angle.rem_euclid(TAU) - 1.0).abs() - 0.4).abs() < 1e-9, "{first}: {found:?}");
         }
         let reach = gap.reach(&journal, 1.0);
-        assert!(
-            (reach * 0.4f64.cos() / BEARING.clearance - 1.0).abs() < 1e-9,
-            "{first}: {reach:e}"
-        );
+        assert!((reach * 0.4f64.cos() / BEARING.clearance - 1.0).abs() < 1e-9, "{first}: {reach:e}");
     }
 }
 
@@ -179,20 +139,14 @@ fn the_least_film_of_a_shape_is_that_of_dense_samples() {
         let above = (least - found.thickness) / BEARING.clearance;
         assert!((0.0..1e-5).contains(&above), "{journal:?}: {above:e}");
         let reach = gap.reach(&journal, 0.4);
-        let there = JournalState {
-            offset: [reach * 0.4f64.cos(), reach * 0.4f64.sin()],
-            ..journal
-        };
+        let there = JournalState { offset: [reach * 0.4f64.cos(), reach * 0.4f64.sin()], ..journal };
         assert!(gap.least(&there).abs() < 1e-11 * BEARING.clearance);
     }
 }
 
 #[test]
 fn a_section_has_the_least_film_at_its_place() {
-    let (circle, crowned) = (
-        gap(|_, _| 0.0, &mesh(0.0, TAU)),
-        gap(|_, z| 0.02 * z * z, &mesh(0.0, TAU)),
-    );
+    let (circle, crowned) = (gap(|_, _| 0.0, &mesh(0.0, TAU)), gap(|_, z| 0.02 * z * z, &mesh(0.0, TAU)));
     for journal in journals() {
         for z in [-0.025, -0.004, 0.0, 0.025] {
             let closed = BEARING.thinnest_at(&journal, z);

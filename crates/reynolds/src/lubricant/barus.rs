@@ -30,11 +30,7 @@ impl PressureViscosity for Barus {
     }
 
     fn reduced_pressure(&self, p: f64) -> f64 {
-        if self.alpha == 0.0 {
-            p
-        } else {
-            -(-self.alpha * p).exp_m1() / self.alpha
-        }
+        if self.alpha == 0.0 { p } else { -(-self.alpha * p).exp_m1() / self.alpha }
     }
 
     fn pressure(&self, q: f64) -> f64 {
@@ -64,10 +60,7 @@ mod tests {
     #[test]
     fn alpha_zero_is_constant() {
         let law = Barus { alpha: 0.0 };
-        assert_eq!(
-            (law.viscosity_ratio(1e9), law.reduced_pressure(3e6), law.pressure(3e6)),
-            (1.0, 3e6, 3e6)
-        );
+        assert_eq!((law.viscosity_ratio(1e9), law.reduced_pressure(3e6), law.pressure(3e6)), (1.0, 3e6, 3e6));
         assert_eq!(law.limit(), f64::INFINITY);
         let tiny = Barus { alpha: 1e-20 };
         assert!((tiny.pressure(3e6) - 3e6).abs() < 1e-6);

@@ -42,10 +42,7 @@ impl Density {
 
 impl Default for Density {
     fn default() -> Self {
-        Self {
-            at_20: MINERAL_OIL,
-            expansion: EXPANSION,
-        }
+        Self { at_20: MINERAL_OIL, expansion: EXPANSION }
     }
 }
 

@@ -46,35 +46,13 @@ pub struct Window {
 }
 
 const fn sae(name: &'static str, [nu_40, nu_100]: [f64; 2], rho_15: f64, [least, most]: [f64; 2]) -> Grade {
-    let window = Window {
-        standard: "SAE J300",
-        celsius: 100.0,
-        least,
-        most,
-    };
-    Grade {
-        name,
-        nu_40,
-        nu_100,
-        rho_15,
-        window,
-    }
+    let window = Window { standard: "SAE J300", celsius: 100.0, least, most };
+    Grade { name, nu_40, nu_100, rho_15, window }
 }
 
 const fn iso(name: &'static str, [nu_40, nu_100]: [f64; 2], rho_15: f64) -> Grade {
-    let window = Window {
-        standard: "ISO 3448",
-        celsius: 40.0,
-        least: 0.9 * nu_40,
-        most: 1.1 * nu_40,
-    };
-    Grade {
-        name,
-        nu_40,
-        nu_100,
-        rho_15,
-        window,
-    }
+    let window = Window { standard: "ISO 3448", celsius: 40.0, least: 0.9 * nu_40, most: 1.1 * nu_40 };
+    Grade { name, nu_40, nu_100, rho_15, window }
 }
 
 const SAE_16: [f64; 2] = [6.1, 8.2];
@@ -160,11 +138,7 @@ mod tests {
     fn every_grade_lies_in_the_window_of_its_class() {
         for grade in GRADES {
             let window = grade.window;
-            let nu = if window.celsius == 40.0 {
-                grade.nu_40
-            } else {
-                grade.nu_100
-            };
+            let nu = if window.celsius == 40.0 { grade.nu_40 } else { grade.nu_100 };
             assert!(nu >= window.least && nu < window.most, "{}", grade.name);
             let oil = grade.oil().expect(grade.name);
             let back = oil.kinematic_viscosity(ZERO_CELSIUS + window.celsius);
@@ -201,11 +175,9 @@ mod tests {
     /// `100 (L - nu_40)/(L - H)`. Mineral oils of today have some 95 to 105.
     #[test]
     fn indices_are_those_of_such_oils() {
-        for (name, low, high) in [
-            ("ISO VG 32", 47.31, 32.37),
-            ("ISO VG 46", 73.46, 46.41),
-            ("ISO VG 100", 182.11, 98.97),
-        ] {
+        for (name, low, high) in
+            [("ISO VG 32", 47.31, 32.37), ("ISO VG 46", 73.46, 46.41), ("ISO VG 100", 182.11, 98.97)]
+        {
             let grade = Grade::named(name).expect(name);
             let index = 100.0 * (low - grade.nu_40) / (low - high);
             assert!((95.0..105.0).contains(&index), "{name}: {index}");

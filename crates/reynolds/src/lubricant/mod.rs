@@ -125,10 +125,7 @@ fn check(law: &dyn PressureViscosity) {
         let back = law.pressure(law.reduced_pressure(p));
         // Near the limit q no longer resolves p: one rounding of q moves p by eps q mu/mu0.
         let resolved = 4.0 * f64::EPSILON * law.reduced_pressure(p).abs() * law.viscosity_ratio(p);
-        assert!(
-            (back - p).abs() <= 1e-12 * p.abs() + 1e-6 + resolved,
-            "{law:?} at {p}: {back}"
-        );
+        assert!((back - p).abs() <= 1e-12 * p.abs() + 1e-6 + resolved, "{law:?} at {p}: {back}");
     }
     for p in [-3e7, 1e5, 2e7, 1e8] {
         let step = 1e2;
@@ -136,10 +133,7 @@ fn check(law: &dyn PressureViscosity) {
         let slope = difference(&|p| law.reduced_pressure(p));
         assert!((slope * law.viscosity_ratio(p) - 1.0).abs() < 1e-6, "{law:?} at {p}");
         let off = difference(&|p| law.viscosity_ratio(p)) - law.viscosity_slope(p);
-        assert!(
-            off.abs() <= 1e-6 * law.viscosity_slope(p) + 1e-16,
-            "{law:?} at {p}: {off}"
-        );
+        assert!(off.abs() <= 1e-6 * law.viscosity_slope(p) + 1e-16, "{law:?} at {p}: {off}");
     }
 }
 

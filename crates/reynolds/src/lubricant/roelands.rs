@@ -47,10 +47,7 @@ impl Roelands {
         };
         // Upwards the panels are even in ln(1 + p/p_r), so their number does not grow with small z.
         loop {
-            let (p, q) = (
-                law.pressures[law.pressures.len() - 1],
-                law.reduced[law.reduced.len() - 1],
-            );
+            let (p, q) = (law.pressures[law.pressures.len() - 1], law.reduced[law.reduced.len() - 1]);
             if law.viscosity_ratio(p) > GREATEST_RATIO || p > GREATEST_PRESSURE * reference_pressure {
                 break;
             }
@@ -72,11 +69,7 @@ impl Roelands {
         reduced.reverse();
         pressures.append(&mut law.pressures);
         reduced.append(&mut law.reduced);
-        Self {
-            pressures,
-            reduced,
-            ..law
-        }
+        Self { pressures, reduced, ..law }
     }
 
     /// Index z that gives the pressure-viscosity coefficient `alpha` [1/Pa] at zero pressure.
@@ -178,11 +171,7 @@ mod tests {
     /// `q(infinity)` of `barus_exact_transform` in the reference collection (four digits).
     #[test]
     fn limit_matches_the_literature() {
-        for (mu0, alpha, limit) in [
-            (0.04, 1.973e-8, 55.70e6),
-            (0.0061, 1.398e-8, 81.37e6),
-            (0.4, 2.677e-8, 40.11e6),
-        ] {
+        for (mu0, alpha, limit) in [(0.04, 1.973e-8, 55.70e6), (0.0061, 1.398e-8, 81.37e6), (0.4, 2.677e-8, 40.11e6)] {
             let law = Roelands::new(mu0, 0.6, 196.2e6);
             assert!((law.limit() / limit - 1.0).abs() < 2e-4, "{mu0}: {}", law.limit());
             assert!((Roelands::index_of(alpha, mu0, 196.2e6) - 0.6).abs() < 1e-3);

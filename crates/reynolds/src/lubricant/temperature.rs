@@ -73,15 +73,9 @@ impl ViscosityTable {
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let lines: Option<Vec<Walther>> = points
-            .windows(2)
-            .map(|pair| Walther::through(pair[0], pair[1]))
-            .collect();
+        let lines: Option<Vec<Walther>> = points.windows(2).map(|pair| Walther::through(pair[0], pair[1])).collect();
         let lines = lines.filter(|lines| !lines.is_empty())?;
-        Some(Self {
-            temperatures: points.into_iter().map(|(temperature, _)| temperature).collect(),
-            lines,
-        })
+        Some(Self { temperatures: points.into_iter().map(|(temperature, _)| temperature).collect(), lines })
     }
 
     /// Kinematic viscosity nu [m2/s] at the temperature T [K].
@@ -107,17 +101,10 @@ mod tests {
         let table = ViscosityTable::through(&POINTS[..2]).expect("a table");
         let line = Walther::through(POINTS[0], POINTS[1]).expect("a line");
         for temperature in [250.0, 313.15, 350.0, 373.15, 450.0] {
-            let (by_table, by_line) = (
-                table.kinematic_viscosity(temperature),
-                line.kinematic_viscosity(temperature),
-            );
+            let (by_table, by_line) = (table.kinematic_viscosity(temperature), line.kinematic_viscosity(temperature));
             assert!((by_table / by_line - 1.0).abs() < 1e-12);
         }
-        let oil = ThermalOil {
-            law: TemperatureLaw::Table(table),
-            density: Density::default(),
-            sheared: 1.0,
-        };
+        let oil = ThermalOil { law: TemperatureLaw::Table(table), density: Density::default(), sheared: 1.0 };
         let mu = oil.viscosity(313.15);
         assert!((mu / (66e-6 * 870.0 * (1.0 - 68.8e-5 * 20.0)) - 1.0).abs() < 1e-12);
         assert!((oil.kinematic_viscosity(313.15) / 66e-6 - 1.0).abs() < 1e-12);

@@ -41,11 +41,7 @@ mod tests {
 
     #[test]
     fn the_law_falls_towards_its_factor() {
-        let law = Vogel {
-            factor: 5e-5,
-            exponent: 1000.0,
-            singular: 178.15,
-        };
+        let law = Vogel { factor: 5e-5, exponent: 1000.0, singular: 178.15 };
         let mut last = f64::INFINITY;
         for temperature in [250.0, 300.0, 350.0, 400.0, 1e3, 1e6] {
             let viscosity = law.viscosity(temperature);
@@ -61,11 +57,7 @@ mod tests {
     /// Of three points `ln mu = ln a + b/(T - T_0)` gives a, b and T_0 back.
     #[test]
     fn through_three_points() {
-        let law = Vogel {
-            factor: 7e-5,
-            exponent: 900.0,
-            singular: 180.0,
-        };
+        let law = Vogel { factor: 7e-5, exponent: 900.0, singular: 180.0 };
         let [x, y, z] = [313.15, 343.15, 373.15f64];
         let logs = [x, y, z].map(|t| law.viscosity(t).ln());
         let ratio = (logs[0] - logs[1]) / (logs[1] - logs[2]);

@@ -31,10 +31,7 @@ impl Walther {
     /// Through two points `(T [K], nu [m2/s])`; none where they do not make a line on which viscosity falls with temperature.
     pub fn through(one: (f64, f64), other: (f64, f64)) -> Option<Self> {
         let slope = (ordinate(one.1) - ordinate(other.1)) / (other.0.log10() - one.0.log10());
-        let line = Self {
-            intercept: ordinate(one.1) + slope * one.0.log10(),
-            slope,
-        };
+        let line = Self { intercept: ordinate(one.1) + slope * one.0.log10(), slope };
         (line.slope.is_finite() && line.intercept.is_finite() && line.slope >= 0.0).then_some(line)
     }
 
@@ -51,10 +48,7 @@ mod tests {
 
     #[test]
     fn the_line_runs_through_its_points() {
-        for points in [
-            [(313.15, 55e-6), (373.15, 8.19e-6)],
-            [(373.15, 37e-6), (313.15, 680e-6)],
-        ] {
+        for points in [[(313.15, 55e-6), (373.15, 8.19e-6)], [(373.15, 37e-6), (313.15, 680e-6)]] {
             let line = Walther::through(points[0], points[1]).expect("a line");
             for (temperature, viscosity) in points {
                 assert!((line.kinematic_viscosity(temperature) / viscosity - 1.0).abs() < 1e-12);

@@ -92,11 +92,7 @@ pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &Fi
     for (dof, share) in space.element_dofs(t).into_iter().zip(node_shares(space.degree())) {
         let held = is_broken(dof);
         broken += if held { share } else { 0.0 };
-        free += if held || system.supply.owner(dof).is_none() {
-            share
-        } else {
-            0.0
-        };
+        free += if held || system.supply.owner(dof).is_none() { share } else { 0.0 };
     }
     if free > 0.0 { broken / free } else { 0.0 }
 }
@@ -137,11 +133,7 @@ pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
         let nodes = space.element_dofs(t).into_iter().zip(&shares);
         for (dof, share) in nodes.filter(|&(dof, _)| system.supply.owner(dof).is_none()) {
             free += share;
-            under += if problem.pressure_at(film.unknown[dof]) < level {
-                *share
-            } else {
-                0.0
-            };
+            under += if problem.pressure_at(film.unknown[dof]) < level { *share } else { 0.0 };
         }
         if free > 0.0 {
             below += area * under / free;

@@ -120,38 +120,21 @@ pub(super) struct Piece {
 
 impl Piece {
     /// A triangle.
-    pub(super) const WHOLE: Self = Self {
-        level: 0,
-        number: 0,
-        is_for_load: true,
-        weight: 1.0,
-    };
+    pub(super) const WHOLE: Self = Self { level: 0, number: 0, is_for_load: true, weight: 1.0 };
 
     /// Its quarters.
     pub(super) fn quarters(self) -> impl Iterator<Item = Self> {
-        (0..4).map(move |k| Self {
-            level: self.level + 1,
-            number: 4 * self.number + k,
-            ..self
-        })
+        (0..4).map(move |k| Self { level: self.level + 1, number: 4 * self.number + k, ..self })
     }
 
     /// What its quarters give of it, this part, and what it gives itself; none where that is nothing.
     pub(super) fn shared(self, of_quarters: f64) -> [Option<Self>; 2] {
-        [of_quarters, 1.0 - of_quarters].map(|part| {
-            (part > 0.0).then_some(Self {
-                weight: self.weight * part,
-                ..self
-            })
-        })
+        [of_quarters, 1.0 - of_quarters].map(|part| (part > 0.0).then_some(Self { weight: self.weight * part, ..self }))
     }
 
     /// For the splines of the wall alone.
     pub(super) fn for_wall(self) -> Self {
-        Self {
-            is_for_load: false,
-            ..self
-        }
+        Self { is_for_load: false, ..self }
     }
 }
 
@@ -178,9 +161,7 @@ pub(super) fn division(law: &ContactLaw, fineness: Fineness, gaps: &[f64; 6], le
     const WITHIN: f64 = 0.25;
     let (least, greatest) = gaps
         .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), &gap| {
-            (least.min(gap), greatest.max(gap))
-        });
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), &gap| (least.min(gap), greatest.max(gap)));
     let least = least - WITHIN * (greatest - least);
     let pressure = law.at(least).pressure / law.hardness();
     if pressure < NOTHING * fineness.slight() {

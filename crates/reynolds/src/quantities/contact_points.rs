@@ -58,10 +58,7 @@ impl ContactPoint {
     /// Force and moment of a thrust [N] there.
     pub(crate) fn carried(&self, thrust: f64) -> Resultant {
         let force = self.normal.map(|part| thrust * part);
-        Resultant {
-            force,
-            moment: force.map(|force| self.position[1] * force),
-        }
+        Resultant { force, moment: force.map(|force| self.position[1] * force) }
     }
 }
 
@@ -174,8 +171,7 @@ impl Touching<'_> {
             return 0.0;
         };
         let own = splines.filter(|_| self.grid.is_some_and(|asked| std::ptr::eq(asked, grid)));
-        own.unwrap_or_else(|| grid.splines_at(position))
-            .value(grid.numbers(), coefficients)
+        own.unwrap_or_else(|| grid.splines_at(position)).value(grid.numbers(), coefficients)
     }
 }
 
@@ -216,10 +212,7 @@ impl ContactPoints {
             points
         };
         let points: Vec<Vec<ContactPoint>> = in_order(cells.par_chunks(CELLS_A_TASK).map(of_cells));
-        Some(Self {
-            points: points.concat(),
-            splines: grid.map_or([0; 2], Grid::numbers),
-        })
+        Some(Self { points: points.concat(), splines: grid.map_or([0; 2], Grid::numbers) })
     }
 
     /// These points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is that of their contact.
@@ -227,17 +220,9 @@ impl ContactPoints {
         let bent = |point: &ContactPoint| {
             let gap = point.gap + point.splines.value(self.splines, more);
             let at = law.at(gap);
-            ContactPoint {
-                gap,
-                pressure: at.pressure,
-                slope: at.slope,
-                ..*point
-            }
+            ContactPoint { gap, pressure: at.pressure, slope: at.slope, ..*point }
         };
-        Self {
-            points: in_order(self.points.par_iter().with_min_len(FEW).map(bent)),
-            splines: self.splines,
-        }
+        Self { points: in_order(self.points.par_iter().with_min_len(FEW).map(bent)), splines: self.splines }
     }
 
     /// How many splines there are around and along the wall.
@@ -251,21 +236,15 @@ impl ContactPoints {
         for (_, point) in self.of_load() {
             let thrust = point.area * point.pressure;
             let Resultant { force, moment } = point.carried(thrust);
-            sum += Share {
-                force,
-                moment,
-                pressure: thrust,
-                possible: thrust.abs(),
-            };
+            sum += Share { force, moment, pressure: thrust, possible: thrust.abs() };
         }
         sum
     }
 
     /// First-order change [m] of the gap at each point with a `change` of the journal or the gap.
     pub fn gap_change(&self, problem: &FilmProblem, change: FilmChange<'_>) -> Vec<f64> {
-        let batches: Vec<&[ContactPoint]> = (self.points.chunk_by(|a, b| a.cell == b.cell))
-            .flat_map(|of_cell| of_cell.chunks(MOST_POINTS))
-            .collect();
+        let batches: Vec<&[ContactPoint]> =
+            (self.points.chunk_by(|a, b| a.cell == b.cell)).flat_map(|of_cell| of_cell.chunks(MOST_POINTS)).collect();
         let moved = |batch: &&[ContactPoint]| {
             let mut film = [FilmPoint::default(); MOST_POINTS];
             let mut positions = [[0.0; 2]; MOST_POINTS];

@@ -16,10 +16,6 @@ use crate::{FilmProblem, FilmSystem};
 pub fn deflection_max(problem: &FilmProblem, system: &FilmSystem) -> Option<f64> {
     let deflection = problem.deflection()?;
     let space = system.space();
-    let values: Vec<f64> = space
-        .positions()
-        .into_iter()
-        .map(|place| deflection.at(place))
-        .collect();
+    let values: Vec<f64> = space.positions().into_iter().map(|place| deflection.at(place)).collect();
     Some(Field { space, values: &values }.maximum().value)
 }

@@ -29,20 +29,14 @@ impl Sections {
         let gap = Gap::of(problem, system);
         let [low, high] = problem.bearing.ends();
         let [middle, low, high] = [0.0, low, high].map(|z| gap.thinnest_film_at(problem, system, z).thickness);
-        Self {
-            middle,
-            ends: [low, high],
-        }
+        Self { middle, ends: [low, high] }
     }
 
     /// Those with the journal in a state.
     pub fn of_journal(gap: &Gap, journal: &JournalState) -> Self {
         let [low, high] = gap.bearing().ends();
         let [middle, low, high] = [0.0, low, high].map(|z| gap.thinnest_at(journal, z).thickness);
-        Self {
-            middle,
-            ends: [low, high],
-        }
+        Self { middle, ends: [low, high] }
     }
 
     /// The thinner one of the ends [m].

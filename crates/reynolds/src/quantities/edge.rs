@@ -55,11 +55,7 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         if !dofs.iter().any(|&dof| is_given(dof)) || !dofs.iter().any(|&dof| is_low(dof)) {
             continue;
         }
-        let nodal = (Field {
-            space,
-            values: &film.unknown,
-        })
-        .element_values(t);
+        let nodal = (Field { space, values: &film.unknown }).element_values(t);
         // Quadratics are held amid edges only, and stay a little off the cavity pressure at vertices.
         let nodes = if degree == 2 { 3..6 } else { 0..dofs.len() };
         let broken = nodes.into_iter().all(|i| film.cavity[dofs[i]] || nodal[i] <= floor);
@@ -70,11 +66,7 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
             let flows = law.film_and_flows(t, points.positions).1;
             for (q, flow) in flows[..points.positions.len()].iter().enumerate() {
                 // In the cavity quadratics waver about its pressure; what that drives is none of the end's.
-                let slope = if broken || dropped.is_some() {
-                    points.gradient(q, &nodal)
-                } else {
-                    [0.0; 2]
-                };
+                let slope = if broken || dropped.is_some() { points.gradient(q, &nodal) } else { [0.0; 2] };
                 let area = points.area(q);
                 for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
                     let [x, z] = points.shape_gradient(q, i);

@@ -71,10 +71,7 @@ pub fn extent(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, e
         return None;
     }
     let sense = if problem.journal.speed < 0.0 { -1.0 } else { 1.0 };
-    Some(Extent {
-        begins: line.walk(-sense)?,
-        ends: line.walk(sense)?,
-    })
+    Some(Extent { begins: line.walk(-sense)?, ends: line.walk(sense)? })
 }
 
 /// The part of the line that is in one triangle.
@@ -129,11 +126,7 @@ const APART: f64 = 1e-6;
 impl MidPlane<'_> {
     /// The end of the film in the direction `sense` from its greatest pressure.
     fn walk(&self, sense: f64) -> Option<FilmEnd> {
-        let mut pieces: Vec<(f64, &Piece)> = self
-            .pieces
-            .iter()
-            .map(|piece| (self.way(piece, sense), piece))
-            .collect();
+        let mut pieces: Vec<(f64, &Piece)> = self.pieces.iter().map(|piece| (self.way(piece, sense), piece)).collect();
         pieces.retain(|(way, _)| *way >= 0.0);
         pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
         let far = |piece: &Piece| if sense > 0.0 { piece.x[1] } else { piece.x[0] };
@@ -212,9 +205,7 @@ impl MidPlane<'_> {
     fn is_fed(&self, triangle: usize) -> bool {
         let space = self.system.space();
         let dofs = space.element_dofs(triangle);
-        let owner = dofs[..space.shapes()]
-            .iter()
-            .find_map(|&dof| self.system.supply.owner(dof));
+        let owner = dofs[..space.shapes()].iter().find_map(|&dof| self.system.supply.owner(dof));
         let pressure = owner.map(|region| self.system.supply.regions()[region].pressure);
         pressure.is_some_and(|pressure| self.problem.unknown_at(pressure) > self.floor)
     }
@@ -280,11 +271,7 @@ impl MidPlane<'_> {
     fn is_low(&self, triangle: usize, point: [f64; 2]) -> bool {
         let (space, film) = (self.system.space(), self.film);
         let (degree, dofs) = (space.degree(), space.element_dofs(triangle));
-        let nodal = Field {
-            space,
-            values: &film.unknown,
-        }
-        .element_values(triangle);
+        let nodal = Field { space, values: &film.unknown }.element_values(triangle);
         if film.film_fraction.is_some() {
             return self.is_carried(triangle, point);
         }
@@ -310,14 +297,9 @@ impl MidPlane<'_> {
             [1.0 - at_b - at_c, at_b, at_c]
         };
         let least = |sub: &&[usize; 3]| weights(sub).into_iter().fold(f64::INFINITY, f64::min);
-        let inside = sub_triangles(space, triangle)
-            .iter()
-            .max_by(|a, b| least(a).total_cmp(&least(b)));
+        let inside = sub_triangles(space, triangle).iter().max_by(|a, b| least(a).total_cmp(&least(b)));
         inside.is_some_and(|sub| {
-            let in_cavity = sub
-                .iter()
-                .zip(weights(sub))
-                .filter(|(node, _)| self.film.cavity[dofs[**node]]);
+            let in_cavity = sub.iter().zip(weights(sub)).filter(|(node, _)| self.film.cavity[dofs[**node]]);
             in_cavity.map(|(_, weight)| weight).sum::<f64>() > 0.5
         })
     }

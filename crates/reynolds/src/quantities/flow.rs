@@ -77,13 +77,7 @@ pub(super) fn reference_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 
 /// Flows of a solved film.
 pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Flows {
     let mut regions: Vec<RegionFlow> = (system.supply.regions().iter())
-        .map(|region| RegionFlow {
-            name: region.name.clone(),
-            net: 0.0,
-            inward: 0.0,
-            outward: 0.0,
-            unsure: 0.0,
-        })
+        .map(|region| RegionFlow { name: region.name.clone(), net: 0.0, inward: 0.0, outward: 0.0, unsure: 0.0 })
         .collect();
     let mut cavity = 0.0_f64;
     let beside = edge::made_beside(problem, system, film);
@@ -141,10 +135,7 @@ impl RegionFlow {
 
 /// True if a term takes oil up where the film grows.
 fn stores(problem: &FilmProblem) -> bool {
-    let growing = FilmPoint {
-        rate: 1.0,
-        ..FilmPoint::default()
-    };
+    let growing = FilmPoint { rate: 1.0, ..FilmPoint::default() };
     problem.terms.iter().any(|term| {
         let mut flow = FilmFlow::default();
         term.add(&growing, &mut flow);

@@ -51,11 +51,7 @@ pub fn inlet_flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
 /// Position [m] just behind the line at `x`, or behind the feed on it, in the sense of `step` [m]; on the line where feeds leave no other place.
 fn behind_feeds(system: &FilmSystem, x: f64, step: f64) -> f64 {
     let mesh = system.space().mesh();
-    let feeds = system
-        .supply
-        .regions()
-        .iter()
-        .filter(|region| region.kind == BoundaryKind::Feed);
+    let feeds = system.supply.regions().iter().filter(|region| region.kind == BoundaryKind::Feed);
     let extents: Vec<[f64; 2]> = feeds
         .flat_map(|region| {
             let edges = region.edges.iter().map(|&edge| mesh.edge_nodes(edge));
@@ -98,11 +94,7 @@ fn behind_feeds(system: &FilmSystem, x: f64, step: f64) -> f64 {
 /// Position [m] of the line at which the loaded film begins.
 fn line(problem: &FilmProblem, system: &FilmSystem, sense: f64) -> f64 {
     let mesh = system.space().mesh();
-    let lines = system
-        .supply
-        .regions()
-        .iter()
-        .filter(|region| region.kind == BoundaryKind::Line);
+    let lines = system.supply.regions().iter().filter(|region| region.kind == BoundaryKind::Line);
     let positions = lines.filter_map(|region| Some(mesh.edge_nodes(*region.edges.first()?)[0][0]));
     // Of the edges of an arc that which the journal leaves.
     let first = positions.min_by(|a, b| (sense * a).total_cmp(&(sense * b)));
@@ -126,10 +118,7 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
     };
     let mapping = Mapping::of(space.mesh(), t);
     let length = (mapping.at(to).position[1] - mapping.at(from).position[1]).abs();
-    let unknown = Field {
-        space,
-        values: &film.unknown,
-    };
+    let unknown = Field { space, values: &film.unknown };
     let flux = |part: f64| {
         let point = between(&from, &to, part);
         let flow = law.film_and_flows(t, &[mapping.at(point).position]).1[0];

@@ -78,20 +78,14 @@ pub fn load_touching(
     for share in cut_out.iter().map(|(_, share)| share).chain(&contact) {
         total += *share;
     }
-    Load {
-        total,
-        contact,
-        cut_out,
-    }
+    Load { total, contact, cut_out }
 }
 
 /// The shares of regions cut out of the mesh, by name.
 pub(crate) fn cut_out_shares(problem: &FilmProblem, system: &FilmSystem) -> Vec<(String, Share)> {
     let mesh = system.space().mesh();
     let cut_out = (system.supply.regions().iter()).filter(|region| supply::rim(mesh, region).next().is_some());
-    cut_out
-        .map(|region| (region.name.clone(), cut_out_share(problem, mesh, region)))
-        .collect()
+    cut_out.map(|region| (region.name.clone(), cut_out_share(problem, mesh, region))).collect()
 }
 
 /// What loads are small against [N]: what the pressures of a film with this `share` could carry, all on one side. At least what is rounding against
@@ -184,13 +178,7 @@ fn integrated<const N: usize>(
                 let thrust = area * density(nodal.each_ref().map(|nodal| points.value(q, nodal)));
                 let force = [thrust * cosines[q], thrust * sines[q]];
                 let arm = points.positions[q][1];
-                sum += Integral {
-                    force,
-                    moment: force.map(|part| arm * part),
-                    thrust,
-                    magnitude: thrust.abs(),
-                    area,
-                };
+                sum += Integral { force, moment: force.map(|part| arm * part), thrust, magnitude: thrust.abs(), area };
             }
         });
         sum
@@ -268,11 +256,7 @@ pub fn rim_error(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> f
         let [a, b, middle] = mesh.edge_nodes(edge);
         let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
         let height = (middle[0] - 0.5 * (a[0] + b[0])).hypot(middle[1] - 0.5 * (a[1] + b[1]));
-        if height > STRAIGHT * chord {
-            8.0 / 15.0 * height.powi(3) / chord
-        } else {
-            0.0
-        }
+        if height > STRAIGHT * chord { 8.0 / 15.0 * height.powi(3) / chord } else { 0.0 }
     };
     let area: f64 = supply::rim(mesh, region).map(between).sum();
     (region.pressure - problem.bearing.end_pressure).abs() * area
@@ -296,25 +280,16 @@ mod tests {
             raw.points.extend([at(2 * k, hole.radius), at(2 * k, outer)]);
             let (a, b) = (2 * k, 2 * ((k + 1) % n));
             raw.triangles.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
-            let (from, to, mid) = (
-                at(2 * k, hole.radius),
-                at(2 * k + 2, hole.radius),
-                at(2 * k + 1, hole.radius),
-            );
-            raw.bulges
-                .push((2 * k + 1, 2, [0, 1].map(|d| mid[d] - 0.5 * (from[d] + to[d]))));
+            let (from, to, mid) = (at(2 * k, hole.radius), at(2 * k + 2, hole.radius), at(2 * k + 1, hole.radius));
+            raw.bulges.push((2 * k + 1, 2, [0, 1].map(|d| mid[d] - 0.5 * (from[d] + to[d]))));
         }
-        raw.curves
-            .push(("hole".into(), (0..n).map(|k| [2 * k, 2 * ((k + 1) % n)]).collect()));
+        raw.curves.push(("hole".into(), (0..n).map(|k| [2 * k, 2 * ((k + 1) % n)]).collect()));
         Mesh::build(raw).unwrap()
     }
 
     #[test]
     fn disc_and_rim_agree() {
-        let hole = Disc {
-            centre: [0.5, 0.1],
-            radius: 0.2,
-        };
+        let hole = Disc { centre: [0.5, 0.1], radius: 0.2 };
         let mesh = annulus(64, &hole);
         let region = SupplyRegion {
             name: "hole".into(),

@@ -72,20 +72,14 @@ impl LoadGradient {
             }
         }
         let [x, y, m_x, m_y] = sum;
-        Resultant {
-            force: [x, y],
-            moment: [m_x, m_y],
-        }
+        Resultant { force: [x, y], moment: [m_x, m_y] }
     }
 }
 
 fn by_unknown(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Vec<Parts> {
     let (space, mesh) = (system.space(), system.space().mesh());
     let rule = KinkRule::for_degree(space.degree());
-    let unknown = Field {
-        space,
-        values: &film.unknown,
-    };
+    let unknown = Field { space, values: &film.unknown };
     let by_nodes = integrate(mesh, |t| {
         let nodal = unknown.element_values(t);
         let mut parts = [Parts::default(); MOST_SHAPES];

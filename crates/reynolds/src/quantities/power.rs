@@ -66,10 +66,7 @@ impl Power {
     pub fn with_contact(self, problem: &FilmProblem, thrust: f64) -> Self {
         let [x, z] = problem.surface_velocity();
         let friction = problem.contact.map_or(0.0, |contact| contact.friction);
-        Self {
-            contact: friction * x.hypot(z) * thrust,
-            ..self
-        }
+        Self { contact: friction * x.hypot(z) * thrust, ..self }
     }
 
     /// Takes the power against the pressure from what the oil `carries`, where it follows from that ([`PressurePower`]): no gradient is in it, and
@@ -137,10 +134,8 @@ impl PressurePower {
         let mut contributions = problem.film_thickness.iter();
         let is_of_journal = contributions.all(|contribution| contribution.follows() != Follows::Nothing);
         let arm = |[a_x, a_y]: [f64; 2]| [a_y, -a_x].map(|arm| 0.5 * problem.journal.speed * arm);
-        (is_of_journal && problem.theory != Theory::Short).then(|| Self {
-            force: arm(problem.journal.offset),
-            moment: arm(problem.journal.tilt),
-        })
+        (is_of_journal && problem.theory != Theory::Short)
+            .then(|| Self { force: arm(problem.journal.offset), moment: arm(problem.journal.tilt) })
     }
 }
 
@@ -169,14 +164,7 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
             cavity += inflow * excess;
         }
     }
-    let Work {
-        shear,
-        cavity_shear,
-        pressure,
-        dragged,
-        motion,
-        driven,
-    } = work;
+    let Work { shear, cavity_shear, pressure, dragged, motion, driven } = work;
     // Shear stands on both sides.
     let parts = [dragged, motion, supplied, cavity, -driven];
     let scale = shear + parts.iter().map(|part| part.abs()).sum::<f64>();
@@ -227,11 +215,7 @@ fn integrated(
             }
             _ => work.shear,
         };
-        Work {
-            shear,
-            cavity_shear: shear * broken_share(problem, system, film, t),
-            ..work
-        }
+        Work { shear, cavity_shear: shear * broken_share(problem, system, film, t), ..work }
     })
 }
 

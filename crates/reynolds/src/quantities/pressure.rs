@@ -51,10 +51,7 @@ fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f6
     if let Some(pressure) = floor.filter(|_| film.cavity.contains(&true)) {
         return (pressure, None);
     }
-    let field = Field {
-        space: system.space(),
-        values: &film.unknown,
-    };
+    let field = Field { space: system.space(), values: &film.unknown };
     let bottom = field.minimum();
     let least = problem.pressure_at(bottom.value);
     (floor.map_or(least, |floor| least.max(floor)), Some(bottom.triangle))

@@ -67,10 +67,7 @@ impl Share {
 
     /// Its force and moment.
     pub fn resultant(&self) -> Resultant {
-        Resultant {
-            force: self.force,
-            moment: self.moment,
-        }
+        Resultant { force: self.force, moment: self.moment }
     }
 }
 

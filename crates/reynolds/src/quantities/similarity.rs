@@ -32,11 +32,7 @@ pub fn attitude_angle(journal: &JournalState, load_angle: f64) -> f64 {
     let sense = if journal.speed < 0.0 { -1.0 } else { 1.0 };
     let angle = sense * (journal.min_film_angle() - load_angle);
     let wrapped = angle.rem_euclid(std::f64::consts::TAU);
-    if wrapped > std::f64::consts::PI {
-        wrapped - std::f64::consts::TAU
-    } else {
-        wrapped
-    }
+    if wrapped > std::f64::consts::PI { wrapped - std::f64::consts::TAU } else { wrapped }
 }
 
 #[cfg(test)]
@@ -46,12 +42,7 @@ mod tests {
 
     #[test]
     fn signs_and_units_by_hand() {
-        let bearing = Bearing {
-            radius: 0.05,
-            length: 0.1,
-            clearance: 5e-5,
-            end_pressure: 1e5,
-        };
+        let bearing = Bearing { radius: 0.05, length: 0.1, clearance: 5e-5, end_pressure: 1e5 };
         let journal = JournalState::at_eccentricity(0.5, PI, 5e-5, -100.0);
         // psi = 1e-3; F psi^2 = 1e4 * 1e-6 = 0.01; B D mu omega = 0.1 * 0.1 * 0.02 * 100 = 0.02.
         assert!((sommerfeld_number(&bearing, 0.02, &journal, 1e4).unwrap() - 0.5).abs() < 1e-15);

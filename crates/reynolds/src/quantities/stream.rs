@@ -95,11 +95,7 @@ impl Nodal<'_> {
                 true => [[0.0; 2]; 2],
                 false => [slopes[0][i], slopes[1][i]],
             };
-            let fraction = self
-                .film
-                .film_fraction
-                .as_ref()
-                .map_or(1.0, |fraction| fraction.values[dof]);
+            let fraction = self.film.film_fraction.as_ref().map_or(1.0, |fraction| fraction.values[dof]);
             let shear = fraction * viscosity(problem, self.excess[dof]) / thickness;
             let driven = |d: usize| 0.5 * thickness * slopes[1][d];
             Stream {

@@ -88,10 +88,7 @@ impl<'a> Balance<'a> {
     /// The balance of each node.
     pub(super) fn residual(&self, v: &[f64]) -> Vec<f64> {
         let mut residual = self.conduction.multiply(v);
-        residual
-            .iter_mut()
-            .zip(&self.dragged)
-            .for_each(|(r, dragged)| *r += dragged);
+        residual.iter_mut().zip(&self.dragged).for_each(|(r, dragged)| *r += dragged);
         for (cell, dofs, nodal, along) in self.fronts(v) {
             for (q, point) in cell.points.iter().enumerate() {
                 let Some(front) = self.front(q, point, &along) else {
@@ -192,16 +189,8 @@ impl<'a> Balance<'a> {
     /// The front at a point; none where more oil arrives than there is room for.
     fn front(&self, q: usize, point: &FrontPoint, along: &[f64; 3]) -> Option<Front> {
         let missing = 1.0 - point.oil / point.thickness;
-        let along: f64 = self
-            .rule
-            .barycentric(q)
-            .iter()
-            .zip(along)
-            .map(|(part, along)| part * along)
-            .sum();
-        (missing > 0.0).then_some(Front {
-            width: point.rise * missing * along,
-        })
+        let along: f64 = self.rule.barycentric(q).iter().zip(along).map(|(part, along)| part * along).sum();
+        (missing > 0.0).then_some(Front { width: point.rise * missing * along })
     }
 
     /// chi at every quadrature point of a triangle, in the order of the points of [`Rule::for_degree`]; none where it is one everywhere.
@@ -231,11 +220,7 @@ impl Front {
 }
 
 fn front_cell(law: &FilmLaw, space: &Space, rule: &Rule, rays: &Rays, t: usize) -> FrontCell {
-    let mut cell = FrontCell {
-        cell: t,
-        points: Vec::with_capacity(MOST_POINTS),
-        widest: 0.0,
-    };
+    let mut cell = FrontCell { cell: t, points: Vec::with_capacity(MOST_POINTS), widest: 0.0 };
     let mut area = 0.0;
     rule.visit(space.mesh(), t, |points| {
         let (film, flows) = law.film_and_flows(t, points.positions);

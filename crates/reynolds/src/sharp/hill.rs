@@ -89,9 +89,7 @@ impl Hill<'_> {
             }
             self.is_stale = left > SLOW * before;
         }
-        Err(Failure::TooManySteps {
-            history: std::mem::take(&mut self.history),
-        })
+        Err(Failure::TooManySteps { history: std::mem::take(&mut self.history) })
     }
 
     /// Whether the factor there is serves steps with these dofs given.
@@ -102,11 +100,7 @@ impl Hill<'_> {
 
     /// Factorises the tangent at v.
     fn linearise(&mut self, fixed: Constraints) -> Result<(), Error> {
-        let (spare, factor) = self
-            .linearisation
-            .take()
-            .and_then(Linearisation::into_unsymmetric)
-            .unzip();
+        let (spare, factor) = self.linearisation.take().and_then(Linearisation::into_unsymmetric).unzip();
         let mut tangent = spare.unwrap_or_else(|| self.balance.conduction.clone());
         self.balance.tangent(&self.v, &mut tangent);
         let factor = self.analysis.factorise(&tangent, &fixed.fixed, factor)?;
@@ -162,15 +156,8 @@ impl Hill<'_> {
         let through = linearisation.matrix().multiply(&change);
         let total: Vec<f64> = by_oil.iter().zip(through).map(|(a, b)| a + b).collect();
         let (made, more) = (self.made(&self.balance.residual(&self.v)), self.made(&total));
-        let part = if more > 0.0 {
-            (-made / more).clamp(-MOST_OFF, MOST_OFF)
-        } else {
-            0.0
-        };
-        Ok((
-            self.v.iter().zip(change).map(|(v, change)| v + part * change).collect(),
-            part,
-        ))
+        let part = if more > 0.0 { (-made / more).clamp(-MOST_OFF, MOST_OFF) } else { 0.0 };
+        Ok((self.v.iter().zip(change).map(|(v, change)| v + part * change).collect(), part))
     }
 
     /// The nodes of cubic elements on the same mesh that are in contact where this quadratic hill is.
@@ -189,12 +176,7 @@ impl Hill<'_> {
 
     /// What the next hill starts from.
     pub(super) fn kept(self) -> (Kept, Nodes) {
-        let kept = Kept {
-            v: self.v,
-            held: self.held,
-            along: self.balance.along,
-            linearisation: self.linearisation,
-        };
+        let kept = Kept { v: self.v, held: self.held, along: self.balance.along, linearisation: self.linearisation };
         (kept, self.nodes)
     }
 

@@ -146,21 +146,14 @@ impl FilmProblem {
         let cubic = hill.cubic;
         let frame = self.frame(system, film, fraction);
         let anew = self.hill_near(system, SharpFilm { frame, ..hill }, SOLVED)?;
-        Ok(SharpFilm {
-            by_cavities: anew.cubic.less(&cubic),
-            cubic,
-            ..anew
-        })
+        Ok(SharpFilm { by_cavities: anew.cubic.less(&cubic), cubic, ..anew })
     }
 
     /// In quadratic elements, then in cubic ones.
     fn first_hill(&self, system: &FilmSystem, film: &FilmSolution, rays: Rays) -> Result<SharpFilm, Failure> {
         let floor = self.cavity_unknown();
-        let start = Kept {
-            v: film.unknown.iter().map(|u| u - floor).collect(),
-            held: film.cavity.clone(),
-            ..Kept::default()
-        };
+        let start =
+            Kept { v: film.unknown.iter().map(|u| u - floor).collect(), held: film.cavity.clone(), ..Kept::default() };
         let nodes = self.nodes(system, (system, film), &rays);
         let mut quadratic = self.hill(system, &rays, nodes, start)?;
         quadratic.renew_direction();
@@ -191,11 +184,7 @@ impl FilmProblem {
             lost,
             history,
             kept,
-            frame: Frame {
-                rays,
-                nodes,
-                cavity: film.cavity.clone(),
-            },
+            frame: Frame { rays, nodes, cavity: film.cavity.clone() },
         })
     }
 
@@ -208,23 +197,13 @@ impl FilmProblem {
         let numbers = self.measured(cubic_system, &cubic, &cubic.v)?;
         let history = std::mem::take(&mut cubic.history);
         let (kept, nodes) = cubic.kept();
-        Ok(SharpFilm {
-            cubic: numbers,
-            history,
-            kept,
-            frame: Frame { rays, nodes, cavity },
-            ..near
-        })
+        Ok(SharpFilm { cubic: numbers, history, kept, frame: Frame { rays, nodes, cavity }, ..near })
     }
 
     /// What is found once at the position of a `film`.
     fn frame(&self, system: &FilmSystem, film: &FilmSolution, fraction: &FilmFraction) -> Frame {
         let rays = Rays::new(self, system, film, fraction);
-        Frame {
-            nodes: self.nodes(&system.cubic().system, (system, film), &rays),
-            cavity: film.cavity.clone(),
-            rays,
-        }
+        Frame { nodes: self.nodes(&system.cubic().system, (system, film), &rays), cavity: film.cavity.clone(), rays }
     }
 
     /// The numbers of a hill at v.
@@ -232,10 +211,7 @@ impl FilmProblem {
         let numbers = numbers::measure(self, system, v, &hill.balance.filled(v));
         match numbers.greatest.is_finite() && numbers.load.possible.is_finite() {
             true => Ok(numbers),
-            false => Err(Error::NotFinite {
-                what: "pressure of the sharp hill",
-            }
-            .into()),
+            false => Err(Error::NotFinite { what: "pressure of the sharp hill" }.into()),
         }
     }
 

@@ -23,10 +23,7 @@ pub struct HillNumbers {
 impl HillNumbers {
     /// These less others.
     pub(super) fn less(&self, other: &Self) -> Self {
-        Self {
-            load: self.load.less(&other.load),
-            greatest: self.greatest - other.greatest,
-        }
+        Self { load: self.load.less(&other.load), greatest: self.greatest - other.greatest }
     }
 }
 
@@ -67,8 +64,5 @@ pub(super) fn measure(
         load += share;
     }
     let Extremum { value, .. } = field.maximum();
-    HillNumbers {
-        load,
-        greatest: problem.pressure_at(floor + value),
-    }
+    HillNumbers { load, greatest: problem.pressure_at(floor + value) }
 }

@@ -109,9 +109,8 @@ impl Rays {
         fraction: &FilmFraction,
     ) -> Self {
         let mesh = system.space().mesh();
-        let (low, high) = (mesh.points().iter()).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), point| {
-            (l.min(point[1]), h.max(point[1]))
-        });
+        let (low, high) = (mesh.points().iter())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), point| (l.min(point[1]), h.max(point[1])));
         let mut rays = Self {
             low,
             step: (high - low) / RAYS as f64,
@@ -144,9 +143,7 @@ impl Rays {
             let t = holder.triangle as usize;
             let (thickness, dofs) = (problem.thickness_at(t, &mesh.nodes(t)), space.element_dofs(t));
             let at_corner = |k: u8| thickness[usize::from(k)] * fraction.values[dofs[usize::from(k)]];
-            reformation.oil = (holder.corners.iter().zip(weights))
-                .map(|(&k, weight)| weight * at_corner(k))
-                .sum();
+            reformation.oil = (holder.corners.iter().zip(weights)).map(|(&k, weight)| weight * at_corner(k)).sum();
         }
     }
 
@@ -154,10 +151,7 @@ impl Rays {
     fn cut(&self, system: &FilmSystem, pieces: &mut [Vec<Piece>]) {
         let (space, mesh) = (system.space(), system.space().mesh());
         let is_feed = |dof: usize| {
-            let owner = system
-                .supply
-                .owner(dof)
-                .map(|owner| system.supply.regions()[owner].kind);
+            let owner = system.supply.owner(dof).map(|owner| system.supply.regions()[owner].kind);
             owner == Some(BoundaryKind::Feed)
         };
         for t in 0..mesh.triangles().len() {
@@ -186,10 +180,7 @@ impl Rays {
                         from: ends[0].0,
                         to: ends[1].0,
                         kind,
-                        holder: Holder {
-                            triangle: t as u32,
-                            corners: corners.map(|k| k as u8),
-                        },
+                        holder: Holder { triangle: t as u32, corners: corners.map(|k| k as u8) },
                     });
                 }
             }
@@ -203,9 +194,8 @@ impl Rays {
 
     /// Rays that may cross a triangle.
     fn across(&self, corners: [[f64; 2]; 3]) -> std::ops::Range<usize> {
-        let (low, high) = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| {
-            (l.min(at[1]), h.max(at[1]))
-        });
+        let (low, high) =
+            corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| (l.min(at[1]), h.max(at[1])));
         let place = |z: f64| ((z - self.low) / self.step - 0.5).max(0.0);
         place(low) as usize..(place(high) as usize + 2).min(RAYS)
     }
@@ -229,11 +219,7 @@ impl Rays {
             count += 1;
         }
         let (first, last) = (found[0]?, found[1]?);
-        Some(if first.0 <= last.0 {
-            [first, last]
-        } else {
-            [last, first]
-        })
+        Some(if first.0 <= last.0 { [first, last] } else { [last, first] })
     }
 
     /// Adds the place of a flooded line to all rays.
@@ -241,12 +227,7 @@ impl Rays {
         let Some(&edge) = region.edges.first() else { return };
         let x = self.towards * mesh.edge_nodes(edge)[0][0];
         for pieces in pieces {
-            pieces.push(Piece {
-                from: x,
-                to: x,
-                kind: Kind::Supply,
-                holder: Holder::default(),
-            });
+            pieces.push(Piece { from: x, to: x, kind: Kind::Supply, holder: Holder::default() });
         }
     }
 
@@ -268,20 +249,13 @@ impl Rays {
         let mut pieces = self.joined(pieces);
         let has_film = pieces.iter().any(|piece| piece.kind != Kind::Cavity);
         if !has_film || pieces.iter().all(|piece| piece.kind != Kind::Cavity) {
-            return Ray {
-                has_film,
-                ..Ray::default()
-            };
+            return Ray { has_film, ..Ray::default() };
         }
         if let Some(period) = self.period {
             turned(&mut pieces, period);
         }
         let reformations = (0..pieces.len()).filter_map(|k| self.reformation(mesh, ray, &pieces, k));
-        Ray {
-            start: pieces[0].from,
-            has_film,
-            reformations: reformations.collect(),
-        }
+        Ray { start: pieces[0].from, has_film, reformations: reformations.collect() }
     }
 
     /// Pieces with those of supplies cut out of the mesh between them.
@@ -289,12 +263,7 @@ impl Rays {
         let mut joined: Vec<Piece> = Vec::with_capacity(pieces.len() + 1);
         let Some(&first) = pieces.first() else { return joined };
         let length = pieces[pieces.len() - 1].to - first.from;
-        let supply = |from: f64, to: f64| Piece {
-            from,
-            to,
-            kind: Kind::Supply,
-            holder: Holder::default(),
-        };
+        let supply = |from: f64, to: f64| Piece { from, to, kind: Kind::Supply, holder: Holder::default() };
         for piece in pieces {
             let end = joined.last().map_or(piece.from, |last: &Piece| last.to);
             if piece.from - end > GAP * length {
@@ -340,10 +309,7 @@ impl Rays {
             switch,
             until: supply.map_or(middle, |supply| middle.min(supply.from)),
             oil: 0.0,
-            source: Source {
-                holder: piece.holder,
-                weights: [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k])),
-            },
+            source: Source { holder: piece.holder, weights: [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k])) },
         })
     }
 
@@ -385,9 +351,7 @@ impl Rays {
 fn turned(pieces: &mut [Piece], period: f64) {
     let count = pieces.len();
     let is_cavity = |k: usize| pieces[k % count].kind == Kind::Cavity;
-    let begin = (0..count)
-        .find(|&k| is_cavity(k) && !is_cavity(k + count - 1))
-        .unwrap_or(0);
+    let begin = (0..count).find(|&k| is_cavity(k) && !is_cavity(k + count - 1)).unwrap_or(0);
     for piece in &mut pieces[..begin] {
         piece.from += period;
         piece.to += period;

@@ -40,11 +40,7 @@ enum Form {
     /// Slices that move by themselves.
     Slices(Product),
     /// A matrix between splines that interpolate: it, and the inverse of their values at the points; transposed along.
-    Matrix {
-        displacements: Dense,
-        interpolation: Product,
-        transposed: Product,
-    },
+    Matrix { displacements: Dense, interpolation: Product, transposed: Product },
 }
 
 impl Compliance {
@@ -118,11 +114,7 @@ impl Compliance {
     pub fn deflection(&self, forces: &[f64]) -> Vec<f64> {
         match &self.0 {
             Form::Slices(product) => product.times(forces),
-            Form::Matrix {
-                displacements,
-                interpolation,
-                transposed,
-            } => {
+            Form::Matrix { displacements, interpolation, transposed } => {
                 let at_points = transposed.times(forces);
                 let moved = displacements * DVectorView::from_slice(&at_points, at_points.len());
                 interpolation.times(moved.as_slice())
@@ -136,10 +128,7 @@ impl Product {
     pub(super) fn interpolation(around: &Around, along: Dense) -> Self {
         // Values at the middles: 1/8, 3/4, 1/8.
         let value = |wave: i64| 0.75 + 0.25 * (wave as f64 * around.width()).cos();
-        Self {
-            around: circulant(around.number, |wave| 1.0 / value(wave)),
-            along,
-        }
+        Self { around: circulant(around.number, |wave| 1.0 / value(wave)), along }
     }
 
     /// Its inverse; none where it is singular.
@@ -177,10 +166,7 @@ fn circulant(number: usize, symbol: impl Fn(i64) -> f64) -> Dense {
     let symbols: Vec<f64> = (0..number as i64).map(symbol).collect();
     let turn = std::f64::consts::TAU / number as f64;
     let entry = |k: usize| {
-        let parts = symbols
-            .iter()
-            .enumerate()
-            .map(|(n, s)| s * (turn * ((n * k) % number) as f64).cos());
+        let parts = symbols.iter().enumerate().map(|(n, s)| s * (turn * ((n * k) % number) as f64).cos());
         parts.sum::<f64>() / number as f64
     };
     let first: Vec<f64> = (0..number).map(entry).collect();
@@ -198,9 +184,7 @@ mod tests {
     fn forces(around: &Around, along: &Along, n: usize) -> Vec<f64> {
         let axial = along.mass().column_sum();
         let wave = |j: usize| RADIUS * around.transform(n as f64) * (n as f64 * around.middle(j)).cos();
-        (0..around.number)
-            .flat_map(|j| axial.iter().map(move |part| part * wave(j)))
-            .collect()
+        (0..around.number).flat_map(|j| axial.iter().map(move |part| part * wave(j))).collect()
     }
 
     /// Value of a spline with these coefficients.
@@ -215,10 +199,7 @@ mod tests {
 
     #[test]
     fn waves_are_deflected_by_their_compliance() {
-        let (around, along) = (
-            Around::centred(96, 0.0),
-            Along::on_breaks(&[-0.02, -0.01, 0.0, 0.01, 0.02]),
-        );
+        let (around, along) = (Around::centred(96, 0.0), Along::on_breaks(&[-0.02, -0.01, 0.0, 0.01, 0.02]));
         let by_wave = |n: usize| 1e-14 / (1.0 + n as f64);
         let compliance = Compliance::of_slices((RADIUS, &around, &along), by_wave).expect("a grid");
         for n in 0..=12 {
@@ -227,10 +208,7 @@ mod tests {
                 let wanted = by_wave(n) * (n as f64 * angle).cos();
                 let off = (value(&around, &along, &found, angle, 0.003) - wanted).abs() / by_wave(n);
                 // Splines have the wave to the third power of the width of a cell.
-                assert!(
-                    off < 0.2 * (n as f64 * around.width()).powi(3) + 1e-12,
-                    "{n} {angle}: {off:e}"
-                );
+                assert!(off < 0.2 * (n as f64 * around.width()).powi(3) + 1e-12, "{n} {angle}: {off:e}");
             }
         }
     }

@@ -62,10 +62,7 @@ impl Columns {
 
     /// The columns of a triangle to which all has been added.
     fn ended(self) -> Self {
-        Self {
-            of_splines: self.of_splines.ended(),
-            of_place: self.of_place.ended(),
-        }
+        Self { of_splines: self.of_splines.ended(), of_place: self.of_place.ended() }
     }
 }
 
@@ -99,11 +96,7 @@ struct Unit(FilmPoint);
 impl Unit {
     /// A growth of one, in a stage with its rate.
     fn thickness(deflection: &Deflection) -> Self {
-        Self(FilmPoint {
-            thickness: 1.0,
-            rate: deflection.per_time(),
-            ..FilmPoint::default()
-        })
+        Self(FilmPoint { thickness: 1.0, rate: deflection.per_time(), ..FilmPoint::default() })
     }
 
     /// A slope of one in this direction.
@@ -215,19 +208,11 @@ impl GapTangent {
         });
         let (mut on_boundary, mut on_boundary_by_place) = (Vec::new(), Vec::new());
         for (dof, (cell, position), by_gap) in changes.of_boundary() {
-            grid.each_at(position, |spline, value| {
-                on_boundary.push((dof, spline, by_gap * value))
-            });
+            grid.each_at(position, |spline, value| on_boundary.push((dof, spline, by_gap * value)));
             let moved = by_place(problem, Part::Value, cell, &[position]);
             on_boundary_by_place.push((dof, moved.map(|gap| by_gap * gap[0])));
         }
-        Ok(Self {
-            columns,
-            on_boundary,
-            on_boundary_by_place,
-            splines: grid.number(),
-            per_time: unit.0.rate,
-        })
+        Ok(Self { columns, on_boundary, on_boundary_by_place, splines: grid.number(), per_time: unit.0.rate })
     }
 
     /// Of a film without a film fraction: by the quadrature of its residual.
@@ -278,12 +263,7 @@ fn residuals(law: &FilmLaw, points: &Points, nodal: &Nodal, shapes: usize) -> At
             gradient: points.gradient(q, nodal).map(Dual::constant),
         };
     }
-    law.response(
-        points.cell,
-        points.positions,
-        &states[..number],
-        &mut responses[..number],
-    );
+    law.response(points.cell, points.positions, &states[..number], &mut responses[..number]);
     let mut residuals = AtPoints::<Nodal>::default();
     for (q, residual) in residuals.iter_mut().enumerate().take(number) {
         let (area, Response { flux, source }) = (points.area(q), responses[q]);

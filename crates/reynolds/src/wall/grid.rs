@@ -68,11 +68,7 @@ impl Grid {
     /// The splines at a position [m].
     pub(crate) fn splines_at(&self, position: [f64; 2]) -> SplinesAt {
         let [around, along] = self.at(position);
-        SplinesAt {
-            first: [around.first, along.first],
-            around: around.values,
-            along: along.values,
-        }
+        SplinesAt { first: [around.first, along.first], around: around.values, along: along.values }
     }
 
     /// How many splines there are around and along.
@@ -149,22 +145,15 @@ impl Grid {
         unknown: &[f64],
         change: &[f64],
     ) -> Vec<f64> {
-        let changes = unknown
-            .iter()
-            .zip(change)
-            .map(|(&u, change)| problem.pressure_slope_at(u) * change);
-        system
-            .pressing(self)
-            .forces(system.space(), &changes.collect::<Vec<f64>>())
+        let changes = unknown.iter().zip(change).map(|(&u, change)| problem.pressure_slope_at(u) * change);
+        system.pressing(self).forces(system.space(), &changes.collect::<Vec<f64>>())
     }
 
     /// The transposed product of [`Self::forces_change`] with a number for each spline: how the sum of these times the forces changes with the unknown at each dof.
     pub fn weights(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64], of_splines: &[f64]) -> Vec<f64> {
         let integrals = system.pressing(self).integrals(system.space(), of_splines);
         let weights = unknown.iter().zip(integrals);
-        weights
-            .map(|(&u, integral)| problem.pressure_slope_at(u) * integral)
-            .collect()
+        weights.map(|(&u, integral)| problem.pressure_slope_at(u) * integral).collect()
     }
 
     /// Calls `visit` with the number and the value of each spline that is not zero at a position [m].

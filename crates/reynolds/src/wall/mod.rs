@@ -66,11 +66,7 @@ impl Wall {
         Some(Self {
             grid,
             compliance,
-            coarser: Some(Arc::new(Self {
-                grid: coarse,
-                compliance: coarsely,
-                coarser: None,
-            })),
+            coarser: Some(Arc::new(Self { grid: coarse, compliance: coarsely, coarser: None })),
         })
     }
 
@@ -88,11 +84,7 @@ impl Wall {
             along: Along::through(points, bearing.ends()),
         };
         let compliance = Compliance::of_matrix((&grid.around, &grid.along), points, displacements)?;
-        Some(Self {
-            grid,
-            compliance,
-            coarser: None,
-        })
+        Some(Self { grid, compliance, coarser: None })
     }
 
     /// Coefficients of the deflection [m] by the pressure of a film with this unknown, and by that of `contact` on its grid.
@@ -104,10 +96,7 @@ impl Wall {
     ) -> Vec<f64> {
         let mut forces = self.grid.forces(problem, system, unknown);
         if let Some(contact) = contact {
-            forces
-                .iter_mut()
-                .zip(contact.forces())
-                .for_each(|(force, contact)| *force += contact);
+            forces.iter_mut().zip(contact.forces()).for_each(|(force, contact)| *force += contact);
         }
         self.compliance.deflection(&forces)
     }
@@ -125,9 +114,7 @@ impl Wall {
             wall.deflection((problem, system), unknown, contact.as_ref())
         };
         let coarse = by(coarser);
-        let there = self
-            .grid
-            .interpolated(|position| coarser.grid.value(&coarse, position))?;
+        let there = self.grid.interpolated(|position| coarser.grid.value(&coarse, position))?;
         let here = by(self);
         let difference = there.iter().zip(here).map(|(there, here)| OF_COARSER * (here - there));
         Some(difference.collect())

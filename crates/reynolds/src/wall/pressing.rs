@@ -33,9 +33,7 @@ impl Pressing {
                 rule.visit(mesh, t, |points| {
                     for (q, &position) in points.positions.iter().enumerate() {
                         let shares = points.shapes(q).map(|shape| points.area(q) * shape);
-                        grid.each_at(position, |spline, value| {
-                            block.add(spline, value, &shares, space.shapes())
-                        });
+                        grid.each_at(position, |spline, value| block.add(spline, value, &shares, space.shapes()));
                     }
                 });
             };
@@ -47,10 +45,7 @@ impl Pressing {
             }
             block.ended()
         });
-        Self {
-            grid: grid.clone(),
-            blocks,
-        }
+        Self { grid: grid.clone(), blocks }
     }
 
     /// Whether it is that of a grid.
@@ -121,9 +116,7 @@ fn ratio(grid: &Grid, corners: &[[f64; 2]; 3]) -> f64 {
 /// How often a triangle is quartered so that its parts are no wider than the cells that it lies on.
 pub(crate) fn quarterings(grid: &Grid, corners: &[[f64; 2]; 3]) -> usize {
     let ratio = ratio(grid, corners);
-    (0..MOST_QUARTERINGS)
-        .find(|&levels| ratio <= (1usize << levels) as f64)
-        .unwrap_or(MOST_QUARTERINGS)
+    (0..MOST_QUARTERINGS).find(|&levels| ratio <= (1usize << levels) as f64).unwrap_or(MOST_QUARTERINGS)
 }
 
 #[cfg(test)]
@@ -144,16 +137,10 @@ mod tests {
 
     /// Parts of a triangle with these corners [m], in cells.
     fn parts(corners: [[f64; 2]; 3]) -> Vec<Part> {
-        let mesh = Mesh::build(RawMesh {
-            points: corners.to_vec(),
-            triangles: vec![[0, 1, 2]],
-            ..RawMesh::default()
-        })
-        .expect("a mesh");
+        let mesh = Mesh::build(RawMesh { points: corners.to_vec(), triangles: vec![[0, 1, 2]], ..RawMesh::default() })
+            .expect("a mesh");
         let mut parts = Vec::new();
-        each_part(&grid(), &Mapping::of(&mesh, 0), (WHOLE, 0), &mut |part| {
-            parts.push(part)
-        });
+        each_part(&grid(), &Mapping::of(&mesh, 0), (WHOLE, 0), &mut |part| parts.push(part));
         parts
     }
 
@@ -167,16 +154,10 @@ mod tests {
         ] {
             let parts = parts(corners);
             let sum: f64 = parts.iter().map(area).sum();
-            assert!(
-                (sum - 1.0).abs() < 1e-14 && parts.iter().all(|part| area(part) > 0.0),
-                "{sum}"
-            );
+            assert!((sum - 1.0).abs() < 1e-14 && parts.iter().all(|part| area(part) > 0.0), "{sum}");
             let [a, b, c] = corners;
             let at = |[s, t]: [f64; 2]| [0, 1].map(|d| a[d] + s * (b[d] - a[d]) + t * (c[d] - a[d]));
-            assert!(
-                parts.iter().all(|part| ratio(&grid(), &part.map(at)) <= 1.0),
-                "{corners:?}"
-            );
+            assert!(parts.iter().all(|part| ratio(&grid(), &part.map(at)) <= 1.0), "{corners:?}");
         }
         // Eight cells long and a fifth of one wide: 64 parts by quarters.
         assert!(parts([[0.0, 1.0], [7.5, 1.0], [7.5, 1.2]]).len() < 32);

@@ -29,10 +29,7 @@ impl Around {
     /// Those whose cells are centred at `number` equally spaced angles from `first` [rad] on.
     pub fn centred(number: usize, first: f64) -> Self {
         let width = std::f64::consts::TAU / number as f64;
-        Self {
-            number,
-            start: first - 1.5 * width,
-        }
+        Self { number, start: first - 1.5 * width }
     }
 
     /// The middle [rad] of a spline.
@@ -90,10 +87,7 @@ impl Along {
         let (Some(&low), Some(&high)) = (breaks.first(), breaks.last()) else {
             return Self::on_knots(vec![0.0; 2 * SUPPORT]);
         };
-        let knots = [low; SUPPORT - 1]
-            .into_iter()
-            .chain(breaks.iter().copied())
-            .chain([high; SUPPORT - 1]);
+        let knots = [low; SUPPORT - 1].into_iter().chain(breaks.iter().copied()).chain([high; SUPPORT - 1]);
         Self::on_knots(knots.collect())
     }
 
@@ -103,20 +97,14 @@ impl Along {
         let inverse = (0..=last)
             .map(|cell| match cell < SUPPORT - 1 {
                 true => [0.0; SUPPORT],
-                false => [
-                    inverse(cell, cell + 1),
-                    inverse(cell - 1, cell + 1),
-                    inverse(cell, cell + 2),
-                ],
+                false => [inverse(cell, cell + 1), inverse(cell - 1, cell + 1), inverse(cell, cell + 2)],
             })
             .collect();
         let (low, high) = (knots[0], knots[knots.len() - 1]);
         let parts = PARTS * (last + 1);
         let cell_at = |z: f64| (knots.partition_point(|&knot| knot <= z).max(SUPPORT) - 1).min(last);
         Self {
-            cells: (0..parts)
-                .map(|part| cell_at(low + (high - low) * part as f64 / parts as f64))
-                .collect(),
+            cells: (0..parts).map(|part| cell_at(low + (high - low) * part as f64 / parts as f64)).collect(),
             per_part: parts as f64 / (high - low),
             inverse,
             knots,
@@ -140,9 +128,7 @@ impl Along {
 
     /// Those that interpolate at at least three growing `points` [m] of a liner between its `ends` [m].
     pub fn through(points: &[f64], [low, high]: [f64; 2]) -> Self {
-        let inner = points[1..points.len() - 1]
-            .windows(2)
-            .map(|pair| 0.5 * (pair[0] + pair[1]));
+        let inner = points[1..points.len() - 1].windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
         let breaks: Vec<f64> = std::iter::once(low).chain(inner).chain(Some(high)).collect();
         Self::on_breaks(&breaks)
     }
@@ -173,27 +159,16 @@ impl Along {
         let [low, high] = [right(1) * length, left(1) * length];
         Local {
             first: cell - (SUPPORT - 1),
-            values: [
-                low * right(1) * before,
-                low * left(2) * before + high * right(2) * after,
-                high * left(1) * after,
-            ],
-            slopes: [
-                -2.0 * low * before,
-                2.0 * (low * before - high * after),
-                2.0 * high * after,
-            ],
+            values: [low * right(1) * before, low * left(2) * before + high * right(2) * after, high * left(1) * after],
+            slopes: [-2.0 * low * before, 2.0 * (low * before - high * after), 2.0 * high * after],
         }
     }
 
     /// Integrals [m] of the products of all pairs.
     pub(super) fn mass(&self) -> Dense {
         // Gauss's rule of three points integrates their products, of degree four.
-        const POINTS: [(f64, f64); 3] = [
-            (-0.774_596_669_241_483_4, 5.0 / 9.0),
-            (0.0, 8.0 / 9.0),
-            (0.774_596_669_241_483_4, 5.0 / 9.0),
-        ];
+        const POINTS: [(f64, f64); 3] =
+            [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
         let mut mass = Dense::zeros(self.number(), self.number());
         for cell in self.breaks().windows(2) {
             let (middle, half) = (0.5 * (cell[0] + cell[1]), 0.5 * (cell[1] - cell[0]));
@@ -244,19 +219,11 @@ mod tests {
                 if low.first == high.first {
                     for k in 0..SUPPORT {
                         let slope = (high.values[k] - low.values[k]) / by;
-                        assert!(
-                            (slope - at.slopes[k]).abs() < 1e-6 * (1.0 + slope.abs()),
-                            "{slope} {at:?}"
-                        );
+                        assert!((slope - at.slopes[k]).abs() < 1e-6 * (1.0 + slope.abs()), "{slope} {at:?}");
                     }
                 }
             };
-            differences(
-                around.at(angle - step),
-                around.at(angle + step),
-                2.0 * step,
-                around.at(angle),
-            );
+            differences(around.at(angle - step), around.at(angle + step), 2.0 * step, around.at(angle));
             differences(along.at(z - 1e-8), along.at(z + 1e-8), 2e-8, along.at(z));
         }
     }
@@ -268,16 +235,11 @@ mod tests {
         let along = Along::through(&points, [-0.02, 0.02]);
         assert_eq!(along.number(), points.len());
         let quadratic = |z: f64| 3.0 - 40.0 * z + 5000.0 * z * z;
-        let inverse = along
-            .collocation(&points)
-            .try_inverse()
-            .expect("points inside of their splines");
+        let inverse = along.collocation(&points).try_inverse().expect("points inside of their splines");
         let coefficients = inverse * DVector::from_iterator(6, points.map(quadratic));
         for z in [-0.02, -0.013, 0.0, 0.0077, 0.02] {
             let local = along.at(z);
-            let value: f64 = (0..SUPPORT)
-                .map(|k| coefficients[local.first + k] * local.values[k])
-                .sum();
+            let value: f64 = (0..SUPPORT).map(|k| coefficients[local.first + k] * local.values[k]).sum();
             assert!((value - quadratic(z)).abs() < 1e-12, "{z}");
         }
     }

@@ -37,9 +37,7 @@ impl ContactPoints {
         let mut forces = vec![0.0; numbers[0] * numbers[1]];
         for (number, point) in self.of_wall() {
             let thrust = thrust(number, point);
-            point
-                .splines
-                .each(numbers, |spline, value| forces[spline] += thrust * value);
+            point.splines.each(numbers, |spline, value| forces[spline] += thrust * value);
         }
         forces
     }
@@ -70,10 +68,7 @@ impl ContactPoints {
             add(&mut rows, [around, along], &point.splines, point.area * point.slope);
         }
         let touched = |(_, row): &(usize, [f64; HALF])| row[0] != 0.0;
-        ContactTangent {
-            numbers: [around, along],
-            rows: rows.into_iter().enumerate().filter(touched).collect(),
-        }
+        ContactTangent { numbers: [around, along], rows: rows.into_iter().enumerate().filter(touched).collect() }
     }
 }
 

@@ -50,11 +50,7 @@ fn asked_for() -> asked::Asked {
     for text in [EVERY_TABLE, OTHER_FORMS] {
         let document = DeTable::parse(text).expect("TOML");
         let complaints = RefCell::new(Complaints::new(text));
-        crate::scene::read(
-            TableReader::root(&complaints, document.get_ref()),
-            text,
-            Path::new("scene.toml"),
-        );
+        crate::scene::read(TableReader::root(&complaints, document.get_ref()), text, Path::new("scene.toml"));
     }
     let document = DeTable::parse(CRANKSHAFT).expect("TOML");
     let complaints = RefCell::new(Complaints::new(CRANKSHAFT));
@@ -81,19 +77,12 @@ fn the_rows_are_the_keys_that_the_readers_ask_for() {
         asked.insert(path, (forms, examples));
     }
     for key in keys() {
-        let (forms, examples) = asked
-            .remove(key.path)
-            .unwrap_or_else(|| panic!("nothing reads {}", key.path));
+        let (forms, examples) = asked.remove(key.path).unwrap_or_else(|| panic!("nothing reads {}", key.path));
         let mut own: Vec<_> = key.forms.iter().map(|form| format!("{form:?}")).collect();
         own.sort();
         assert_eq!(own, forms, "{}", key.path);
         let is_asked = examples.iter().any(|example| example == key.example);
-        assert!(
-            is_asked || examples.is_empty(),
-            "{}: {:?} is none of {examples:?}",
-            key.path,
-            key.example
-        );
+        assert!(is_asked || examples.is_empty(), "{}: {:?} is none of {examples:?}", key.path, key.example);
     }
     assert!(asked.is_empty(), "no row for {:?}", asked.keys());
 }

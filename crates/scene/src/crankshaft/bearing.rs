@@ -76,10 +76,7 @@ pub(super) fn read(mut table: TableReader<'_>, number: usize, scene: &Path) -> S
         scene: scene.parent().unwrap_or(Path::new("")).join(file),
         name: name.unwrap_or_else(|| (number + 1).to_string()),
         at,
-        support: ShellSupport {
-            stiffness,
-            tilt_stiffness,
-        },
+        support: ShellSupport { stiffness, tilt_stiffness },
     }
 }
 
@@ -92,8 +89,5 @@ pub(super) fn load(mut table: TableReader<'_>) -> ShaftLoad {
     );
     let force = force.required();
     let (sin, cos) = table.required("angle", Dimension::Angle, "270 deg").sin_cos();
-    ShaftLoad {
-        at,
-        force: [force * cos, force * sin],
-    }
+    ShaftLoad { at, force: [force * cos, force * sin] }
 }

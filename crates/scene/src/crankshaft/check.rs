@@ -49,9 +49,8 @@ fn check_places(shaft: &Crankshaft, complaints: &mut Complaints) {
     let spans = shaft.straight_spans();
     let is_on_shaft = |z: f64| z.is_nan() || spans.iter().any(|[from, to]| z.is_nan() || (*from..=*to).contains(&z));
     let are_known = spans.iter().flatten().all(|z| z.is_finite());
-    let told: Vec<String> = (spans.iter())
-        .map(|[from, to]| format!("{} to {}", millimetres(*from), millimetres(*to)))
-        .collect();
+    let told: Vec<String> =
+        (spans.iter()).map(|[from, to]| format!("{} to {}", millimetres(*from), millimetres(*to))).collect();
     let bearings = shaft.bearings.iter().map(|bearing| bearing.at).zip(0..);
     let loads = shaft.loads.iter().map(|load| load.at).zip(0..);
     let places = (bearings.map(|(z, number)| (z, format!("bearing[{number}]"))))

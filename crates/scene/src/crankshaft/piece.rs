@@ -69,14 +69,7 @@ pub struct ThrowShape {
 impl ThrowShape {
     /// A throw without size, where its table is missing.
     pub fn none() -> Self {
-        Self {
-            pin_length: 0.0,
-            pin_diameter: 0.0,
-            pin_bore: 0.0,
-            web_thickness: 0.0,
-            web_width: None,
-            web_mass: 0.0,
-        }
+        Self { pin_length: 0.0, pin_diameter: 0.0, pin_bore: 0.0, web_thickness: 0.0, web_width: None, web_mass: 0.0 }
     }
 }
 
@@ -95,11 +88,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> ShaftPiece {
     }
     table.require("length", "\"40 mm\"");
     table.require("diameter", "\"80 mm\"");
-    ShaftPiece::Straight {
-        length: length.unwrap_or(f64::NAN),
-        diameter: diameter.unwrap_or(f64::NAN),
-        bore,
-    }
+    ShaftPiece::Straight { length: length.unwrap_or(f64::NAN), diameter: diameter.unwrap_or(f64::NAN), bore }
 }
 
 /// The bore of a round piece, less than its diameter.

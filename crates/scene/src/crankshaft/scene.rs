@@ -96,11 +96,7 @@ impl ShaftScene {
             }
         }
         match complaints.into_list() {
-            complaints if complaints.is_empty() => Ok(Self {
-                text: text.to_owned(),
-                sha256: sum_of(text),
-                ..scene
-            }),
+            complaints if complaints.is_empty() => Ok(Self { text: text.to_owned(), sha256: sum_of(text), ..scene }),
             complaints => Err(complaints),
         }
     }
@@ -109,19 +105,11 @@ impl ShaftScene {
 /// The scene as far as it can be read.
 pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> ShaftScene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let title = root
-        .text_if_given("title", "Plain journal bearing")
-        .unwrap_or_else(stem);
+    let title = root.text_if_given("title", "Plain journal bearing").unwrap_or_else(stem);
     let title = wording::title(&title);
-    let crankshaft = super::read(
-        root.table("crankshaft", "[crankshaft] with speed and youngs_modulus"),
-        path,
-    );
-    let of_pins = LoadCycle {
-        source: LoadSource::Crank(CrankBearing::BigEnd),
-        period: crankshaft.period,
-        frequency: None,
-    };
+    let crankshaft = super::read(root.table("crankshaft", "[crankshaft] with speed and youngs_modulus"), path);
+    let of_pins =
+        LoadCycle { source: LoadSource::Crank(CrankBearing::BigEnd), period: crankshaft.period, frequency: None };
     ShaftScene {
         title,
         crank: (root.table_if_given("crank")).map(|table| crank::read(table, path, Some(&of_pins))),

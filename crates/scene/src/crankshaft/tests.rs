@@ -78,63 +78,18 @@ fn what_does_not_fit_is_refused() {
         let error = read(&text.replacen(from, to, 1)).expect_err(wanted);
         assert!(error.contains(wanted), "{wanted}: {error}");
     };
-    change(
-        STRAIGHT,
-        "at = \"200 mm\"",
-        "at = \"500 mm\"",
-        "bearing[1].at: lies on no straight piece",
-    );
-    change(
-        STRAIGHT,
-        "at = \"200 mm\"",
-        "at = \"0 mm\"",
-        "bearing[1].at: does not lie behind",
-    );
-    change(
-        STRAIGHT,
-        "name = \"middle\"",
-        "name = \"1\"",
-        "bearing[1].name: is the name of",
-    );
-    change(
-        STRAIGHT,
-        "speed = \"2000 rpm\"",
-        "speed = \"0 rpm\"",
-        "crankshaft.speed: is not positive",
-    );
-    change(
-        STRAIGHT,
-        "diameter = \"60 mm\"",
-        "diameter = \"60 mm\"\nbore = \"60 mm\"",
-        "piece[0].bore: is not between",
-    );
-    change(
-        STRAIGHT,
-        "[[crankshaft.load]]",
-        "[[crankshaft.weight]]",
-        "weight: this key is not known",
-    );
+    change(STRAIGHT, "at = \"200 mm\"", "at = \"500 mm\"", "bearing[1].at: lies on no straight piece");
+    change(STRAIGHT, "at = \"200 mm\"", "at = \"0 mm\"", "bearing[1].at: does not lie behind");
+    change(STRAIGHT, "name = \"middle\"", "name = \"1\"", "bearing[1].name: is the name of");
+    change(STRAIGHT, "speed = \"2000 rpm\"", "speed = \"0 rpm\"", "crankshaft.speed: is not positive");
+    change(STRAIGHT, "diameter = \"60 mm\"", "diameter = \"60 mm\"\nbore = \"60 mm\"", "piece[0].bore: is not between");
+    change(STRAIGHT, "[[crankshaft.load]]", "[[crankshaft.weight]]", "weight: this key is not known");
     change(CRANKED, "shear_modulus = \"79 GPa\"", "", "shear_modulus: is missing");
-    change(
-        CRANKED,
-        "throw = 1, web",
-        "throw = 2, web",
-        "throw: is no throw of the shaft, which has 1",
-    );
+    change(CRANKED, "throw = 1, web", "throw = 2, web", "throw: is no throw of the shaft, which has 1");
     change(CRANKED, "web = 2", "web = 3", "web: is neither 1 nor 2");
     change(CRANKED, "[orbit]", "", "crank: stands without [orbit]");
-    change(
-        CRANKED,
-        "[orbit]",
-        "[orbit]\nmass = \"1 kg\"",
-        "orbit.mass: has no meaning",
-    );
-    change(
-        CRANKED,
-        "radius = \"45 mm\"",
-        "radius = \"450 mm\"",
-        "crank.radius: is not less than rod_length",
-    );
+    change(CRANKED, "[orbit]", "[orbit]\nmass = \"1 kg\"", "orbit.mass: has no meaning");
+    change(CRANKED, "radius = \"45 mm\"", "radius = \"450 mm\"", "crank.radius: is not less than rod_length");
     let loose = "    { length = \"30 mm\", diameter = \"60 mm\" },\n]";
     change(CRANKED, loose, "]", "piece[1]: is a throw without straight pieces");
 }

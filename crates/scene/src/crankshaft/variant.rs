@@ -31,15 +31,9 @@ impl ShaftScene {
     fn with(&self, key: &str, value: Value) -> Self {
         let mut table: Table = self.text.parse().expect("a scene was read from this text");
         let shaft = table.get_mut("crankshaft").and_then(Value::as_table_mut);
-        shaft
-            .expect("a scene of a crankshaft has [crankshaft]")
-            .insert(key.to_owned(), value);
+        shaft.expect("a scene of a crankshaft has [crankshaft]").insert(key.to_owned(), value);
         let text = toml::to_string(&table).expect("a table that was read is written");
-        Self {
-            sha256: sum_of(&text),
-            text,
-            ..self.clone()
-        }
+        Self { sha256: sum_of(&text), text, ..self.clone() }
     }
 }
 
@@ -58,11 +52,7 @@ fn table(weight: &Counterweight) -> Table {
     ];
     let numbers = [("throw", number(weight.throw)), ("web", number(weight.web))];
     let texts = texts.map(|(key, text)| (key, Value::String(text)));
-    numbers
-        .into_iter()
-        .chain(texts)
-        .map(|(key, value)| (key.to_owned(), value))
-        .collect()
+    numbers.into_iter().chain(texts).map(|(key, value)| (key.to_owned(), value)).collect()
 }
 
 #[cfg(test)]
@@ -82,12 +72,7 @@ mod tests {
         let cut = scene.cut();
         assert_eq!(cut.crankshaft.statics, Statics::Cut);
         assert_eq!(read(&cut.text), cut);
-        let weights = vec![Counterweight {
-            throw: 2,
-            web: 1,
-            moment: 0.0125,
-            angle: 2.0,
-        }];
+        let weights = vec![Counterweight { throw: 2, web: 1, moment: 0.0125, angle: 2.0 }];
         let changed = scene.with_counterweights(weights);
         let again = read(&changed.text);
         let [found, wanted] = [&again, &changed].map(|scene| scene.crankshaft.counterweights.clone());

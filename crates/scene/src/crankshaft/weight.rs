@@ -59,18 +59,12 @@ pub(super) fn read(mut table: TableReader<'_>) -> Counterweight {
         moment: mass * radius.required(),
         throw: from_one(throw),
         web: from_one(web),
-        angle: table
-            .quantity("angle", Dimension::Angle, "180 deg")
-            .or(std::f64::consts::PI),
+        angle: table.quantity("angle", Dimension::Angle, "180 deg").or(std::f64::consts::PI),
     }
 }
 
 /// A whole number from 1 on, counted from 0; what was refused counts as the first.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "checked by the caller; NaN becomes 0"
-)]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked by the caller; NaN becomes 0")]
 fn from_one(number: f64) -> usize {
     (number - 1.0) as usize
 }

@@ -44,10 +44,8 @@ pub(super) fn read(mut table: TableReader<'_>) -> Groove {
         let help = format!("give {lacks} too, or remove {has} for a groove all around");
         table.complain(has, format!("stands without {lacks}"), help);
     }
-    let arc = (from.is_some() || to.is_some()).then(|| Arc {
-        from: from.unwrap_or(f64::NAN),
-        to: to.unwrap_or(f64::NAN),
-    });
+    let arc =
+        (from.is_some() || to.is_some()).then(|| Arc { from: from.unwrap_or(f64::NAN), to: to.unwrap_or(f64::NAN) });
     let arc = arc.filter(|arc| (arc.to - arc.from - TAU).abs() >= 1e-9 || arc.to.is_nan() || arc.from.is_nan());
     if let Some(Arc { from, to }) = arc {
         table.refuse_if(

@@ -52,10 +52,7 @@ impl Hole {
         complaints.refuse_if(
             self.z.abs() + radius > half * (1.0 + 1e-12),
             &format!("{key}.z"),
-            format!(
-                "puts the hole's rim beyond the end of the liner, at {} from the middle",
-                millimetres(half)
-            ),
+            format!("puts the hole's rim beyond the end of the liner, at {} from the middle", millimetres(half)),
             "z counts from midway between the ends; move or shrink the hole",
         );
         if let Some(arc) = bearing.arc.filter(|arc| arc.from < arc.to) {
@@ -65,10 +62,7 @@ impl Hole {
             complaints.refuse_if(
                 before < reach - 1e-12 || before > arc.to - arc.from - reach + 1e-12,
                 &format!("{key}.angle"),
-                format!(
-                    "puts the hole, {} wide, beyond the arc from {from} to {to}",
-                    degrees(2.0 * reach)
-                ),
+                format!("puts the hole, {} wide, beyond the arc from {from} to {to}", degrees(2.0 * reach)),
                 "give the angle of the hole's centre, inside the arc",
             );
         }

@@ -30,19 +30,13 @@ impl Journal {
 
     /// Has the centre move along the line of centres, at this velocity [m/s], and not otherwise.
     pub fn squeeze_along(&mut self, radial: f64) {
-        self.squeeze = Some(Squeeze {
-            radial,
-            tangential: 0.0,
-        });
+        self.squeeze = Some(Squeeze { radial, tangential: 0.0 });
     }
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
     let mut velocity = |key| table.quantity(key, Dimension::Velocity, "2 mm/s").or(0.0);
-    Squeeze {
-        radial: velocity("radial"),
-        tangential: velocity("tangential"),
-    }
+    Squeeze { radial: velocity("radial"), tangential: velocity("tangential") }
 }
 
 /// A centred journal has a line of centres only where the scene gives its angle; under a load over a cycle the velocity is found.
@@ -83,24 +77,12 @@ mod tests {
         assert_eq!(both, Some(Squeeze { radial, tangential }));
         let along = moved("radial = \"2 mm/s\"");
         assert_eq!(along.map(|it| (it.radial, it.tangential)), Some((radial, 0.0)));
-        assert_eq!(
-            (
-                moved("").is_some(),
-                journal(&format!("{POSITION}, squeeze = {{}}"), "").motion()
-            ),
-            (true, None)
-        );
+        assert_eq!((moved("").is_some(), journal(&format!("{POSITION}, squeeze = {{}}"), "").motion()), (true, None));
         assert_eq!(journal(POSITION, "").squeeze, None);
         for (squeeze, wanted) in [
             ("5", "journal.squeeze: a table is wanted, not a bare number"),
-            (
-                "{ radial = 5 }",
-                "journal.squeeze.radial: a bare number has no unit; a velocity is wanted",
-            ),
-            (
-                "{ radial = \"5 mm\" }",
-                "journal.squeeze.radial: \"mm\" is a unit of length",
-            ),
+            ("{ radial = 5 }", "journal.squeeze.radial: a bare number has no unit; a velocity is wanted"),
+            ("{ radial = \"5 mm\" }", "journal.squeeze.radial: \"mm\" is a unit of length"),
             ("{ radal = \"5 mm/s\" }", "journal.squeeze.radal: this key is not known"),
         ] {
             told_one("speed =", &format!("squeeze = {squeeze}, speed ="), wanted);

@@ -52,10 +52,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         return;
     };
     let offset = match position {
-        Position::Given {
-            eccentricity,
-            min_film_angle,
-        } => {
+        Position::Given { eccentricity, min_film_angle } => {
             let e = eccentricity * scene.bearing.clearance;
             [e * min_film_angle.cos(), e * min_film_angle.sin()]
         }
@@ -80,11 +77,7 @@ pub(crate) fn contact(bearing: &Bearing, offset: [f64; 2], tilt: [f64; 2]) -> Op
     if least.is_nan() || least > 0.0 {
         return None;
     }
-    let both = if low.max(high) <= 0.0 {
-        ", and at the other end too"
-    } else {
-        ""
-    };
+    let both = if low.max(high) <= 0.0 { ", and at the other end too" } else { "" };
     let message = format!(
         "makes the journal touch the liner at the end z = {}: the gap there would be {}{both}",
         millimetres(z),
@@ -116,14 +109,8 @@ mod tests {
         assert!(!journal(POSITION, "").is_tilted());
         for (keys, wanted) in [
             ("tilt = 5", "journal.tilt: a table is wanted, not a bare number"),
-            (
-                "tilt = { x = 5 }",
-                "journal.tilt.x: a bare number has no unit; an angle is wanted",
-            ),
-            (
-                "tilt_rate = { y = \"1 mrad\" }",
-                "journal.tilt_rate.y: \"mrad\" is a unit of angle",
-            ),
+            ("tilt = { x = 5 }", "journal.tilt.x: a bare number has no unit; an angle is wanted"),
+            ("tilt_rate = { y = \"1 mrad\" }", "journal.tilt_rate.y: \"mrad\" is a unit of angle"),
             ("tilt = { z = \"1 mrad\" }", "journal.tilt.z: this key is not known"),
         ] {
             told_one("speed =", &format!("{keys}, speed ="), wanted);
@@ -137,14 +124,8 @@ mod tests {
         let complaints = told(POSITION, &with("x = \"-1 mrad\""));
         assert_eq!(complaints.len(), 1, "{complaints:?}");
         let text = format!("{} ({})", complaints[0], complaints[0].help);
-        assert!(
-            text.starts_with("journal.tilt: makes the journal touch the liner at the end z = 37.5 mm"),
-            "{text}"
-        );
-        assert!(
-            text.contains("would be -22.5 um") && text.contains("below 0.400 mrad"),
-            "{text}"
-        );
+        assert!(text.starts_with("journal.tilt: makes the journal touch the liner at the end z = 37.5 mm"), "{text}");
+        assert!(text.contains("would be -22.5 um") && text.contains("below 0.400 mrad"), "{text}");
         let refused = |tilt: &str, wanted: &str| {
             let complaint = told(POSITION, &with(tilt))[0].to_string();
             assert!(complaint.contains(wanted), "{complaint}");
@@ -166,9 +147,6 @@ mod tests {
         let text = crate::scene::tests::STUDY.replacen(POSITION, &with, 1);
         let long = text.replacen("clearance =", "theory = \"long\", clearance =", 1);
         let error = crate::scene::tests::read(&long).expect_err("long").to_string();
-        assert!(
-            error.contains("bearing.theory: is \"long\", but the journal tilts"),
-            "{error}"
-        );
+        assert!(error.contains("bearing.theory: is \"long\", but the journal tilts"), "{error}");
     }
 }

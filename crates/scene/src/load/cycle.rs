@@ -114,15 +114,8 @@ pub(super) fn source_key(table: &TableReader<'_>) -> Option<&'static str> {
 pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycle> {
     let file = table.text_if_given("file", "loads/big_end.csv");
     let orders = table.tables("harmonics").into_iter().map(harmonic).collect();
-    let bearing = table.word(
-        "bearing",
-        &[("big-end", CrankBearing::BigEnd), ("main", CrankBearing::Main)],
-    );
-    let frames = [
-        ("shell", LoadFrame::Shell),
-        ("cylinder", LoadFrame::Cylinder),
-        ("pin", LoadFrame::Pin),
-    ];
+    let bearing = table.word("bearing", &[("big-end", CrankBearing::BigEnd), ("main", CrankBearing::Main)]);
+    let frames = [("shell", LoadFrame::Shell), ("cylinder", LoadFrame::Cylinder), ("pin", LoadFrame::Pin)];
     let frame = table.word("frame", &frames);
     let period = table.quantity("period", Dimension::Angle, "720 deg").within(
         |period| [1.0, 2.0].iter().any(|turns| (period / TAU - turns).abs() < WHOLE),
@@ -137,10 +130,7 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
     );
     let frequency = frequency.given();
     let Some(key) = source_key(table) else {
-        for key in ["frame", "period", "frequency"]
-            .into_iter()
-            .filter(|key| table.has(key))
-        {
+        for key in ["frame", "period", "frequency"].into_iter().filter(|key| table.has(key)) {
             let help = format!("remove {key}, or give the load as file, harmonics or bearing");
             table.complain(key, "has a meaning for a load over a cycle only", help);
         }
@@ -176,10 +166,9 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
     }
     let frame = frame.unwrap_or(LoadFrame::Shell);
     let source = match key {
-        "file" => LoadSource::File {
-            path: scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()),
-            frame,
-        },
+        "file" => {
+            LoadSource::File { path: scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()), frame }
+        }
         "harmonics" => LoadSource::Harmonics { orders, frame },
         _ => LoadSource::Crank(bearing.unwrap_or(CrankBearing::BigEnd)),
     };

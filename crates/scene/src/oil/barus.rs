@@ -37,23 +37,14 @@ pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
     let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
     let alpha = table.quantity("alpha", Dimension::InversePressure, "2.5e-8 1/Pa");
     let alpha = alpha.within(|alpha| alpha >= 0.0, THINNER, help).required();
-    let forms = [
-        ("conservative", BarusForm::Conservative),
-        ("as-printed", BarusForm::AsPrinted),
-    ];
+    let forms = [("conservative", BarusForm::Conservative), ("as-printed", BarusForm::AsPrinted)];
     let form = table.word("form", &forms).unwrap_or_default();
     PressureLaw::Barus(Barus { alpha, form })
 }
 
 /// A cavity that conserves oil needs an equation that does.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let is_printed = matches!(
-        scene.oil.pressure_law,
-        PressureLaw::Barus(Barus {
-            form: BarusForm::AsPrinted,
-            ..
-        })
-    );
+    let is_printed = matches!(scene.oil.pressure_law, PressureLaw::Barus(Barus { form: BarusForm::AsPrinted, .. }));
     let model = scene.cavitation.map_or("", |it| it.model.name());
     complaints.refuse_if(
         is_printed && scene.conserves_oil(),
@@ -72,11 +63,7 @@ mod tests {
 
     #[test]
     fn the_law_is_read_and_checked() {
-        told_one(
-            "1/Pa\"",
-            "1/Pa\", form = \"printed\"",
-            "oil.barus.form: \"printed\" is not known",
-        );
+        told_one("1/Pa\"", "1/Pa\", form = \"printed\"", "oil.barus.form: \"printed\" is not known");
         good::told_one("2.5e-8", "-2.5e-8", "oil.barus.alpha: is negative");
         let text = STUDY.replace("1/Pa\"", "1/Pa\", form = \"as-printed\"");
         let (alpha, form) = (2.5e-8, BarusForm::AsPrinted);
@@ -91,9 +78,7 @@ mod tests {
             let scene = good::with(&[printed, ("guembel", model)]);
             assert!(scene.is_ok(), "{model}: {scene:?}");
         }
-        let error = good::with(&[printed, ("guembel", "jfo")])
-            .expect_err("no balance")
-            .to_string();
+        let error = good::with(&[printed, ("guembel", "jfo")]).expect_err("no balance").to_string();
         let message = "oil.barus.form: is the as-printed equation, which is no balance of mass, and cavitation.model = \"jfo\" needs one";
         assert!(
             error.contains(message) && error.contains("(remove form (the equation is conservative then), or take"),

@@ -34,20 +34,14 @@ pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
     let at_20 = ZERO_CELSIUS + 20.0;
     if !oil.holds_table("density") {
         let value = of_liquid(oil.quantity("density", Dimension::Density, "885 kg/m3")).given()?;
-        return Some(Density {
-            value,
-            at: at_20,
-            expansion: None,
-        });
+        return Some(Density { value, at: at_20, expansion: None });
     }
     let mut table = oil.table_if_given("density")?;
-    let expansion = table
-        .quantity("expansion", Dimension::InverseTemperature, "68.8e-5 1/K")
-        .within(
-            |expansion| (0.0..=MOST_EXPANSION).contains(&expansion),
-            &format!("is not the expansion of an oil: 0 to {MOST_EXPANSION} 1/K"),
-            "give some 65e-5 to 75e-5 1/K for mineral oil, or remove it",
-        );
+    let expansion = table.quantity("expansion", Dimension::InverseTemperature, "68.8e-5 1/K").within(
+        |expansion| (0.0..=MOST_EXPANSION).contains(&expansion),
+        &format!("is not the expansion of an oil: 0 to {MOST_EXPANSION} 1/K"),
+        "give some 65e-5 to 75e-5 1/K for mineral oil, or remove it",
+    );
     Some(Density {
         expansion: expansion.given(),
         value: of_liquid(table.quantity("value", Dimension::Density, "868 kg/m3")).required(),

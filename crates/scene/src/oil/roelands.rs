@@ -51,9 +51,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
     if alpha.is_none() {
         table.require("z", "0.6, or alpha = \"2.0e-8 1/Pa\" instead");
     }
-    let reference = table
-        .quantity("reference_pressure", Dimension::Pressure, "196.2 MPa")
-        .positive();
+    let reference = table.quantity("reference_pressure", Dimension::Pressure, "196.2 MPa").positive();
     PressureLaw::Roelands(Roelands {
         reference_pressure: reference.or(REFERENCE_PRESSURE),
         exponent: match (z, alpha) {
@@ -72,18 +70,11 @@ mod tests {
     fn the_law_is_read_and_checked() {
         let barus = "barus = { alpha = \"2.5e-8 1/Pa\" }";
         told_one(barus, "roelands = {}", "oil.roelands.z: is missing");
-        told_one(
-            "barus = { alpha = ",
-            "roelands = { z = 0.6, alpha = ",
-            "oil.roelands.alpha: stands beside z",
-        );
+        told_one("barus = { alpha = ", "roelands = { z = 0.6, alpha = ", "oil.roelands.alpha: stands beside z");
         told_one(barus, "roelands = { z = -1 }", "oil.roelands.z: is negative");
         let text = STUDY.replace(barus, "roelands = { alpha = \"20 1/GPa\" }");
         let law = read(&text).map(|scene| scene.oil.pressure_law).ok();
-        let wanted = Roelands {
-            exponent: RoelandsExponent::Alpha(20.0 * 1e-9),
-            reference_pressure: 196.2e6,
-        };
+        let wanted = Roelands { exponent: RoelandsExponent::Alpha(20.0 * 1e-9), reference_pressure: 196.2e6 };
         assert_eq!(law, Some(PressureLaw::Roelands(wanted)));
     }
 }

@@ -112,10 +112,7 @@ pub(super) fn read(oil: &mut TableReader<'_>) -> Option<TemperatureLaw> {
         None => None,
         Some(&"table") => Some(TemperatureLaw::Table(points)),
         // A grade that was refused is none that is known.
-        Some(_) => grade
-            .or(walther)
-            .or(vogel)
-            .or(Some(TemperatureLaw::Grade(String::new()))),
+        Some(_) => grade.or(walther).or(vogel).or(Some(TemperatureLaw::Grade(String::new()))),
     }
 }
 
@@ -129,11 +126,7 @@ fn walther(mut table: TableReader<'_>) -> TemperatureLaw {
     }
     let mut number = |is_wanted: bool, key, dimension, example| {
         let number = table.quantity(key, dimension, example);
-        if is_wanted {
-            number.required()
-        } else {
-            number.or(f64::NAN)
-        }
+        if is_wanted { number.required() } else { number.or(f64::NAN) }
     };
     let [nu_40, nu_100] = [("nu40", "95 mm2/s"), ("nu100", "14.3 mm2/s")]
         .map(|(key, example)| number(!is_general, key, Dimension::KinematicViscosity, example));
@@ -203,16 +196,8 @@ mod tests {
                 "oil.vogel: stands beside grade",
                 "keep one of",
             ),
-            (
-                &format!("viscosity = \"9 mPa.s\"{at}"),
-                "oil.temperature: has a meaning only",
-                "remove it",
-            ),
-            (
-                &format!("walther = {{ nu40 = \"55 mm2/s\" }}{at}"),
-                "oil.walther.nu100: is missing",
-                "nu100 = ",
-            ),
+            (&format!("viscosity = \"9 mPa.s\"{at}"), "oil.temperature: has a meaning only", "remove it"),
+            (&format!("walther = {{ nu40 = \"55 mm2/s\" }}{at}"), "oil.walther.nu100: is missing", "nu100 = "),
             (
                 &format!(
                     "walther = {{ nu40 = \"55 mm2/s\", nu100 = \"8 mm2/s\", t1 = \"40 C\", nu1 = \"55 mm2/s\", t2 = \"90 C\", nu2 = \"9 mm2/s\" }}{at}"
@@ -237,21 +222,9 @@ mod tests {
                 "oil.table[0].nu: stands beside mu",
                 "keep one",
             ),
-            (
-                &format!("table = [{{ nu = \"95 mm2/s\" }}]{at}"),
-                "oil.table[0].t: is missing",
-                "40 C",
-            ),
-            (
-                "grade = \"VG 46\", temperature = 80",
-                "oil.temperature: a bare number has no unit",
-                "\"80 C\"",
-            ),
-            (
-                "viscosity = \"9 mPa.s\", density = \"0.9\"",
-                "oil.density: \"0.9\" has no unit",
-                "kg/m3",
-            ),
+            (&format!("table = [{{ nu = \"95 mm2/s\" }}]{at}"), "oil.table[0].t: is missing", "40 C"),
+            ("grade = \"VG 46\", temperature = 80", "oil.temperature: a bare number has no unit", "\"80 C\""),
+            ("viscosity = \"9 mPa.s\", density = \"0.9\"", "oil.density: \"0.9\" has no unit", "kg/m3"),
             (
                 &format!("grade = \"VG 46\", density = {{ at = \"15 C\" }}{at}"),
                 "oil.density.value: is missing",

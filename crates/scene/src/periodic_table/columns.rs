@@ -21,19 +21,12 @@ enum Presence {
 
 impl Column {
     pub(crate) const fn needed(name: &'static str, dimension: Dimension) -> Self {
-        Self {
-            name,
-            dimension,
-            presence: Presence::Needed,
-        }
+        Self { name, dimension, presence: Presence::Needed }
     }
 
     /// Its values are zero where it is not there.
     pub(crate) const fn optional(name: &'static str, dimension: Dimension) -> Self {
-        Self {
-            presence: Presence::Optional,
-            ..Self::needed(name, dimension)
-        }
+        Self { presence: Presence::Optional, ..Self::needed(name, dimension) }
     }
 
     /// As it is written in a header.
@@ -113,10 +106,7 @@ impl<const N: usize> Columns<N> {
         let missing = (0..N).find(|&k| places[k].is_none() && wanted[k].presence == Presence::Needed);
         match missing {
             Some(k) => Err(fail(format!("there is no column \"{}\"", wanted[k].name))),
-            None => Ok(Self {
-                places,
-                count: cells.len(),
-            }),
+            None => Ok(Self { places, count: cells.len() }),
         }
     }
 
@@ -135,11 +125,7 @@ impl<const N: usize> Columns<N> {
             let number = cells[place].parse::<f64>().map(|number| number * size);
             let Some(number) = number.ok().filter(|number| number.is_finite()) else {
                 let message = format!("\"{}\" is not a finite number", cells[place]);
-                return Err(TableFault::at(
-                    line,
-                    message,
-                    "write for example 12.5 or 1.25e1, without a unit",
-                ));
+                return Err(TableFault::at(line, message, "write for example 12.5 or 1.25e1, without a unit"));
             };
             if !dimension.holds(number) {
                 let ([least, most], (unit, _)) = (dimension.range(), dimension.units()[0]);
@@ -163,27 +149,16 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 /// Whether the header of a table has a column of this name.
 pub(crate) fn has_column(text: &str, name: &str) -> bool {
     let cells = lines(text).next().map_or("", |(_, header)| header).split(',');
-    cells
-        .filter_map(|cell| cell.split_once('['))
-        .any(|(found, _)| found.trim() == name)
+    cells.filter_map(|cell| cell.split_once('[')).any(|(found, _)| found.trim() == name)
 }
 
 /// How the header is written.
 fn write<const N: usize>(wanted: &[Column; N]) -> String {
     let (needed, optional): (Vec<_>, Vec<_>) = wanted.iter().partition(|column| column.presence == Presence::Needed);
-    let names = |columns: Vec<&Column>| {
-        columns
-            .iter()
-            .map(|column| column.example())
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
+    let names = |columns: Vec<&Column>| columns.iter().map(|column| column.example()).collect::<Vec<_>>().join(", ");
     let rest = match optional.is_empty() {
         true => String::new(),
         false => format!(" and, if wanted, {}", names(optional)),
     };
-    format!(
-        "write the header as {}{rest}, with commas between the columns",
-        names(needed)
-    )
+    format!("write the header as {}{rest}, with commas between the columns", names(needed))
 }

@@ -27,29 +27,17 @@ pub(crate) struct TableFault {
 impl TableFault {
     /// Of a line, counted from 1.
     pub(crate) fn at(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self {
-            line: Some(line),
-            ..Self::of_all(message, help)
-        }
+        Self { line: Some(line), ..Self::of_all(message, help) }
     }
 
     /// Of the whole table.
     pub(crate) fn of_all(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self {
-            line: None,
-            message: message.into(),
-            help: help.into(),
-        }
+        Self { line: None, message: message.into(), help: help.into() }
     }
 
     pub(crate) fn in_file(self, path: &Path) -> TableError {
         let Self { line, message, help } = self;
         let path = path.to_path_buf();
-        TableError {
-            path,
-            line,
-            message,
-            help,
-        }
+        TableError { path, line, message, help }
     }
 }

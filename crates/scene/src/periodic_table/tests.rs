@@ -23,10 +23,7 @@ fn a_table_is_read_in_si() {
     assert_eq!(loads(&closed, TAU).expect("a table"), rows);
     let shifted = "My [N m], angle [rad], Fy [lbf], Fx [N], Mx [N.mm]\n1, -1, 0, 7, 3\n2, 0, 0, 8, 3\n3, 2, 0, 8, 3\n4, 4, 0, 9, 3\n";
     let rows = loads(shifted, TAU).expect("a table");
-    assert_eq!(
-        (rows[0].angle, rows[0].force, rows[0].moment),
-        (-1.0, [7.0, 0.0], [0.003, 1.0])
-    );
+    assert_eq!((rows[0].angle, rows[0].force, rows[0].moment), (-1.0, [7.0, 0.0], [0.003, 1.0]));
     let gas = pressures("p [bar], angle [deg]\n1, 0\n2, 100\n3, 200\n1, 300\n", TAU).expect("a table");
     assert!((gas[1][0] - TAU / 3.6).abs() < 1e-15 && gas[1][1] == 2e5);
 }
@@ -42,22 +39,13 @@ fn what_is_no_table_is_refused_with_its_line() {
         (edit("180, 3", "nan, 3"), "line 6: \"nan\" is not a finite number"),
         (edit("180, 3", "180, 3 kN"), "line 6: \"3 kN\" is not a finite number"),
         (edit("180, 3", "180, 1e999"), "line 6: \"1e999\" is not a finite number"),
-        (
-            edit("180, 3,", "180, 3,5,"),
-            "line 6: there are 4 cells, and the header has 3",
-        ),
-        (
-            edit("[kN]", "[mm]"),
-            "line 3: the unit of \"Fx\": \"mm\" is a unit of length, but a force is wanted",
-        ),
+        (edit("180, 3,", "180, 3,5,"), "line 6: there are 4 cells, and the header has 3"),
+        (edit("[kN]", "[mm]"), "line 3: the unit of \"Fx\": \"mm\" is a unit of length, but a force is wanted"),
         (
             edit(" [kN]", ""),
             "line 3: \"Fx\" is not a name with its unit in brackets; write the header as angle [deg], Fx [kN], Fy [kN] and, if wanted, Mx [N.m], My [N.m]",
         ),
-        (
-            edit("Fx", "fx"),
-            "line 3: the column \"fx\" is not known, did you mean \"Fx\"?",
-        ),
+        (edit("Fx", "fx"), "line 3: the column \"fx\" is not known, did you mean \"Fx\"?"),
         (edit("Fy", "Fx"), "line 3: the column \"Fx\" stands there twice"),
         (edit(", Fy [N]", ""), "line 3: there is no column \"Fy\""),
         (
@@ -74,10 +62,7 @@ fn what_is_no_table_is_refused_with_its_line() {
         ),
         (wrong(""), "the table a.csv: is empty; write the header as"),
         (wrong("angle [deg], Fx [N], Fy [N]\n"), "has 0 rows"),
-        (
-            wrong("angle [deg], Fx [N], Fy [N]\n0, 0, 0\n120, 0, 0\n240, 0, 0\n360, 0, 0\n"),
-            "has 3 rows",
-        ),
+        (wrong("angle [deg], Fx [N], Fy [N]\n0, 0, 0\n120, 0, 0\n240, 0, 0\n360, 0, 0\n"), "has 3 rows"),
         (wrong("angle; Fx; Fy\n"), "line 1: \"angle; Fx; Fy\" is not a name"),
     ] {
         assert!(text.contains(words), "{text}\n{words}");

@@ -30,12 +30,7 @@ impl<'a> TableReader<'a> {
     pub(crate) fn quantity(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Number<'_, 'a> {
         self.note(key, Form::Quantity(dimension), example);
         let value = self.take(key).map(|value| self.in_si(key, value, dimension, example));
-        Number {
-            key,
-            example: format!("\"{example}\""),
-            value,
-            table: self,
-        }
+        Number { key, example: format!("\"{example}\""), value, table: self }
     }
 
     /// A number with a unit that must be written.
@@ -77,12 +72,7 @@ impl<'a> TableReader<'a> {
             }
             number.filter(|number| !is_out_of_range(*number)).unwrap_or(f64::NAN)
         });
-        Number {
-            key,
-            example: example.to_owned(),
-            value,
-            table: self,
-        }
+        Number { key, example: example.to_owned(), value, table: self }
     }
 
     /// A number without a unit, or several in a list, if there are any; `example` is one of them.
@@ -179,9 +169,7 @@ fn is_out_of_range(number: f64) -> bool {
 pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     let number: Option<f64> = match value {
         DeValue::Integer(digits) if digits.radix() == 10 => digits.as_str().parse().ok(),
-        DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
-            .ok()
-            .map(|value| value as f64),
+        DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix()).ok().map(|value| value as f64),
         DeValue::Float(digits) => digits.as_str().parse().ok(),
         _ => None,
     };

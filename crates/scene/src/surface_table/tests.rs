@@ -2,10 +2,7 @@
 
 use super::*;
 
-const RING: Covered = Covered {
-    length: 0.04,
-    arc: None,
-};
+const RING: Covered = Covered { length: 0.04, arc: None };
 
 /// Points of a grid of degrees and millimetres, as rows in lines.
 fn rows(angles: &[f64], zs: &[f64]) -> Vec<Row<3>> {
@@ -22,10 +19,7 @@ fn turn(step: usize) -> Vec<f64> {
 }
 
 fn fault(rows: Vec<Row<3>>, covered: Covered) -> String {
-    grid(rows, covered)
-        .expect_err("no grid")
-        .in_file(Path::new("a.csv"))
-        .to_string()
+    grid(rows, covered).expect_err("no grid").in_file(Path::new("a.csv")).to_string()
 }
 
 #[test]
@@ -39,13 +33,7 @@ fn a_grid_is_read_in_any_order_with_or_without_its_last_angle() {
     let mut repeated = turn(30);
     repeated.push(360.0);
     assert_eq!(grid(rows(&repeated, &zs), RING).expect("a grid"), found);
-    let arc = Covered {
-        arc: Some(Arc {
-            from: 1.0,
-            to: 1.0 + 90f64.to_radians(),
-        }),
-        ..RING
-    };
+    let arc = Covered { arc: Some(Arc { from: 1.0, to: 1.0 + 90f64.to_radians() }), ..RING };
     grid(rows(&[57.0, 80.0, 110.0, 147.0], &zs), arc).expect("a grid");
     assert_eq!(grid(rows(&[0.0], &zs), RING).expect("a grid").angles.len(), 1);
 }
@@ -83,9 +71,7 @@ fn noise_is_found_and_shapes_are_none() {
     // Independent errors of +-0.3 um from a linear congruential generator.
     let mut state = 12345u64;
     for depth in surface.depths.iter_mut().flatten() {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         *depth += if state >> 63 == 0 { 3e-7 } else { -3e-7 };
     }
     let noise = surface.noise();
@@ -98,17 +84,9 @@ fn positions_are_those_of_a_table_or_of_an_orbit() {
     let orbit = "crank angle [deg],time [s],e_x/c [1],e_y/c [1],load error [N],tilt_x [rad],tilt_y [rad]\n0,0,0.25,-0.5,,0,5e-4\n";
     let orbit = positions(orbit, 4e-5).expect("positions");
     for (a, b) in [(given[0].offset, orbit[0].offset), (given[0].tilt, orbit[0].tilt)] {
-        assert!(
-            (a[0] - b[0]).abs() < 1e-18 && (a[1] - b[1]).abs() < 1e-18,
-            "{a:?} {b:?}"
-        );
+        assert!((a[0] - b[0]).abs() < 1e-18 && (a[1] - b[1]).abs() < 1e-18, "{a:?} {b:?}");
     }
-    let fault = |text: &str| {
-        positions(text, 4e-5)
-            .expect_err(text)
-            .in_file(Path::new("a.csv"))
-            .to_string()
-    };
+    let fault = |text: &str| positions(text, 4e-5).expect_err(text).in_file(Path::new("a.csv")).to_string();
     assert!(fault("e_x [um], e_y [um], load [N]\n1, 2, 3\n").contains("the column \"load\" is not known"));
     assert!(fault("e_x/c [1], load [N]\n1, 2\n").contains("there is no column \"e_y/c\""));
     assert!(fault("e_x [um], e_y [um]\n").contains("has no positions"));

@@ -33,19 +33,13 @@ pub fn changed(text: &str, path: &Path, changes: &str) -> Result<String, SceneEr
     let (mut document, _) = DeTable::parse_recoverable(text);
     let document = document.get_mut();
     for axis in axes(changes).map_err(refused)? {
-        let list = values
-            .get_ref()
-            .get(axis.name.as_str())
-            .and_then(|list| list.get_ref().as_array());
+        let list = values.get_ref().get(axis.name.as_str()).and_then(|list| list.get_ref().as_array());
         // The value as it is written: the name of a file may begin like a number with its unit.
         let Some(value) = list.and_then(|list| list.first()) else {
             continue;
         };
         put(document, &axis, value.get_ref().clone()).map_err(|complaint| {
-            refused(vec![Complaint {
-                key: complaint.key.trim_start_matches("sweep.").to_owned(),
-                ..complaint
-            }])
+            refused(vec![Complaint { key: complaint.key.trim_start_matches("sweep.").to_owned(), ..complaint }])
         })?;
     }
     written(document).map_err(refused)
@@ -74,11 +68,7 @@ fn axes(text: &str) -> Result<Vec<Axis>, Vec<Complaint>> {
     let complaints = RefCell::new(Complaints::new(text));
     // A table gets one complaint: it is not read as an axis too.
     let tables: Vec<String> = (document.get_ref().iter())
-        .filter(|(_, list)| {
-            list.get_ref()
-                .as_array()
-                .is_some_and(|list| list.iter().any(|it| it.get_ref().is_table()))
-        })
+        .filter(|(_, list)| list.get_ref().as_array().is_some_and(|list| list.iter().any(|it| it.get_ref().is_table())))
         .map(|(key, _)| key.get_ref().to_string())
         .collect();
     if !tables.is_empty() {
@@ -124,9 +114,8 @@ fn lines(text: &mut String, document: &DeTable<'_>) -> Result<(), toml::ser::Err
         let list = value.as_array();
         list.is_some_and(|list| !list.is_empty() && list.iter().all(|item| item.get_ref().is_table()))
     };
-    let (below, plain): (Vec<_>, Vec<_>) = in_places(document)
-        .into_iter()
-        .partition(|(_, value)| value.is_table() || is_list_of_tables(value));
+    let (below, plain): (Vec<_>, Vec<_>) =
+        in_places(document).into_iter().partition(|(_, value)| value.is_table() || is_list_of_tables(value));
     for (key, value) in plain {
         line(text, key, value)?;
     }
@@ -168,9 +157,7 @@ fn in_places<'d>(table: &'d DeTable<'_>) -> Vec<(&'d str, &'d DeValue<'d>)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
     let entries = entries.into_iter();
-    entries
-        .map(|(key, value)| (key.get_ref().as_ref(), value.get_ref()))
-        .collect()
+    entries.map(|(key, value)| (key.get_ref().as_ref(), value.get_ref())).collect()
 }
 
 /// A value as it stands behind `=`.
@@ -242,10 +229,7 @@ viscosity = \"0.4 Pa.s\"
         );
         let changes = "\"bore.crown\" = [\"2 um\"]\n\"bore.worn.depth\" = [\"7 um\"]\n";
         let text = super::changed(&worn, Path::new("ring.toml"), changes).expect("a text");
-        assert_eq!(
-            scene(&text).bores,
-            scene(&worn.replace("1 um", "2 um").replace("3 um", "7 um")).bores
-        );
+        assert_eq!(scene(&text).bores, scene(&worn.replace("1 um", "2 um").replace("3 um", "7 um")).bores);
         let mesh = super::changed(TEXT, Path::new("ring.toml"), "\"mesh.file\" = [\"3-ring.msh\"]").expect("a text");
         assert!(mesh.contains("file = \"3-ring.msh\""), "{mesh}");
     }
@@ -257,16 +241,8 @@ viscosity = \"0.4 Pa.s\"
             ("jornal.speed = [1]", "jornal.speed", "no table of a scene"),
             ("eccentricity = [true]", "eccentricity", "no value"),
             ("eccentricity = [0.1, 0.2]", "eccentricity", "several values"),
-            (
-                "columns = [\"W N\"]\neccentricity = [0.1]",
-                "columns",
-                "no key of a scene",
-            ),
-            (
-                "\"feed.other.pressure\" = [\"1 bar\"]",
-                "feed.other.pressure",
-                "names no [[feed]]",
-            ),
+            ("columns = [\"W N\"]\neccentricity = [0.1]", "columns", "no key of a scene"),
+            ("\"feed.other.pressure\" = [\"1 bar\"]", "feed.other.pressure", "names no [[feed]]"),
             ("\"bore.crown\" = [\"1 um\"]", "bore.crown", "names no shape"),
         ] {
             match after(changes) {

@@ -192,9 +192,7 @@ fn set<'a>(table: &mut DeTable<'a>, path: &str, span: &Range<usize>, value: Span
         return;
     };
     let key = Spanned::new(span.clone(), Cow::Owned(head.to_owned()));
-    let inner = table
-        .entry(key)
-        .or_insert_with(|| Spanned::new(span.clone(), DeValue::Table(DeTable::new())));
+    let inner = table.entry(key).or_insert_with(|| Spanned::new(span.clone(), DeValue::Table(DeTable::new())));
     match inner.get_mut() {
         DeValue::Table(inner) => set(inner, rest, span, value),
         // What stands there is no table: its reader says so.

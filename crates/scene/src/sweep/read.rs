@@ -48,11 +48,8 @@ pub(crate) struct Swept {
 }
 
 /// Keys of the scene of one bearing.
-pub(crate) static OF_BEARING: Swept = Swept {
-    short_names: &SHORT_NAMES,
-    tables: &SWEPT,
-    example: "\"ends.pressure\" or \"feed.GROUP.pressure\"",
-};
+pub(crate) static OF_BEARING: Swept =
+    Swept { short_names: &SHORT_NAMES, tables: &SWEPT, example: "\"ends.pressure\" or \"feed.GROUP.pressure\"" };
 /// Keys of the scene of a crankshaft.
 pub(crate) static OF_SHAFT: Swept = Swept {
     short_names: &SHAFT_SHORT_NAMES,
@@ -63,12 +60,7 @@ pub(crate) static OF_SHAFT: Swept = Swept {
 /// The sweep of a scene `text` that stands at `path`, which the table describes.
 pub(crate) fn plan(table: TableReader<'_>, swept: &Swept, text: &str, path: &Path) -> Plan {
     let (axes, columns) = read(table, swept);
-    Plan {
-        axes,
-        columns,
-        text: text.to_owned(),
-        path: path.to_owned(),
-    }
+    Plan { axes, columns, text: text.to_owned(), path: path.to_owned() }
 }
 
 /// Reads the table: its axes in the order of the text, and the columns that it asks for, if any.
@@ -111,13 +103,7 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mu
         };
         if let (Some(path), Some((unit, values))) = (path(&table, key, &name, swept), values) {
             let span = written.span();
-            let axis = Axis {
-                name,
-                path,
-                unit,
-                values,
-                span,
-            };
+            let axis = Axis { name, path, unit, values, span };
             add(&table, key, axes, axis);
         }
     }
@@ -174,11 +160,7 @@ fn path(table: &TableReader<'_>, key: &str, name: &str, swept: &Swept) -> Option
     let names: Vec<&str> = swept.short_names.iter().map(|(short, _)| *short).collect();
     let help = match nearest(name, names.iter().copied()) {
         Some(near) => format!("did you mean \"{near}\"?"),
-        None => format!(
-            "short names: {}; any other key with its table, as {}",
-            names.join(", "),
-            swept.example
-        ),
+        None => format!("short names: {}; any other key with its table, as {}", names.join(", "), swept.example),
     };
     table.complain(key, "this key is not known as an axis", help);
     None
@@ -197,11 +179,7 @@ fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) 
             return None;
         };
         if unit.as_ref().is_some_and(|unit| *unit != own) {
-            let message = format!(
-                "has values in {} and in {}",
-                of_unit(unit.as_deref()),
-                of_unit(Some(&own))
-            );
+            let message = format!("has values in {} and in {}", of_unit(unit.as_deref()), of_unit(Some(&own)));
             table.complain(key, message, "write all values of an axis in one unit");
             return None;
         }

@@ -114,74 +114,26 @@ const PREFIXES: [(&str, f64); 10] = [
 
 /// Names that are no unit of one size, and what to write for them.
 const TOLD: [(&str, &str); 24] = [
-    (
-        "mPa",
-        "1 mPa is 0.001 Pa, and 1 MPa is 1e6 Pa; write the one that is meant in Pa or MPa",
-    ),
-    (
-        "hp",
-        "a horsepower is 745.7 W (mechanical) or 735.5 W (metric, PS); write W or kW",
-    ),
-    (
-        "HP",
-        "a horsepower is 745.7 W (mechanical) or 735.5 W (metric, PS); write W or kW",
-    ),
+    ("mPa", "1 mPa is 0.001 Pa, and 1 MPa is 1e6 Pa; write the one that is meant in Pa or MPa"),
+    ("hp", "a horsepower is 745.7 W (mechanical) or 735.5 W (metric, PS); write W or kW"),
+    ("HP", "a horsepower is 745.7 W (mechanical) or 735.5 W (metric, PS); write W or kW"),
     ("bhp", "a brake horsepower is 745.7 W; write W or kW"),
-    (
-        "gpm",
-        "a gallon a minute is 3.785 l/min (US) or 4.546 l/min (imperial); write l/min",
-    ),
-    (
-        "GPM",
-        "a gallon a minute is 3.785 l/min (US) or 4.546 l/min (imperial); write l/min",
-    ),
+    ("gpm", "a gallon a minute is 3.785 l/min (US) or 4.546 l/min (imperial); write l/min"),
+    ("GPM", "a gallon a minute is 3.785 l/min (US) or 4.546 l/min (imperial); write l/min"),
     ("cfm", "a cubic foot a minute is 28.32 l/min; write l/min"),
-    (
-        "ton",
-        "a ton is 1000 kg (metric), 907.2 kg (US) or 1016 kg (imperial); its weight is 9.807, 8.896 or 9.964 kN",
-    ),
-    (
-        "tons",
-        "a ton is 1000 kg (metric), 907.2 kg (US) or 1016 kg (imperial); its weight is 9.807, 8.896 or 9.964 kN",
-    ),
-    (
-        "SUS",
-        "Saybolt seconds are no multiple of a viscosity; convert them by ASTM D2161 and write mm2/s",
-    ),
-    (
-        "SSU",
-        "Saybolt seconds are no multiple of a viscosity; convert them by ASTM D2161 and write mm2/s",
-    ),
-    (
-        "E",
-        "degrees Engler are no multiple of a viscosity; convert them by a table and write mm2/s",
-    ),
-    (
-        "barg",
-        "the pressures of a scene count from that of the surroundings, as barg does; write bar",
-    ),
-    (
-        "psig",
-        "the pressures of a scene count from that of the surroundings, as psig does; write psi",
-    ),
-    (
-        "bara",
-        "the pressures of a scene count from that of the surroundings; subtract it (1.01325 bar) and write bar",
-    ),
-    (
-        "psia",
-        "the pressures of a scene count from that of the surroundings; subtract it (14.696 psi) and write psi",
-    ),
-    (
-        "ata",
-        "the pressures of a scene count from that of the surroundings; subtract it and write at (98066.5 Pa)",
-    ),
+    ("ton", "a ton is 1000 kg (metric), 907.2 kg (US) or 1016 kg (imperial); its weight is 9.807, 8.896 or 9.964 kN"),
+    ("tons", "a ton is 1000 kg (metric), 907.2 kg (US) or 1016 kg (imperial); its weight is 9.807, 8.896 or 9.964 kN"),
+    ("SUS", "Saybolt seconds are no multiple of a viscosity; convert them by ASTM D2161 and write mm2/s"),
+    ("SSU", "Saybolt seconds are no multiple of a viscosity; convert them by ASTM D2161 and write mm2/s"),
+    ("E", "degrees Engler are no multiple of a viscosity; convert them by a table and write mm2/s"),
+    ("barg", "the pressures of a scene count from that of the surroundings, as barg does; write bar"),
+    ("psig", "the pressures of a scene count from that of the surroundings, as psig does; write psi"),
+    ("bara", "the pressures of a scene count from that of the surroundings; subtract it (1.01325 bar) and write bar"),
+    ("psia", "the pressures of a scene count from that of the surroundings; subtract it (14.696 psi) and write psi"),
+    ("ata", "the pressures of a scene count from that of the surroundings; subtract it and write at (98066.5 Pa)"),
     ("atu", "1 atu is 1 at above the surroundings; write at (98066.5 Pa)"),
     ("mph", "a mile an hour is 0.44704 m/s; write m/s or km/h"),
-    (
-        "kn",
-        "a knot is 0.5144 m/s, and kN is a force; write the one that is meant",
-    ),
+    ("kn", "a knot is 0.5144 m/s, and kN is a force; write the one that is meant"),
     ("kt", "a knot is 0.5144 m/s; write m/s or km/h"),
     ("yd", "a yard is 0.9144 m; write m"),
     ("BTU/h", "1 BTU/h is 0.29307 W; write W"),
@@ -195,15 +147,9 @@ pub(super) fn told(unit: &str) -> Option<&'static str> {
 
 /// The unit that a text in canonical spelling is composed to; `None` where a symbol is not known.
 pub(super) fn composed(unit: &str) -> Option<Composed> {
-    let mut whole = Composed {
-        size: 1.0,
-        powers: [0; 5],
-    };
+    let mut whole = Composed { size: 1.0, powers: [0; 5] };
     for (place, part) in unit.split('/').enumerate() {
-        let factors = part
-            .strip_prefix('(')
-            .and_then(|part| part.strip_suffix(')'))
-            .unwrap_or(part);
+        let factors = part.strip_prefix('(').and_then(|part| part.strip_suffix(')')).unwrap_or(part);
         if factors == "1" && place == 0 {
             continue;
         }
@@ -214,9 +160,7 @@ pub(super) fn composed(unit: &str) -> Option<Composed> {
                 digits => digits.parse().ok().filter(|power| (-4..=4).contains(power))?,
             };
             // "mmH2O" has a digit of its own.
-            let (symbol, power) = symbol(factor)
-                .map(|symbol| (symbol, 1))
-                .or(Some((symbol(letters)?, power)))?;
+            let (symbol, power) = symbol(factor).map(|symbol| (symbol, 1)).or(Some((symbol(letters)?, power)))?;
             let power = if place == 0 { power } else { -power };
             whole.size *= symbol.size.powi(power);
             (0..5).for_each(|k| whole.powers[k] += power * symbol.powers[k]);
@@ -236,9 +180,7 @@ fn symbol(letters: &str) -> Option<Composed> {
         let size = factor * size;
         Some(Composed { size, powers })
     };
-    of(&PLAIN, letters)
-        .or_else(|| of(&PREFIXED, letters))
-        .or_else(|| PREFIXES.iter().find_map(prefixed))
+    of(&PLAIN, letters).or_else(|| of(&PREFIXED, letters)).or_else(|| PREFIXES.iter().find_map(prefixed))
 }
 
 #[cfg(test)]
@@ -250,11 +192,7 @@ mod tests {
     fn listed_units_are_composed_to_their_own_size() {
         let has_no_symbol = |name: &str| ["%", "ppm", "C", "degC", "F", "degF", "RPM", "1/min"].contains(&name);
         for dimension in Dimension::all() {
-            let powers = dimension
-                .units()
-                .iter()
-                .find_map(|(name, _)| composed(name))
-                .map(|unit| unit.powers);
+            let powers = dimension.units().iter().find_map(|(name, _)| composed(name)).map(|unit| unit.powers);
             for (name, size) in dimension.units().iter().filter(|(name, _)| !has_no_symbol(name)) {
                 let unit = composed(name).unwrap_or_else(|| panic!("{name}"));
                 assert!((unit.size / size - 1.0).abs() < 1e-14, "{name}: {} {size}", unit.size);

@@ -6,11 +6,7 @@ use oilwedge_scene::{Complaint, Complaints, Scene, SceneError};
 use crate::column::{Column, Fault};
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    for (key, _, (message, help)) in scene
-        .sweep
-        .iter()
-        .flat_map(|plan| faults(plan, std::slice::from_ref(scene)))
-    {
+    for (key, _, (message, help)) in scene.sweep.iter().flat_map(|plan| faults(plan, std::slice::from_ref(scene))) {
         complaints.add(&key, message, help);
     }
 }
@@ -29,11 +25,7 @@ pub fn check_columns(plan: &Plan, bearings: &[Scene]) -> Result<(), SceneError> 
     };
     match faults(plan, bearings).map(complaint).collect::<Vec<_>>() {
         none if none.is_empty() => Ok(()),
-        complaints => Err(SceneError::Complaints {
-            path: plan.path.clone(),
-            text: plan.text.clone(),
-            complaints,
-        }),
+        complaints => Err(SceneError::Complaints { path: plan.path.clone(), text: plan.text.clone(), complaints }),
     }
 }
 

@@ -24,16 +24,9 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         };
         let mut others = scene.feeds[..index].iter();
         if let Some((other, meets)) = others.find_map(|other| Some((other, clash(other)?))) {
-            let given = |feed: &Feed| {
-                feed.pressure
-                    .map_or("a pocket".to_owned(), |pressure| format!("at {}", bars(pressure)))
-            };
-            let message = format!(
-                "{meets} \"{}\", but is {} and the other {}",
-                other.group,
-                given(feed),
-                given(other)
-            );
+            let given =
+                |feed: &Feed| feed.pressure.map_or("a pocket".to_owned(), |pressure| format!("at {}", bars(pressure)));
+            let message = format!("{meets} \"{}\", but is {} and the other {}", other.group, given(feed), given(other));
             let help = match feed.pressure.and(other.pressure) {
                 Some(_) => {
                     "give both one pressure (they are one region then), or part them: by diameter, angle and z of a hole, by from, to, width and z of a groove"
@@ -47,10 +40,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     }
     for region in feed_regions(scene).iter().filter(|region| region.feeds.len() > 1) {
         if let Some(index) = scene.feeds.iter().position(|feed| feed.group == region.name) {
-            let message = format!(
-                "\"{}\" is the name of the region that other feeds are together",
-                region.name
-            );
+            let message = format!("\"{}\" is the name of the region that other feeds are together", region.name);
             complaints.add(&format!("feed[{index}].group"), message, "name it otherwise");
         }
     }

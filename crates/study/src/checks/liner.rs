@@ -4,10 +4,7 @@ use oilwedge_scene::wording::bars;
 use oilwedge_scene::{Complaints, Layer, Liner, Material, Scene};
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    if ["liner", "bearing", "load"]
-        .iter()
-        .any(|table| complaints.concern(table))
-    {
+    if ["liner", "bearing", "load.force"].iter().any(|table| complaints.concern(table)) {
         return;
     }
     let (key, material) = match &scene.liner {

@@ -89,10 +89,9 @@ fn has_meaning(law: &TemperatureLaw, oil: &Oil, complaints: &mut Complaints) {
     };
     let points = points(law, oil.density.unwrap_or_default());
     let message = match points.iter().find(|(_, viscosity)| *viscosity <= LEAST_ON_CHART) {
-        Some((_, viscosity)) => format!(
-            "has a viscosity of {} mm2/s, but the chart begins above 0.3 mm2/s",
-            readable(1e6 * viscosity)
-        ),
+        Some((_, viscosity)) => {
+            format!("has a viscosity of {} mm2/s, but the chart begins above 0.3 mm2/s", readable(1e6 * viscosity))
+        }
         None => "needs two points or more, each hotter one with a lower viscosity".to_owned(),
     };
     complaints.refuse_if(oil.thermal.is_none() && !complaints.concern(key), key, message, help);
@@ -106,10 +105,7 @@ fn at_given_temperature(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
     let viscosity = thermal.viscosity(temperature);
     let (message, help) = match &thermal.law {
         Law::Vogel(law) if temperature <= law.singular => (
-            format!(
-                "is not above {}, below which Vogel's law has no meaning",
-                celsius(law.singular)
-            ),
+            format!("is not above {}, below which Vogel's law has no meaning", celsius(law.singular)),
             "give a higher temperature, or a greater oil.vogel.c",
         ),
         Law::Table(table) if temperature < table.range()[0] || temperature > table.range()[1] => {
@@ -130,12 +126,7 @@ fn at_given_temperature(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
 
 /// The equation is one of reduced pressures, all of which lie below the limit of the law; a pressure that round-off puts there is lost.
 fn pressures(scene: &Scene, complaints: &mut Complaints) {
-    let Sockets {
-        form: Form::Conservative,
-        pressure_law: law,
-        ..
-    } = Sockets::of(scene)
-    else {
+    let Sockets { form: Form::Conservative, pressure_law: law, .. } = Sockets::of(scene) else {
         return;
     };
     let feeds = scene.feeds.iter().enumerate();

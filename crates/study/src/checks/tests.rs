@@ -61,26 +61,14 @@ fn every_law_is_read() {
     for (oil, temperature, viscosity) in [
         ("grade = \"SAE 10W-40\"", "40 C", 95e-6 * 855.09),
         ("grade = \"sae10w40\", density = \"900 kg/m3\"", "40 C", 95e-6 * 887.6),
-        (
-            "walther = { nu40 = \"55 mm2/s\", nu100 = \"8.19 cSt\" }, density = \"885 kg/m3\"",
-            "100 C",
-            8.19e-6 * 836.3,
-        ),
+        ("walther = { nu40 = \"55 mm2/s\", nu100 = \"8.19 cSt\" }, density = \"885 kg/m3\"", "100 C", 8.19e-6 * 836.3),
         (
             "walther = { t1 = \"313.15 K\", nu1 = \"55 mm2/s\", t2 = \"100 C\", nu2 = \"8.19 mm2/s\" }",
             "373.15 K",
             8.19e-6 * 822.1,
         ),
-        (
-            "vogel = { a = \"0.05 mPa.s\", b = \"1000 K\", c = \"95 K\" }",
-            "80 C",
-            5e-5 * (1000.0f64 / 175.0).exp(),
-        ),
-        (
-            "table = [{ t = \"40 C\", mu = \"80 mPa.s\" }, { t = \"100 C\", mu = \"12 mPa.s\" }]",
-            "100 C",
-            0.012,
-        ),
+        ("vogel = { a = \"0.05 mPa.s\", b = \"1000 K\", c = \"95 K\" }", "80 C", 5e-5 * (1000.0f64 / 175.0).exp()),
+        ("table = [{ t = \"40 C\", mu = \"80 mPa.s\" }, { t = \"100 C\", mu = \"12 mPa.s\" }]", "100 C", 0.012),
         (
             "density = { value = \"868 kg/m3\", at = \"15 C\", expansion = \"70e-5 1/K\" }, table = [{ t = \"40 C\", nu = \"95 mm2/s\" }, { t = \"100 C\", nu = \"14 mm2/s\" }]",
             "40 C",
@@ -88,16 +76,11 @@ fn every_law_is_read() {
         ),
     ] {
         let table = format!("oil = {{ {oil}, temperature = \"{temperature}\" }}\n[bearing]");
-        let text = GOOD
-            .replacen(&format!("[oil]\n{OIL}\n"), "", 1)
-            .replacen("[bearing]", &table, 1);
+        let text = GOOD.replacen(&format!("[oil]\n{OIL}\n"), "", 1).replacen("[bearing]", &table, 1);
         let found = Oil::of(&read(&text).expect(oil));
         assert!(found.thermal.is_some() && found.temperature.is_some());
         let found = found.viscosity;
-        assert!(
-            (found / viscosity - 1.0).abs() < 1e-4,
-            "{oil}: {found} is not {viscosity}"
-        );
+        assert!((found / viscosity - 1.0).abs() < 1e-4, "{oil}: {found} is not {viscosity}");
     }
 }
 
@@ -111,11 +94,7 @@ fn laws_need_known_grades_and_falling_viscosities() {
             "oil.grade: \"SAE 10W-41\" is no grade",
             "did you mean \"SAE 10W-40\"",
         ),
-        (
-            &format!("oil = {{ grade = \"oil\"{at} }}"),
-            "oil.grade: \"oil\" is no grade",
-            "oilwedge oil lists all",
-        ),
+        (&format!("oil = {{ grade = \"oil\"{at} }}"), "oil.grade: \"oil\" is no grade", "oilwedge oil lists all"),
         (
             &format!("oil = {{ walther = {{ nu40 = \"8 mm2/s\", nu100 = \"55 mm2/s\" }}{at} }}"),
             "oil.walther: needs two points or more, each hotter one",
@@ -126,36 +105,21 @@ fn laws_need_known_grades_and_falling_viscosities() {
             "oil.walther: has a viscosity of 0.3 mm2/s",
             "nu100",
         ),
-        (
-            &format!("oil = {{ table = []{at} }}"),
-            "oil.table: needs two points",
-            "table = [",
-        ),
+        (&format!("oil = {{ table = []{at} }}"), "oil.table: needs two points", "table = ["),
         (
             &format!("oil = {{ table = [{{ t = \"40 C\", nu = \"95 mm2/s\" }}]{at} }}"),
             "oil.table: needs two points",
             "table = [",
         ),
         // A fault in a value is reported once.
-        (
-            &format!("oil = {{ grade = 5{at} }}"),
-            "oil.grade: a text in quotes is wanted",
-            "SAE 10W-40",
-        ),
-        (
-            &format!("oil = {{ walther = {{ nu40 = \"55 mm2/s\" }}{at} }}"),
-            "oil.walther.nu100: is missing",
-            "nu100 = ",
-        ),
+        (&format!("oil = {{ grade = 5{at} }}"), "oil.grade: a text in quotes is wanted", "SAE 10W-40"),
+        (&format!("oil = {{ walther = {{ nu40 = \"55 mm2/s\" }}{at} }}"), "oil.walther.nu100: is missing", "nu100 = "),
     ] {
         let Err(SceneError::Complaints { complaints, .. }) = read(&format!("{oil}\n{without}")) else {
             panic!("{oil} is refused")
         };
         let (message, way_out) = (complaints[0].to_string(), &complaints[0].help);
-        assert!(
-            complaints.len() == 1 && message.starts_with(wanted) && way_out.contains(help),
-            "{complaints:?}"
-        );
+        assert!(complaints.len() == 1 && message.starts_with(wanted) && way_out.contains(help), "{complaints:?}");
     }
 }
 
@@ -172,16 +136,8 @@ fn laws_of_temperature_are_checked() {
             "oil.temperature: is -193.15 C, but oil films are liquid between -60 C and 350 C",
         ),
         ("grade = \"VG 46\"", "500 C", "oil.temperature: is 500 C, but"),
-        (
-            &vogel("a = \"0 Pa.s\", b = \"900 K\", c = \"95 K\""),
-            "80 C",
-            "oil.vogel.a: is not positive",
-        ),
-        (
-            &vogel("a = \"1 mPa.s\", b = \"-900 K\", c = \"95 K\""),
-            "80 C",
-            "oil.vogel.b: is negative",
-        ),
+        (&vogel("a = \"0 Pa.s\", b = \"900 K\", c = \"95 K\""), "80 C", "oil.vogel.a: is not positive"),
+        (&vogel("a = \"1 mPa.s\", b = \"-900 K\", c = \"95 K\""), "80 C", "oil.vogel.b: is negative"),
         (
             &vogel("a = \"1 mPa.s\", b = \"900 K\", c = \"-90 K\""),
             "80 C",
@@ -192,17 +148,9 @@ fn laws_of_temperature_are_checked() {
             "80 C",
             "oil.temperature: leaves the oil a viscosity of inf Pa.s",
         ),
-        (
-            table,
-            "39 C",
-            "oil.temperature: lies outside oil.table, which reaches from 40 C to 100 C",
-        ),
+        (table, "39 C", "oil.temperature: lies outside oil.table, which reaches from 40 C to 100 C"),
         (table, "101 C", "oil.temperature: lies outside oil.table"),
-        (
-            "density = \"0.9 kg/m3\"\ngrade = \"VG 46\"",
-            "80 C",
-            "oil.density: is not the density of an oil",
-        ),
+        ("density = \"0.9 kg/m3\"\ngrade = \"VG 46\"", "80 C", "oil.density: is not the density of an oil"),
         (
             "density = { value = \"9 kg/m3\" }\ngrade = \"VG 46\"",
             "80 C",
@@ -214,11 +162,7 @@ fn laws_of_temperature_are_checked() {
             "oil.density.expansion: is not the expansion",
         ),
     ] {
-        one(
-            VISCOSITY,
-            &format!("{oil}\ntemperature = \"{temperature}\""),
-            [wanted, ""],
-        );
+        one(VISCOSITY, &format!("{oil}\ntemperature = \"{temperature}\""), [wanted, ""]);
     }
     assert!(complaints(VISCOSITY, &format!("{table}\ntemperature = \"40 C\"")).is_empty());
     assert!(complaints(VISCOSITY, "grade = \"SAE 5W-30\"\ntemperature = \"120 C\"").is_empty());
@@ -230,24 +174,13 @@ fn laws_of_temperature_are_checked() {
 fn pressures_that_make_oil_solid_are_refused() {
     let alpha = "2.5e-8 1/Pa";
     assert!(complaints(alpha, "1e-4 1/Pa").is_empty());
-    one(
-        alpha,
-        "2e-4 1/Pa",
-        [
-            "feed \"feed_hole\".pressure: makes the oil 1.1e17 times as viscous",
-            "lower pressure",
-        ],
-    );
+    one(alpha, "2e-4 1/Pa", ["feed \"feed_hole\".pressure: makes the oil 1.1e17 times as viscous", "lower pressure"]);
 }
 
 #[test]
 fn a_thin_oil_is_no_roelands_oil() {
     let thin = "viscosity = \"0.04 mPa.s\"\nroelands = { z = 0.6 }";
-    one(
-        OIL,
-        thin,
-        ["oil.viscosity: is below the range of Roelands", "0.0632 mPa.s"],
-    );
+    one(OIL, thin, ["oil.viscosity: is below the range of Roelands", "0.0632 mPa.s"]);
 }
 
 #[test]
@@ -268,28 +201,15 @@ fn with(tolerance: &str) -> String {
 
 #[test]
 fn only_numbers_with_errors_have_tolerances() {
-    for good in [
-        "feed_flow.feed_hole",
-        "load_coefficient",
-        "sommerfeld_number",
-        "attitude_angle",
-        "load_angle",
-    ] {
-        assert!(
-            complaints(FILE, &with(&format!("{{ {good} = \"1 %\" }}"))).is_empty(),
-            "{good}"
-        );
+    for good in ["feed_flow.feed_hole", "load_coefficient", "sommerfeld_number", "attitude_angle", "load_angle"] {
+        assert!(complaints(FILE, &with(&format!("{{ {good} = \"1 %\" }}"))).is_empty(), "{good}");
     }
     for given in ["eccentricity", "min_film_angle", "film_thickness_min"] {
         let wanted = format!("mesh.tolerance.{given}: follows from the position");
         one(FILE, &with(&format!("{{ {given} = \"1 %\" }}")), [&wanted, "[load]"]);
     }
     let wanted = "mesh.tolerance.feed_flow.fed_hole: belongs to no [[feed]] of this scene";
-    one(
-        FILE,
-        &with("{ feed_flow.fed_hole = \"1 %\" }"),
-        [wanted, "feed_flow.feed_hole"],
-    );
+    one(FILE, &with("{ feed_flow.fed_hole = \"1 %\" }"), [wanted, "feed_flow.feed_hole"]);
 }
 
 #[test]
@@ -301,22 +221,10 @@ fn a_number_that_the_scene_lacks_has_no_tolerance() {
         assert!(error.contains(&format!("mesh.tolerance.{name}: {wanted}")), "{error}");
     };
     let pocket = ("pressure = \"1.96 bar\"", "depth = \"20 um\"");
-    lacks(
-        pocket,
-        "feed_flow.feed_hole",
-        "belongs to the pocket \"feed_hole\", which lets no oil in",
-    );
+    lacks(pocket, "feed_flow.feed_hole", "belongs to the pocket \"feed_hole\", which lets no oil in");
     lacks(pocket, "load_coefficient", "has a meaning only where there are feeds");
-    lacks(
-        ("10 rad/s", "0 rpm"),
-        "sommerfeld_number",
-        "has no meaning for a journal that does not turn",
-    );
-    lacks(
-        ("= 0.6", "= 0"),
-        "attitude_angle",
-        "has no meaning for a centred journal",
-    );
+    lacks(("10 rad/s", "0 rpm"), "sommerfeld_number", "has no meaning for a journal that does not turn");
+    lacks(("= 0.6", "= 0"), "attitude_angle", "has no meaning for a centred journal");
 }
 
 #[test]
@@ -341,11 +249,7 @@ fn targets_stand_in_the_order_of_the_result() {
     let targets = |text: &str| {
         let scene = read(text).unwrap_or_else(|error| panic!("{error}"));
         let targets = super::targets(&scene)?.required.into_iter();
-        Some(
-            targets
-                .map(|target| (target.quantity, target.relative))
-                .collect::<Vec<_>>(),
-        )
+        Some(targets.map(|target| (target.quantity, target.relative)).collect::<Vec<_>>())
     };
     let mesh = |keys: &str| targets(&GOOD.replacen(FILE, keys, 1));
     let main = |name: &str, relative: f64| Some(vec![(name.to_owned(), relative)]);

@@ -43,28 +43,17 @@ pub fn targets(scene: &Scene) -> Option<Targets> {
                 let place = CATALOGUE.iter().position(|row| row.has(&target.quantity))?;
                 let row = CATALOGUE[place];
                 // Flows of feeds stand behind friction.
-                Some((
-                    row == &PRESSURE_INTEGRAL,
-                    row.is_family(),
-                    place,
-                    target.quantity.clone(),
-                ))
+                Some((row == &PRESSURE_INTEGRAL, row.is_family(), place, target.quantity.clone()))
             });
             targets
         }
     };
-    Some(Targets {
-        required,
-        wanted: wanted(scene),
-    })
+    Some(Targets { required, wanted: wanted(scene) })
 }
 
 /// What an engineer reads beside the main quantity, where the scene leaves mesh and tolerance to the program.
 fn wanted(scene: &Scene) -> Vec<Target> {
-    let target = |row: &Row| Target {
-        quantity: row.name.to_owned(),
-        relative: WANTED,
-    };
+    let target = |row: &Row| Target { quantity: row.name.to_owned(), relative: WANTED };
     // At the ends of slices that give way no mesh narrows what their grid leaves open of the least film.
     let has_slices = matches!(scene.liner, Some(Liner::Winkler(_) | Liner::Wall { .. }));
     let of_mesh = |row: &&Row| !has_slices || *row != &FILM_THICKNESS_MIN;
@@ -121,33 +110,18 @@ fn no_error(scene: &Scene, row: &Row) -> Option<Fault> {
     let supply = pressures.next();
     let is_one_of = |rows: &[&Row]| rows.contains(&row);
     let of_position = [&ECCENTRICITY, &MIN_FILM_ANGLE, &FILM_THICKNESS_MIN];
-    let of_rotation = [
-        &SOMMERFELD_NUMBER,
-        &INLET_FLOW,
-        &FRICTION_TORQUE,
-        &FRICTION_COEFFICIENT,
-        &FRICTION_POWER,
-    ];
+    let of_rotation = [&SOMMERFELD_NUMBER, &INLET_FLOW, &FRICTION_TORQUE, &FRICTION_COEFFICIENT, &FRICTION_POWER];
     let (message, help) = if is_one_of(&of_position) && journal.load().is_none() {
         (
             "follows from the position that the scene gives, so it has no error to make smaller",
             "give a tolerance of the load, or [load] in the place of the position",
         )
     } else if row == &ATTITUDE_ANGLE && is_centred {
-        (
-            "has no meaning for a centred journal",
-            "remove it, or give an eccentricity above zero",
-        )
+        ("has no meaning for a centred journal", "remove it, or give an eccentricity above zero")
     } else if is_one_of(&of_rotation) && journal.speed == 0.0 {
-        (
-            "has no meaning for a journal that does not turn",
-            "remove it, or give a tolerance of the load",
-        )
+        ("has no meaning for a journal that does not turn", "remove it, or give a tolerance of the load")
     } else if row == &LOAD_COEFFICIENT && (supply.is_none() || pressures.any(|other| Some(other) != supply)) {
-        (
-            "has a meaning only where there are feeds, all of one pressure",
-            "remove it, or give a tolerance of the load",
-        )
+        ("has a meaning only where there are feeds, all of one pressure", "remove it, or give a tolerance of the load")
     } else {
         return None;
     };

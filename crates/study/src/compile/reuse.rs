@@ -22,23 +22,13 @@ pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
     let system = |scene: &Scene| {
         let sockets = Sockets::of(scene);
         let closure = (sockets.form, discriminant(&sockets.cavitation));
-        (
-            sockets.theory,
-            sockets.inlet_fraction,
-            closure,
-            sockets.load.is_some() || sockets.liner.is_some(),
-        )
+        (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some() || sockets.liner.is_some())
     };
     let is_same_region = |(a, b): (&Feed, &Feed)| {
         (&a.group, a.hole, a.groove, a.pressure.is_some()) == (&b.group, b.hole, b.groove, b.pressure.is_some())
     };
     // Feeds that overlap are one region as long as their pressures are equal.
-    let names = |scene| {
-        feed_regions(scene)
-            .into_iter()
-            .map(|region| region.name)
-            .collect::<Vec<String>>()
-    };
+    let names = |scene| feed_regions(scene).into_iter().map(|region| region.name).collect::<Vec<String>>();
     one.mesh == other.mesh
         // Meshes are graded for the shape of the bore.
         && one.bores == other.bores

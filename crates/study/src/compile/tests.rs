@@ -27,11 +27,7 @@ fn is_near(found: [f64; 2], wanted: [f64; 2]) -> bool {
 #[test]
 fn a_centre_that_rests_squeezes_nothing() {
     let plain = "speed = \"10 rad/s\", eccentricity = 0.6, min_film_angle = \"90 deg\"";
-    for squeeze in [
-        "",
-        ", squeeze = {}",
-        ", squeeze = { radial = \"0 m/s\", tangential = \"-0 m/s\" }",
-    ] {
+    for squeeze in ["", ", squeeze = {}", ", squeeze = { radial = \"0 m/s\", tangential = \"-0 m/s\" }"] {
         let study = journal(&format!("{plain}{squeeze}"));
         assert_eq!(Effects::of(&study.scene).simulated, ["poiseuille", "couette"]);
         assert!(Effects::of(&study.scene).not_simulated.contains(&"squeeze"));
@@ -44,10 +40,7 @@ fn a_centre_that_moves_adds_its_term() {
     let moving =
         "eccentricity = 0.6, min_film_angle = \"90 deg\", squeeze = { radial = \"2 mm/s\", tangential = \"1 mm/s\" }";
     let turning = journal(&format!("speed = \"10 rad/s\", {moving}"));
-    assert_eq!(
-        Effects::of(&turning.scene).simulated,
-        ["poiseuille", "couette", "squeeze"]
-    );
+    assert_eq!(Effects::of(&turning.scene).simulated, ["poiseuille", "couette", "squeeze"]);
     assert!(!Effects::of(&turning.scene).not_simulated.contains(&"squeeze"));
     // The line of centres points to +y: radial is +y, and towards growing angles is -x.
     assert!(is_near(turning.problem.journal.velocity, [-1e-3, 2e-3]));
@@ -63,21 +56,11 @@ fn under_a_load_the_search_begins_behind_it() {
     for (speed, sense) in [("10 rad/s", 1.0), ("-10 rad/s", -1.0)] {
         let tables = format!("journal.speed = \"{speed}\"\nload = {{ force = \"5 kN\", angle = \"270 deg\" }}");
         let study = study(&tables);
-        assert!(
-            is_near(study.load.expect("a load").force, [0.0, -5e3]),
-            "{:?}",
-            study.load
-        );
-        assert_eq!(
-            Effects::of(&study.scene).simulated,
-            ["poiseuille", "couette", "equilibrium"]
-        );
+        assert!(is_near(study.load.expect("a load").force, [0.0, -5e3]), "{:?}", study.load);
+        assert_eq!(Effects::of(&study.scene).simulated, ["poiseuille", "couette", "equilibrium"]);
         // A full film: at right angles to the load, as far out as a closed estimate says.
         let [x, y] = study.problem.journal.offset;
-        assert!(
-            sense * x > 0.0 && x.abs() < 37.5e-6 && y.abs() < 1e-3 * x.abs(),
-            "{x:e} {y:e}"
-        );
+        assert!(sense * x > 0.0 && x.abs() < 37.5e-6 && y.abs() < 1e-3 * x.abs(), "{x:e} {y:e}");
     }
 }
 
@@ -101,9 +84,7 @@ fn each_model_of_cavitation_is_compiled() {
         assert_eq!(closure(model, "-0.5 bar", "0 bar"), wanted);
     }
     // 0.07 bar is read one bit above 7 kPa.
-    let Cavitation::Jfo { pressure } = closure("jfo", "0.07 bar", "7 kPa") else {
-        panic!("another model")
-    };
+    let Cavitation::Jfo { pressure } = closure("jfo", "0.07 bar", "7 kPa") else { panic!("another model") };
     assert_eq!(pressure, 7e3);
     let effects = Effects::of(&study(&format!("{journal}cavitation.model = \"jfo\"")).scene);
     assert_eq!(effects.simulated, ["poiseuille", "couette", "cavitation: jfo"]);

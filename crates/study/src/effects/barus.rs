@@ -34,9 +34,7 @@ pub(super) const AS_PRINTED: Effect = Effect {
             "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",
             100.0 * measured.flows.imbalance
         ));
-        std::iter::once(no_balance)
-            .chain((ROW.warnings)(film, measured))
-            .collect()
+        std::iter::once(no_balance).chain((ROW.warnings)(film, measured)).collect()
     },
     ..ROW
 };
@@ -52,12 +50,7 @@ const ROW: Effect = Effect {
         "remove it for the characteristics",
     ]),
     warnings: |_, measured| {
-        beyond_pressure(
-            measured,
-            LIMIT,
-            "Barus' law",
-            "it overstates the viscosity there; take roelands",
-        )
+        beyond_pressure(measured, LIMIT, "Barus' law", "it overstates the viscosity there; take roelands")
     },
     ..BLANK
 };

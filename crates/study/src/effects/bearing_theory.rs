@@ -38,12 +38,8 @@ pub(super) const LONG: Effect = Effect {
     ..ROW
 };
 
-const ROW: Effect = Effect {
-    socket: Socket::FlowFactors,
-    instead: "pressure flow in both directions",
-    remove: without,
-    ..BLANK
-};
+const ROW: Effect =
+    Effect { socket: Socket::FlowFactors, instead: "pressure flow in both directions", remove: without, ..BLANK };
 
 fn without(scene: &Scene) -> Option<Scene> {
     changed(scene, |scene| scene.bearing.theory = scene::Theory::Full)

@@ -45,9 +45,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
         Liner::Wall { of, outer } => slices(of, *outer, film),
         Liner::Winkler(Layer::Given(_)) | Liner::Compliance { .. } => None,
     };
-    let is_large = measured
-        .deflection
-        .is_some_and(|most| most > film.problem.bearing.clearance);
+    let is_large = measured.deflection.is_some_and(|most| most > film.problem.bearing.clearance);
     let large = is_large.then(|| {
         warning::SOFT.says("the elastic liner deflects by more than the clearance: check its stiffness and its unit; strains are small in its model")
     });
@@ -57,21 +55,14 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
 /// Where a layer is no model of the wall that it is made of: the ring of that wall under the same pressure.
 fn no_layer(material: &Material, deflection: &Deflection, film: &Film) -> Option<Warning> {
     let bearing = &film.problem.bearing;
-    let of_ring = Liner::Wall {
-        of: *material,
-        outer: OuterSurface::Clamped,
-    };
+    let of_ring = Liner::Wall { of: *material, outer: OuterSurface::Clamped };
     let ring_wall = wall(&of_ring, bearing).ok()?;
     let per_pressure = ring(material, OuterSurface::Clamped, bearing).thin_layer();
     let layer = Wall::of_slices(bearing, |_| per_pressure)?;
     // The pressure that bends the layer, from its deflection: the ring makes of it what it is in proportion wave by wave.
     let as_ring = ring_wall.deflected_as(&layer, &deflection.coefficients)?;
     let greatest = |values: &[f64]| values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-    let off: Vec<f64> = as_ring
-        .iter()
-        .zip(&*deflection.coefficients)
-        .map(|(ring, layer)| ring - layer)
-        .collect();
+    let off: Vec<f64> = as_ring.iter().zip(&*deflection.coefficients).map(|(ring, layer)| ring - layer).collect();
     let part = greatest(&off) / greatest(&deflection.coefficients);
     (part > APART).then(|| {
         warning::NO_LAYER.says(format!(

@@ -47,10 +47,7 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
         balance: ThermalBalance {
             inlet: heat.inlet,
             heat_capacity: heat.heat_capacity,
-            housing: heat.housing.map(|housing| Housing {
-                conductance: housing.conductance,
-                ambient: housing.ambient,
-            }),
+            housing: heat.housing.map(|housing| Housing { conductance: housing.conductance, ambient: housing.ambient }),
         },
         mixing: heat.mixing,
         engine: heat.engine,

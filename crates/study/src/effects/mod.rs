@@ -179,10 +179,7 @@ impl Effects {
         simulated.sort_by_key(|effect| (effect.socket == Socket::Analysis, effect.socket.is_balance()));
         let is_missed = |kind: &&str| simulated.iter().all(|effect| effect.kind != *kind);
         let not_simulated = MISSED.iter().copied().filter(is_missed).collect();
-        Self {
-            simulated,
-            not_simulated,
-        }
+        Self { simulated, not_simulated }
     }
 
     /// Whether one of them is an entry of this socket.

@@ -40,9 +40,7 @@ pub(super) const ROW: Effect = Effect {
         let shaft = scene.shaft.iter().map(|shaft| Surface::Shaft(shaft.clone()));
         let (bearing, covered) = (bearing(scene), covered(scene));
         for surface in bores.chain(shaft) {
-            sockets
-                .profiles
-                .push(Box::new(move || surface.profile(&bearing, covered)));
+            sockets.profiles.push(Box::new(move || surface.profile(&bearing, covered)));
         }
     },
     instead: "circular bore, cylindrical journal",
@@ -68,20 +66,14 @@ enum Surface {
 
 /// What a measured surface has to cover.
 fn covered(scene: &Scene) -> Covered {
-    Covered {
-        length: scene.bearing.length,
-        arc: scene.bearing.arc,
-    }
+    Covered { length: scene.bearing.length, arc: scene.bearing.arc }
 }
 
 impl Surface {
     /// Its shape.
     fn profile(&self, bearing: &Bearing, covered: Covered) -> Result<Arc<dyn Profile>, TableError> {
         let radius = bearing.radius;
-        let crown = |depth: f64| Crown {
-            depth,
-            half_length: 0.5 * bearing.length,
-        };
+        let crown = |depth: f64| Crown { depth, half_length: 0.5 * bearing.length };
         let measured = |SurfacePoints { angles, zs, depths }: SurfacePoints| {
             let points = Points { angles, zs, depths };
             Measured::new(&points, radius, bearing.length, covered.arc.is_none())
@@ -89,21 +81,11 @@ impl Surface {
         Ok(match self {
             &Self::Bore(Bore::Crown(depth)) | &Self::Shaft(Shaft::Crown(depth)) => Arc::new(crown(depth)),
             &Self::Bore(Bore::Oval { depth, angle }) => Arc::new(Oval { radius, depth, angle }),
-            &Self::Bore(Bore::Worn {
-                depth,
-                angle,
-                half_width,
-            }) => Arc::new(Worn {
-                radius,
-                depth,
-                angle,
-                half_width,
-            }),
+            &Self::Bore(Bore::Worn { depth, angle, half_width }) => Arc::new(Worn { radius, depth, angle, half_width }),
             Self::Bore(Bore::Envelope { path, film }) => {
                 let positions = read_positions(path, bearing.clearance)?.into_iter();
-                let positions: Vec<Wearing> = positions
-                    .map(|WearingPosition { offset, tilt }| Wearing { offset, tilt })
-                    .collect();
+                let positions: Vec<Wearing> =
+                    positions.map(|WearingPosition { offset, tilt }| Wearing { offset, tilt }).collect();
                 Arc::new(Envelope::new(bearing, *film, &positions))
             }
             Self::Bore(Bore::Measured(path)) => Arc::new(measured(read_bore(path, covered)?)),

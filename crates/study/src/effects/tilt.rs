@@ -18,9 +18,7 @@ pub(super) const ROW: Effect = Effect {
     is_in: Scene::can_tilt,
     install: |scene, sockets| {
         let radius = scene.bearing.radius();
-        sockets
-            .film_thickness
-            .push(Box::new(move |_| Arc::new(Tilt { radius })));
+        sockets.film_thickness.push(Box::new(move |_| Arc::new(Tilt { radius })));
         sockets.tilt_rate = scene.journal.tilt_rate.unwrap_or_default();
     },
     instead: "a journal parallel to the bearing",

@@ -127,8 +127,6 @@ impl CoarseComparison<'_> {
     fn errors_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientErrors> {
         let film = of(self.measured.dynamics()?)?;
         let coarse = of(self.dynamics.as_ref()?)?;
-        Some(CoefficientErrors::entry_by_entry(film, coarse, |difference| {
-            OF_TANGENTS * difference
-        }))
+        Some(CoefficientErrors::entry_by_entry(film, coarse, |difference| OF_TANGENTS * difference))
     }
 }

@@ -19,9 +19,7 @@ impl CoefficientErrors {
     pub(super) fn entry_by_entry(film: &Coefficients, other: &Coefficients, part: impl Fn(f64) -> f64) -> Self {
         let differences = [(&film.stiffness, &other.stiffness), (&film.damping, &other.damping)]
             .map(|(of, other)| bars(of, part(greatest_difference(of, other))));
-        Self {
-            parts: single(differences, film.order),
-        }
+        Self { parts: single(differences, film.order) }
     }
 
     /// With a part of the size of each entry of a `film`.
@@ -36,9 +34,7 @@ impl CoefficientErrors {
     /// These parts, each times a factor.
     pub(super) fn of_parts(parts: impl IntoIterator<Item = (f64, Coefficients)>) -> Self {
         let scaled = |(factor, part): (f64, Coefficients)| part.scaled(factor);
-        Self {
-            parts: parts.into_iter().map(scaled).collect(),
-        }
+        Self { parts: parts.into_iter().map(scaled).collect() }
     }
 
     /// Half widths of the bars of what follows from the coefficients: `change` is what it changes by with each part, none where the part takes it away.
@@ -52,10 +48,7 @@ impl CoefficientErrors {
 fn single([stiffness, damping]: [Square; 2], order: usize) -> Vec<Coefficients> {
     let places = (0..order).flat_map(|row| (0..order).map(move |column| (row, column)));
     let part = |(row, column): (usize, usize)| {
-        let mut parts = [Coefficients {
-            order,
-            ..Coefficients::default()
-        }; 2];
+        let mut parts = [Coefficients { order, ..Coefficients::default() }; 2];
         parts[0].stiffness[row][column] = stiffness[row][column];
         parts[1].damping[row][column] = damping[row][column];
         parts

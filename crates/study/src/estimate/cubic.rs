@@ -84,10 +84,7 @@ impl Estimate for CubicPair<'_> {
     fn greatest_pressure(&self) -> f64 {
         let extremes = self.measured.map(|measured| measured.extremes);
         let [quadratic, cubic] = extremes.map(|extremes| extremes.greatest);
-        self.apart(
-            (cubic - quadratic).abs(),
-            extremes.map(|extremes| extremes.summit.triangle),
-        )
+        self.apart((cubic - quadratic).abs(), extremes.map(|extremes| extremes.summit.triangle))
     }
 
     fn least_pressure(&self) -> Bar {
@@ -116,10 +113,8 @@ impl Estimate for CubicPair<'_> {
     /// Differences of the gradients along the line cancel in that of the flow: they are summed without their signs too.
     fn inlet_flow(&self, number: Scaled) -> f64 {
         let Film { problem, system, .. } = self.film;
-        let flows = [
-            inlet_flows(problem, system, self.quadratic),
-            inlet_flows(problem, &system.cubic().system, self.cubic),
-        ];
+        let flows =
+            [inlet_flows(problem, system, self.quadratic), inlet_flows(problem, &system.cubic().system, self.cubic)];
         let apart = match flows {
             [Some(quadratic), Some(cubic)] => quadratic.iter().zip(&cubic).map(|(a, b)| (a - b).abs()).sum(),
             _ => 0.0,
@@ -136,9 +131,7 @@ impl Estimate for CubicPair<'_> {
         [FlowGoal::Ends]
             .into_iter()
             .chain(goals)
-            .try_fold(Bar::of(change.abs()), |sum, goal| {
-                Some(sum + self.flow(&goal, unchanged)?)
-            })
+            .try_fold(Bar::of(change.abs()), |sum, goal| Some(sum + self.flow(&goal, unchanged)?))
     }
 
     fn power(&self, [shear, pressure]: [f64; 2]) -> Bar {
@@ -209,11 +202,7 @@ impl CubicPair<'_> {
 
     /// What bars of places are made of.
     fn placed(&self) -> PlacedPair<'_> {
-        PlacedPair {
-            film: self.film,
-            solutions: [self.quadratic, self.cubic],
-            measured: self.measured,
-        }
+        PlacedPair { film: self.film, solutions: [self.quadratic, self.cubic], measured: self.measured }
     }
 
     /// Of the load along and across its direction [N].
@@ -230,9 +219,7 @@ impl CubicPair<'_> {
         let cut_out = regions.filter(|region| region.kind == BoundaryKind::Feed);
         Bar {
             algebra: f64::EPSILON * load,
-            geometry: cut_out
-                .map(|region| rim_error(problem, system.space().mesh(), region))
-                .sum(),
+            geometry: cut_out.map(|region| rim_error(problem, system.space().mesh(), region)).sum(),
             ..Bar::default()
         }
     }
@@ -246,14 +233,8 @@ impl CubicPair<'_> {
     /// Bar [Pa] of an extreme pressure: how far the two films are apart in the triangles that hold their extremes.
     fn apart(&self, change: f64, triangles: impl IntoIterator<Item = usize>) -> f64 {
         let Film { problem, system, .. } = self.film;
-        let quadratic = Field {
-            space: system.space(),
-            values: &self.quadratic.unknown,
-        };
-        let cubic = Field {
-            space: system.cubic().system.space(),
-            values: &self.cubic.unknown,
-        };
+        let quadratic = Field { space: system.space(), values: &self.quadratic.unknown };
+        let cubic = Field { space: system.cubic().system.space(), values: &self.cubic.unknown };
         const LATTICE: u32 = 6;
         let step = 1.0 / f64::from(LATTICE);
         let apart = |t: usize| {
@@ -270,8 +251,7 @@ impl CubicPair<'_> {
             Value::Quadratic => (1.25 * change).max(furthest),
             Value::Cubic => {
                 let plain = (0.3 * change).max(0.5 * furthest);
-                self.of_smooth_extreme(furthest, &triangles)
-                    .map_or(plain, |smooth| smooth.min(plain))
+                self.of_smooth_extreme(furthest, &triangles).map_or(plain, |smooth| smooth.min(plain))
             }
         }
     }
@@ -342,9 +322,8 @@ impl CubicPair<'_> {
         };
         let flows = regions.zip(&self.judged().flows.regions);
         let counted = flows.filter(|(region, _)| counts(region.kind, &region.name));
-        let (flow, unsure) = counted.fold((0.0, 0.0), |(flow, unsure), (_, region)| {
-            (flow + region.net, unsure + region.unsure)
-        });
+        let (flow, unsure) =
+            counted.fold((0.0, 0.0), |(flow, unsure), (_, region)| (flow + region.net, unsure + region.unsure));
         (flow.abs(), unsure)
     }
 }

@@ -35,10 +35,7 @@ impl Estimated {
                 Some(changes) => quantity.bar.map(|bar| {
                     let position = changes[number];
                     match rule.is_of_load() {
-                        true => Bar {
-                            position,
-                            ..Bar::default()
-                        },
+                        true => Bar { position, ..Bar::default() },
                         false => Bar { position, ..bar },
                     }
                 }),
@@ -92,9 +89,7 @@ fn changes(solved: &Solved, coordinates: Coordinates, list: &[Quantity], errors:
         });
         parts.sum()
     };
-    (0..list.len())
-        .map(|number| errors.iter().map(|error| change(number, error).abs()).sum())
-        .collect()
+    (0..list.len()).map(|number| errors.iter().map(|error| change(number, error).abs()).sum()).collect()
 }
 
 fn numbers(solved: &Solved, problem: &oilwedge_reynolds::FilmProblem, of: &Measured) -> Vec<Quantity> {

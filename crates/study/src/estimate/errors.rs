@@ -77,10 +77,7 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
     if let Some(found) = &solved.temperature {
         found.widen(film, &estimated.measured, &mut estimated.quantities);
     }
-    Estimated {
-        seconds: clock.elapsed().as_secs_f64(),
-        ..estimated
-    }
+    Estimated { seconds: clock.elapsed().as_secs_f64(), ..estimated }
 }
 
 fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
@@ -89,14 +86,9 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     let Ok(following) = following_wall(&film.problem, &film.system, &solved.solution) else {
         return Estimated::without_bars(film, reported);
     };
-    let Ok(error) = film_error(
-        &film.problem,
-        &film.system,
-        &solved.solution,
-        cubic,
-        &reported.load.total,
-        following.as_ref(),
-    ) else {
+    let Ok(error) =
+        film_error(&film.problem, &film.system, &solved.solution, cubic, &reported.load.total, following.as_ref())
+    else {
         return Estimated::without_bars(film, reported);
     };
     let quadratic = of_quadratic(solved, Some(&reported));
@@ -113,9 +105,7 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     let load = bars_of_balance(film, &reported, [along, error.across(Value::Cubic)], pair.moment());
     Estimated {
         of_hill: Vec::new(),
-        carried: error
-            .is_resolved()
-            .then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
+        carried: error.is_resolved().then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
         narrowed: 1.0,
         quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,
@@ -158,9 +148,9 @@ fn by_coarse(
     };
     let is_free = film.load.is_some_and(|load| load.tilting.is_some());
     let load: Vec<(Vector, Bar)> = match is_free {
-        true => (error.directions.iter())
-            .map(|&ErrorDirection { direction, bar }| (direction, of_few(film, bar)))
-            .collect(),
+        true => {
+            (error.directions.iter()).map(|&ErrorDirection { direction, bar }| (direction, of_few(film, bar))).collect()
+        }
         false => bars_of_balance(film, &plain.measured, [error.load, error.across], None),
     };
     Estimated {
@@ -191,15 +181,7 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
     };
     let film = &solved.film;
     let better = of_cubic(film, cubic);
-    let error = film_error(
-        &film.problem,
-        &film.system,
-        &solved.solution,
-        cubic,
-        &better.load.total,
-        None,
-    )
-    .ok()?;
+    let error = film_error(&film.problem, &film.system, &solved.solution, cubic, &better.load.total, None).ok()?;
     let quadratic = of_quadratic(solved, Some(&better));
     let pair = CubicPair {
         film,
@@ -251,12 +233,8 @@ fn bars_of_balance(
     let [x, y] = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
     let per_arm = 2.0 / film.problem.bearing.length;
     let of_force = [([x, y, 0.0, 0.0], along), ([-y, x, 0.0, 0.0], across)];
-    let of_moment = moment.map(|[m_x, m_y]| {
-        [
-            ([0.0, 0.0, 1.0, 0.0], m_x.scaled(per_arm)),
-            ([0.0, 0.0, 0.0, 1.0], m_y.scaled(per_arm)),
-        ]
-    });
+    let of_moment = moment
+        .map(|[m_x, m_y]| [([0.0, 0.0, 1.0, 0.0], m_x.scaled(per_arm)), ([0.0, 0.0, 0.0, 1.0], m_y.scaled(per_arm))]);
     let bars = of_force.into_iter().chain(of_moment.into_iter().flatten());
     bars.map(|(direction, bar)| (direction, of_few(film, bar))).collect()
 }
@@ -297,11 +275,7 @@ fn with_bars(
                 Some(moved) => *moved.get(&quantity.name)?,
                 None => 0.0,
             };
-            Some(Bar {
-                position,
-                wall: by_wall.of(&quantity.name),
-                ..of_few(film, bar)
-            })
+            Some(Bar { position, wall: by_wall.of(&quantity.name), ..of_few(film, bar) })
         });
         quantity.set_bar(bar);
     }

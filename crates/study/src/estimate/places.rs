@@ -41,16 +41,10 @@ const STEP: f64 = 0.125;
 pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
     let [quadratic, cubic] = pair.measured.map(|measured| measured.extremes.summit);
     let change = [
-        (pair.film.problem.bearing)
-            .around(quadratic.position[0], cubic.position[0])
-            .abs(),
+        (pair.film.problem.bearing).around(quadratic.position[0], cubic.position[0]).abs(),
         (quadratic.position[1] - cubic.position[1]).abs(),
     ];
-    let High {
-        triangles,
-        depth,
-        reach,
-    } = high(pair, bar);
+    let High { triangles, depth, reach } = high(pair, bar);
     let off = (triangles.into_iter())
         .chain([quadratic.triangle, cubic.triangle])
         .flat_map(|t| lattice().map(move |point| (t, point)))
@@ -112,18 +106,12 @@ fn high(pair: &PlacedPair, bar: f64) -> High {
             reach = [0, 1].map(|d| reach[d].max(away[d].abs()));
         }
     }
-    High {
-        triangles,
-        depth,
-        reach,
-    }
+    High { triangles, depth, reach }
 }
 
 /// Bar [m] of an end of the loaded film.
 pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
-    let [quadratic, cubic] = pair
-        .measured
-        .map(|measured| measured.extent.map(|extent| end.of(&extent)));
+    let [quadratic, cubic] = pair.measured.map(|measured| measured.extent.map(|extent| end.of(&extent)));
     let (quadratic, cubic) = (quadratic?, cubic?);
     let (triangle, bearing) = (cubic.triangle, &pair.film.problem.bearing);
     let cut_off = match pair.film.problem.cavitation.kink() {
@@ -149,14 +137,8 @@ pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
 fn fields<'a>(pair: &PlacedPair<'a>) -> [Field<'a>; 2] {
     let system = &pair.film.system;
     [
-        Field {
-            space: system.space(),
-            values: &pair.solutions[0].unknown,
-        },
-        Field {
-            space: system.cubic().system.space(),
-            values: &pair.solutions[1].unknown,
-        },
+        Field { space: system.space(), values: &pair.solutions[0].unknown },
+        Field { space: system.cubic().system.space(), values: &pair.solutions[1].unknown },
     ]
 }
 

@@ -32,9 +32,7 @@ pub(super) fn position_bars(
         return names.map(|name| (name, f64::NAN)).collect();
     }
     let moved_towards = |(direction, bar): &(Vector, f64)| {
-        let by = balance
-            .stiffness
-            .solve(direction.map(|d| d * (bar + balance.unbalanced)));
+        let by = balance.stiffness.solve(direction.map(|d| d * (bar + balance.unbalanced)));
         let change = (balance.coordinates).change(&base.problem.journal, &base.centre_velocity, by);
         let wall = solved.wall.times(by);
         let moved = displaced_with_wall(&base.problem, &base.system, &solved.solution, &change, &wall);

@@ -49,11 +49,7 @@ impl WallBars {
         let [f_x, f_y, m_x, m_y] = self.forces;
         // Signs are lost: all parts count to all sides.
         let forces = [f_x, f_y, m_x / arm, m_y / arm];
-        direction
-            .iter()
-            .zip(forces)
-            .map(|(part, force)| part.abs() * force)
-            .sum()
+        direction.iter().zip(forces).map(|(part, force)| part.abs() * force).sum()
     }
 }
 
@@ -72,11 +68,7 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
         let by = |system: &FilmSystem, unknown: &[f64]| wall.deflection((problem, system), unknown, None);
         let own = by(system, &solved.solution.unknown);
         let other = by(reference.system(system), &reference.film().unknown);
-        other
-            .iter()
-            .zip(own)
-            .map(|(other, own)| other - own)
-            .collect::<Vec<f64>>()
+        other.iter().zip(own).map(|(other, own)| other - own).collect::<Vec<f64>>()
     });
     let by_grid = wall.grid_error(problem, system, &solved.solution.unknown);
     for (by, free) in [(By::OtherFilm, by_other), (By::Grid, by_grid)] {
@@ -97,9 +89,7 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
         }
         for quantity in list.iter().filter(|quantity| !is_in_dual(quantity)) {
             let there = numbers.iter().find(|there| there.name == quantity.name);
-            let change = there.map_or(f64::NAN, |there| {
-                quantity.row.difference(quantity.value, there.value).abs()
-            });
+            let change = there.map_or(f64::NAN, |there| quantity.row.difference(quantity.value, there.value).abs());
             *bars.by_name.entry(quantity.name.clone()).or_default() += change;
         }
     }
@@ -112,9 +102,7 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
         let moved = touched(problem, system, &solved.solution, &free).ok().flatten();
         let [here, there] = [Some(thinnest(deflection)), moved.map(|moved| thinnest(&moved))];
         let mut add = |row: &'static Row, of: fn(Thinnest) -> f64| {
-            let change = here
-                .zip(there)
-                .map_or(f64::NAN, |(here, there)| row.difference(of(here), of(there)).abs());
+            let change = here.zip(there).map_or(f64::NAN, |(here, there)| row.difference(of(here), of(there)).abs());
             *bars.by_name.entry(row.name.into()).or_default() += change;
         };
         add(&FILM_THICKNESS_MIN, |film| film.thickness);

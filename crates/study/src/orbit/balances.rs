@@ -14,11 +14,8 @@ use oilwedge_bearing::orbit::{Motion, Span};
 use super::sample::Sampled;
 
 /// Places of a span at which the power of the load is taken, in spans, and their weights (Gauss).
-const GAUSS: [(f64, f64); 3] = [
-    (0.112_701_665_379_258_3, 5.0 / 18.0),
-    (0.5, 8.0 / 18.0),
-    (0.887_298_334_620_741_7, 5.0 / 18.0),
-];
+const GAUSS: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 /// Places at which a spline is asked for its mean.
 const PLACES: u32 = 4096;
 
@@ -49,11 +46,7 @@ pub(super) fn mean_flows(sampled: &[Sampled]) -> Option<ThermalFlows> {
     });
     let values: Option<Vec<[f64; 3]>> = values.collect();
     let [power, flow, round] = mean(times, values?, last.sample.time)?;
-    Some(ThermalFlows {
-        power,
-        flow,
-        carried_over: if flow > 0.0 { round / flow } else { 0.0 },
-    })
+    Some(ThermalFlows { power, flow, carried_over: if flow > 0.0 { round / flow } else { 0.0 } })
 }
 
 /// Mean of values at these times, on a periodic spline.

@@ -53,28 +53,16 @@ pub fn no_map(scene: &Scene) -> Option<&'static str> {
     let reasons = [
         (scene.orbit.is_none(), "the scene has no [orbit]"),
         (scene.bearing.arc.is_some(), "the bearing is an arc"),
-        (
-            scene.bearing.film_start.is_some(),
-            "the film has a start (bearing.film_start)",
-        ),
+        (scene.bearing.film_start.is_some(), "the film has a start (bearing.film_start)"),
         (!scene.feeds.is_empty(), "the bearing has feeds"),
         (scene.bearing.theory == Theory::Long, "the bearing is a long one"),
         (scene.can_tilt(), "the journal tilts"),
         (!scene.is_circular(), "bore or shaft are no circles"),
         (scene.contact.is_some(), "the surfaces touch"),
         (scene.liner.is_some(), "the liner gives way"),
-        (
-            scene.orbit.is_some_and(|orbit| orbit.mass > 0.0),
-            "the rotor has a mass",
-        ),
-        (
-            scene.oil.pressure_law != PressureLaw::Constant,
-            "the viscosity depends on the pressure",
-        ),
-        (
-            !cavity.is_some_and(|cavity| is_half(cavity.model)),
-            "the cavitation model is neither guembel nor reynolds",
-        ),
+        (scene.orbit.is_some_and(|orbit| orbit.mass > 0.0), "the rotor has a mass"),
+        (scene.oil.pressure_law != PressureLaw::Constant, "the viscosity depends on the pressure"),
+        (!cavity.is_some_and(|cavity| is_half(cavity.model)), "the cavitation model is neither guembel nor reynolds"),
         (
             cavity.is_some_and(|cavity| cavity.pressure != scene.ends.pressure),
             "the cavity has another pressure than the ends",
@@ -90,11 +78,7 @@ pub fn no_map(scene: &Scene) -> Option<&'static str> {
 pub fn by_maps(scene: &Scene, path: &OrbitPath) -> Result<Vec<Result<ByMap, String>>, CompileError> {
     let cycle = load_of_orbit(scene)?;
     let bearing = bearing(scene);
-    let beside = Beside {
-        bearing,
-        cycle: &cycle,
-        path,
-    };
+    let beside = Beside { bearing, cycle: &cycle, path };
     let short = beside.by("short", &ShortMap, 0, 0.0);
     let clock = Instant::now();
     let greatest = 1.0 - ROOM * (1.0 - path.greatest_eccentricity());
@@ -124,12 +108,7 @@ struct Beside<'a> {
 impl Beside<'_> {
     fn by(&self, name: &'static str, map: &dyn FilmMap, films: usize, seconds: f64) -> Result<ByMap, String> {
         let clock = Instant::now();
-        let travel = Travel {
-            map,
-            bearing: self.bearing,
-            viscosity: self.path.viscosity,
-            cycle: self.cycle,
-        };
+        let travel = Travel { map, bearing: self.bearing, viscosity: self.path.viscosity, cycle: self.cycle };
         let begin = self.path.place(0.0).unwrap_or_default();
         let orbit = travel
             .orbit([begin[0], begin[1]], TOLERANCE, CLOSURE, CYCLES)
@@ -160,21 +139,11 @@ impl Beside<'_> {
     fn path_of(&self, orbit: &MapOrbit) -> OrbitPath {
         let (clearance, speed) = (self.bearing.clearance, self.cycle.angular_speed());
         OrbitPath {
-            crank_angles: orbit
-                .steps
-                .iter()
-                .map(|step| (speed * step.time).to_degrees())
-                .collect(),
+            crank_angles: orbit.steps.iter().map(|step| (speed * step.time).to_degrees()).collect(),
             times: orbit.steps.iter().map(|step| step.time).collect(),
-            offsets: (orbit.steps.iter())
-                .map(|step| [step.at[0] / clearance, step.at[1] / clearance])
-                .collect(),
+            offsets: (orbit.steps.iter()).map(|step| [step.at[0] / clearance, step.at[1] / clearance]).collect(),
             quantities: Vec::new(),
-            spans: orbit
-                .steps
-                .windows(2)
-                .map(|pair| Span::between(&pair[0], &pair[1]))
-                .collect(),
+            spans: orbit.steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect(),
             clearance,
             viscosity: self.path.viscosity,
         }
@@ -183,12 +152,7 @@ impl Beside<'_> {
     /// The numbers that follow from a path.
     fn quantities(&self, path: &OrbitPath) -> Vec<Quantity> {
         let samples: Vec<Sample> = (path.times.iter())
-            .map(|&time| Sample {
-                time,
-                journal: JournalState::default(),
-                quantities: Vec::new(),
-                drift: Vec::new(),
-            })
+            .map(|&time| Sample { time, journal: JournalState::default(), quantities: Vec::new(), drift: Vec::new() })
             .collect();
         let (_, peak) = self.cycle.summary().peak;
         over_cycle(&CycleView {
@@ -196,10 +160,7 @@ impl Beside<'_> {
             path: &path.spans,
             gap: &Gap::circular(self.bearing),
             wall: None,
-            coordinates: Coordinates {
-                order: 2,
-                arm: 0.5 * self.bearing.length,
-            },
+            coordinates: Coordinates { order: 2, arm: 0.5 * self.bearing.length },
             angular_speed: self.cycle.angular_speed(),
             between: 0.0,
             peak_load: peak[0].hypot(peak[1]),

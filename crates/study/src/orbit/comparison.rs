@@ -30,27 +30,11 @@ pub(super) fn judge(
     options: &RunOptions,
     quantities: &mut [Quantity],
 ) {
-    let film = Film {
-        system: Arc::new(film.system.on_vertices()),
-        ..film.clone()
-    };
-    let motion = Motion {
-        system: &film.system,
-        gap: film.gap(),
-        ..*motion
-    };
-    let numbers_alone = RunOptions {
-        bars: false,
-        frames: 0,
-        observer: None,
-        ..*options
-    };
+    let film = Film { system: Arc::new(film.system.on_vertices()), ..film.clone() };
+    let motion = Motion { system: &film.system, gap: film.gap(), ..*motion };
+    let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
     let numbers = |tolerance: f64| {
-        let options = OrbitOptions {
-            tolerance,
-            observer: None,
-            ..orbit
-        };
+        let options = OrbitOptions { tolerance, observer: None, ..orbit };
         let orbit = motion.orbit(begin, &options).ok()?;
         Some(measured(&film, &motion, model, orbit, &numbers_alone).ok()?.quantities)
     };

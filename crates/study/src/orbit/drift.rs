@@ -53,10 +53,7 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
                 by_mesh.carry(tangents, dt);
                 by_mesh.add(tangents.step([0.0; 4], tangents.defect, dt));
             }
-            let (mesh, time) = (
-                by_mesh.of_numbers(tangents, tangents.defect),
-                by_time.of_numbers(tangents, [0.0; 4]),
-            );
+            let (mesh, time) = (by_mesh.of_numbers(tangents, tangents.defect), by_time.of_numbers(tangents, [0.0; 4]));
             sample.drift = (mesh.iter().zip(&time))
                 .map(|(mesh, time)| [mesh.sum.abs() + UNSURE * mesh.sizes, time.sizes])
                 .collect();
@@ -116,13 +113,9 @@ impl Parts {
 
     /// What parts of unknown sign, at right angles to each other at first, change each number of a film by.
     fn size_of_numbers(&self, tangents: &Tangents) -> Vec<f64> {
-        let moving: Vec<[Vector; 2]> = (self.0.iter())
-            .map(|&part| [part, tangents.rate(part, [0.0; 4])])
-            .collect();
+        let moving: Vec<[Vector; 2]> = (self.0.iter()).map(|&part| [part, tangents.rate(part, [0.0; 4])]).collect();
         let size = |(by_offset, by_rate): (&Vector, &Vector)| {
-            let parts = moving
-                .iter()
-                .map(|[part, rate]| dot(*by_offset, *part) + dot(*by_rate, *rate));
+            let parts = moving.iter().map(|[part, rate]| dot(*by_offset, *part) + dot(*by_rate, *rate));
             parts.fold(0.0, f64::hypot)
         };
         tangents.by_offset.iter().zip(&tangents.by_rate).map(size).collect()
@@ -138,20 +131,13 @@ impl Parts {
             })
             .collect();
         let of_number = |(by_offset, by_rate): (&Vector, &Vector)| {
-            let parts = moving
-                .iter()
-                .map(|[part, rate]| dot(*by_offset, *part) + dot(*by_rate, *rate));
+            let parts = moving.iter().map(|[part, rate]| dot(*by_offset, *part) + dot(*by_rate, *rate));
             parts.fold(OfNumber { sum: 0.0, sizes: 0.0 }, |all, part| OfNumber {
                 sum: all.sum + part,
                 sizes: all.sizes + part.abs(),
             })
         };
-        tangents
-            .by_offset
-            .iter()
-            .zip(&tangents.by_rate)
-            .map(of_number)
-            .collect()
+        tangents.by_offset.iter().zip(&tangents.by_rate).map(of_number).collect()
     }
 }
 

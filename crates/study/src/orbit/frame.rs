@@ -41,10 +41,7 @@ pub(super) fn frames<'a>(
             let axis = axis(&solved.film.problem.journal, film.problem.bearing.length);
             picture.lines.push((JOURNAL_AXIS.to_owned(), vec![axis]));
         }
-        Ok(Frame {
-            crank_angle: (motion.cycle.angular_speed() * time).to_degrees(),
-            picture,
-        })
+        Ok(Frame { crank_angle: (motion.cycle.angular_speed() * time).to_degrees(), picture })
     };
     (0..options.frames).into_par_iter().map(frame).collect()
 }

@@ -96,10 +96,7 @@ pub(super) fn refine_peak(
         }
         let span = Span::between(&steps[next - 1], &steps[next]);
         let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
-        let step = Step {
-            until_next: steps[next - 1].until_next,
-            ..Step::of(&instant, 0.0)
-        };
+        let step = Step { until_next: steps[next - 1].until_next, ..Step::of(&instant, 0.0) };
         let (one, _) = sample(film, motion, instant, errors)?;
         steps.insert(next, step);
         samples.insert(next, one);
@@ -138,10 +135,7 @@ pub(super) fn solved_at(
 ) -> Result<Solved, NoAnswer> {
     let Some((step, span)) = from else {
         let film = film.with_journal(motion.journal(time, [0.0; 4], [0.0; 4]));
-        let options = SolveOptions {
-            errors,
-            ..SolveOptions::default()
-        };
+        let options = SolveOptions { errors, ..SolveOptions::default() };
         return isothermal(&film, &options);
     };
     let instant = (motion.between(step, &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
@@ -149,11 +143,7 @@ pub(super) fn solved_at(
         Some(_) => InitialGuess::Near(Neighbour::Kept(&instant.film)),
         None => InitialGuess::default(),
     };
-    let options = SolveOptions {
-        errors,
-        guess,
-        ..SolveOptions::default()
-    };
+    let options = SolveOptions { errors, guess, ..SolveOptions::default() };
     isothermal(&film.at_instant(&instant), &options)
 }
 
@@ -189,28 +179,11 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
             let [x, y, z_x, z_y] = motion.coordinates().forces(&carried);
             let quadratic = motion.coordinates().forces(&quadratic_force(&here, &solved));
             let [by_offset, by_rate] = sensitivities(motion, &here, &solved.solution, &quantities)?;
-            Some(Tangents {
-                stiffness,
-                damping,
-                defect: moved([x, y, z_x, z_y], -1.0, quadratic),
-                by_offset,
-                by_rate,
-            })
+            Some(Tangents { stiffness, damping, defect: moved([x, y, z_x, z_y], -1.0, quadratic), by_offset, by_rate })
         }
     };
-    let sample = Sample {
-        time,
-        journal: here.problem.journal,
-        quantities,
-        drift: Vec::new(),
-    };
-    let sampled = Sampled {
-        sample,
-        tangents,
-        power,
-        imbalance,
-        flows,
-    };
+    let sample = Sample { time, journal: here.problem.journal, quantities, drift: Vec::new() };
+    let sampled = Sampled { sample, tangents, power, imbalance, flows };
     Ok((sampled, solved.solution))
 }
 
@@ -230,9 +203,7 @@ fn with_forces_of_path(film: &Film, solved: &Solved, mut quantities: Vec<Quantit
 
 /// Force of the film by which the orbit was followed.
 fn quadratic_force(film: &Film, solved: &Solved) -> oilwedge_reynolds::quantities::load::Resultant {
-    oilwedge_reynolds::quantities::load::load(&film.problem, &film.system, &solved.solution)
-        .total
-        .resultant()
+    oilwedge_reynolds::quantities::load::load(&film.problem, &film.system, &solved.solution).total.resultant()
 }
 
 /// How a film moves with its journal, as place or as rate.

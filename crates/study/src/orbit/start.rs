@@ -46,9 +46,7 @@ pub(super) fn prepared(
     let Some((orbit, greatest)) = rough else {
         return Ok((film, given.unwrap_or(first(cycle, clearance))));
     };
-    let begin = given
-        .or_else(|| Some(orbit.steps.first()?.at))
-        .unwrap_or(first(cycle, clearance));
+    let begin = given.or_else(|| Some(orbit.steps.first()?.at)).unwrap_or(first(cycle, clearance));
     let film = match suits(USUAL, greatest) || !scene.mesh.is_graded() {
         true => film,
         false => on_mesh_for(scene, greatest)?,
@@ -75,11 +73,7 @@ pub fn film_of_orbit(scene: &Scene) -> Result<Film, CompileError> {
 /// # Errors
 /// The scene does not become a film.
 pub(crate) fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
-    let position = Position {
-        eccentricity,
-        min_film_angle: 0.0,
-        tilt: scene.journal.tilt.unwrap_or_default(),
-    };
+    let position = Position { eccentricity, min_film_angle: 0.0, tilt: scene.journal.tilt.unwrap_or_default() };
     let film = compile_near(scene, position)?;
     // The journal is where the motion leads it.
     Ok(Film { load: None, ..film })
@@ -96,12 +90,7 @@ fn rough(
     let fine = motion(film, scene, model, cycle);
     let coarser = film.system.coarser.as_ref()?;
     let problem = coarser.problem(&film.problem);
-    let motion = Motion {
-        problem: &problem,
-        system: &coarser.system,
-        gap: Gap::of(&problem, &coarser.system),
-        ..fine
-    };
+    let motion = Motion { problem: &problem, system: &coarser.system, gap: Gap::of(&problem, &coarser.system), ..fine };
     // Where a map leads to the orbit one cycle is enough.
     let by_map = no_map(scene).is_none().then(|| by_short_map(film, cycle)).flatten();
     let options = OrbitOptions {
@@ -128,12 +117,7 @@ fn rough(
 /// Where the orbit by the short-film map begins [m]; `None` where it leads nowhere.
 fn by_short_map(film: &Film, cycle: &DutyCycle) -> Option<Vector> {
     let bearing = film.problem.bearing;
-    let travel = Travel {
-        map: &ShortMap,
-        bearing,
-        viscosity: film.problem.lubricant.viscosity,
-        cycle,
-    };
+    let travel = Travel { map: &ShortMap, bearing, viscosity: film.problem.lubricant.viscosity, cycle };
     let [x, y, ..] = first(cycle, bearing.clearance);
     let orbit = travel.orbit([x, y], ROUGH, ROUGH, ROUGH_CYCLES)?;
     Some(orbit.steps.last()?.at)

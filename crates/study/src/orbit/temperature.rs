@@ -80,12 +80,7 @@ pub(super) fn balanced(
     watch: Watch,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
-    let quick = RunOptions {
-        bars: false,
-        frames: 0,
-        earlier: None,
-        ..*options
-    };
+    let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
     let search = |film: Film, begin: Vector, model: Orbit| Search {
         scene,
         model,
@@ -99,10 +94,7 @@ pub(super) fn balanced(
     };
     let first = oil::first_temperature(thermal.balance.inlet);
     let (film, begin) = start::prepared(scene, model, cycle, watch)?;
-    let rough_model = Orbit {
-        tolerance: ROUGH_TOLERANCE.max(model.tolerance),
-        ..*model
-    };
+    let rough_model = Orbit { tolerance: ROUGH_TOLERANCE.max(model.tolerance), ..*model };
     let mut rough = search(film.clone().on_coarser(), begin, rough_model);
     let found = match rough.find(Start::at(first), ROUGHLY) {
         Ok(found) => found,
@@ -114,10 +106,7 @@ pub(super) fn balanced(
         observer.turns_to("the orbits at one temperature after the other");
     }
     let mut fine = search(film, begin, *model);
-    let near = Start {
-        temperature: found.temperature,
-        slope: Some(found.slope).filter(|slope| *slope < 0.0),
-    };
+    let near = Start { temperature: found.temperature, slope: Some(found.slope).filter(|slope| *slope < 0.0) };
     let found = match fine.find(near, BALANCED * model.tolerance) {
         Ok(found) => found,
         Err(reason) => return Ok((fine.film, Err(none(&thermal.balance, reason)))),
@@ -131,9 +120,7 @@ impl Search<'_> {
     fn find(&mut self, start: Start, accuracy: f64) -> Result<Balanced, NoBalance<Left>> {
         let balance = self.thermal.balance;
         let slope = start.slope.or_else(|| self.slope_near(start.temperature));
-        find(&balance, Start { slope, ..start }, accuracy, |temperature| {
-            self.at(temperature)
-        })
+        find(&balance, Start { slope, ..start }, accuracy, |temperature| self.at(temperature))
     }
 
     /// How the surplus changes with the temperature [W/K], by two orbits.
@@ -152,12 +139,7 @@ impl Search<'_> {
         if let Some(observer) = self.options.observer {
             observer.temperature(self.tried.len() + 1, temperature - ZERO_CELSIUS);
         }
-        let found = followed(
-            &film,
-            (self.scene, &self.model, self.cycle),
-            (self.begin, self.deadline),
-            &self.options,
-        );
+        let found = followed(&film, (self.scene, &self.model, self.cycle), (self.begin, self.deadline), &self.options);
         let found = found.map_err(Left::NoAnswer)?;
         if found.end == OrbitEnd::Ended {
             return Err(Left::Ended);
@@ -178,12 +160,7 @@ impl Search<'_> {
             // A second orbit, for the change with temperature; without it the numbers have no bars.
             drop(self.at(found.temperature + FURTHER));
         }
-        let mut orbit = followed(
-            film,
-            (self.scene, &self.model, self.cycle),
-            (self.begin, self.deadline),
-            options,
-        )?;
+        let mut orbit = followed(film, (self.scene, &self.model, self.cycle), (self.begin, self.deadline), options)?;
         let flows = orbit.flows.unwrap_or(found.film);
         let balance = &self.thermal.balance;
         let surplus = balance.surplus(found.temperature, &flows);
@@ -192,14 +169,8 @@ impl Search<'_> {
             (&CYCLE_TEMPERATURE, found.temperature - ZERO_CELSIUS),
             (&CYCLE_TEMPERATURE_OUTLET, outlet - ZERO_CELSIUS),
         ];
-        orbit
-            .quantities
-            .extend(balanced.map(|(row, value)| Quantity::new(row, value)));
-        if options.bars
-            && self
-                .widen(&mut orbit.quantities, (found.temperature, flows, surplus))
-                .is_none()
-        {
+        orbit.quantities.extend(balanced.map(|(row, value)| Quantity::new(row, value)));
+        if options.bars && self.widen(&mut orbit.quantities, (found.temperature, flows, surplus)).is_none() {
             orbit.quantities.iter_mut().for_each(|quantity| quantity.set_bar(None));
         }
         orbit.temperature = Some(CycleTemperature {
@@ -218,9 +189,7 @@ impl Search<'_> {
             a.total_cmp(&b)
         });
         let first = *by_distance.first()?;
-        let second = by_distance
-            .iter()
-            .find(|other| (other.temperature - first.temperature).abs() > APART)?;
+        let second = by_distance.iter().find(|other| (other.temperature - first.temperature).abs() > APART)?;
         Some([first, second])
     }
 
@@ -250,10 +219,7 @@ impl Search<'_> {
         let per_kelvin =
             balance.ends(temperature + 1.0, flows.carried_over)[1] - balance.ends(temperature, flows.carried_over)[1];
         for quantity in quantities {
-            let by_temperature = |per_kelvin: f64| Bar {
-                temperature: bar * per_kelvin.abs(),
-                ..Bar::default()
-            };
+            let by_temperature = |per_kelvin: f64| Bar { temperature: bar * per_kelvin.abs(), ..Bar::default() };
             let widened = match quantity.row {
                 row if row == &CYCLE_TEMPERATURE => Some(by_temperature(1.0)),
                 row if row == &CYCLE_TEMPERATURE_OUTLET => Some(by_temperature(per_kelvin)),

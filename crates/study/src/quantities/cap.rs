@@ -77,11 +77,7 @@ struct Joint {
 impl Joint {
     fn new(cap: &Cap, speed: f64) -> Self {
         let joint = cap_joint(cap);
-        Self {
-            cap: *cap,
-            forces: joint.forces(joint.inertia_force(speed)),
-            joint,
-        }
+        Self { cap: *cap, forces: joint.forces(joint.inertia_force(speed)), joint }
     }
 
     /// Least and greatest stress [Pa] of a bolt.

@@ -77,14 +77,12 @@ rows! {
 /// Part of the load from which on a film counts as one in contact.
 const TOUCHING: f64 = 0.01;
 
-const INTEGRATED: ErrorRule = ErrorRule::Of(
-    "the error of integration; under a load that of the position",
-    |_, at| integrated(at),
-);
-const MOMENT: ErrorRule = ErrorRule::Of(
-    "the error of integration, at half of the length; under a load that of the position",
-    |_, at| Some(integrated(at)?.scaled(0.5 * at.view.problem.bearing.length)),
-);
+const INTEGRATED: ErrorRule =
+    ErrorRule::Of("the error of integration; under a load that of the position", |_, at| integrated(at));
+const MOMENT: ErrorRule =
+    ErrorRule::Of("the error of integration, at half of the length; under a load that of the position", |_, at| {
+        Some(integrated(at)?.scaled(0.5 * at.view.problem.bearing.length))
+    });
 
 /// True of a scene with contact.
 pub(super) fn touches(scene: &Scene) -> bool {
@@ -107,8 +105,7 @@ pub(super) fn integrated(at: &Subject) -> Option<Bar> {
 fn share(film: &View) -> Option<f64> {
     let contact = film.measured.contact?.share.force;
     let [x, y] = film.measured.load.total.force;
-    film.is_directed
-        .then(|| (contact[0] * x + contact[1] * y) / film.force.powi(2))
+    film.is_directed.then(|| (contact[0] * x + contact[1] * y) / film.force.powi(2))
 }
 
 fn of_share(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {

@@ -45,11 +45,7 @@ impl Sample {
     fn bar_of(&self, index: usize) -> Option<Bar> {
         let [by_mesh, by_time] = self.drift.get(index)?;
         let bar = self.quantities[index].bar?;
-        Some(Bar {
-            position: bar.position + by_mesh.abs(),
-            time: by_time.abs(),
-            ..bar
-        })
+        Some(Bar { position: bar.position + by_mesh.abs(), time: by_time.abs(), ..bar })
     }
 
     fn index(&self, row: &Row) -> Option<usize> {
@@ -122,9 +118,7 @@ impl CycleView<'_> {
     /// Crank angle at a time [deg].
     pub fn crank_angle(&self, time: f64) -> f64 {
         let turns = (self.angular_speed * self.period()).to_degrees();
-        (self.angular_speed * time)
-            .to_degrees()
-            .rem_euclid(turns.max(f64::MIN_POSITIVE))
+        (self.angular_speed * time).to_degrees().rem_euclid(turns.max(f64::MIN_POSITIVE))
     }
 
     /// Number of the part of the path in which a time [s] lies.
@@ -135,10 +129,7 @@ impl CycleView<'_> {
 
     /// The journal at a time [s].
     pub fn journal(&self, time: f64) -> JournalState {
-        let rest = self
-            .samples
-            .first()
-            .map_or_else(JournalState::default, |sample| sample.journal);
+        let rest = self.samples.first().map_or_else(JournalState::default, |sample| sample.journal);
         match self.path.get(self.part(time)) {
             Some(span) => self.coordinates.placed(&rest, span.at(time)),
             None => rest,
@@ -151,10 +142,7 @@ impl CycleView<'_> {
         let part = self.part(time);
         let (from, to) = (wall.walls.get(part)?, wall.walls.get(part + 1)?);
         let bent = from.with(self.path.get(part)?.wall([from, to], time));
-        let problem = FilmProblem {
-            journal: self.journal(time),
-            ..wall.problem.clone()
-        };
+        let problem = FilmProblem { journal: self.journal(time), ..wall.problem.clone() };
         Some((problem.deflected(Some(&bent)), wall.system))
     }
 
@@ -214,10 +202,7 @@ impl CycleView<'_> {
     /// The bar of the thinnest film of the cycle, at its time [s]: that of the films around it, and what the path is off between them.
     pub fn bar_of_thinnest(&self, time: f64) -> Option<Bar> {
         let bar = self.bar_at(&FILM_THICKNESS_MIN, time)?;
-        Some(Bar {
-            time: bar.time + self.between,
-            ..bar
-        })
+        Some(Bar { time: bar.time + self.between, ..bar })
     }
 
     /// The crank angle [deg] of the thinnest film and its bar.
@@ -269,10 +254,7 @@ impl CycleView<'_> {
     pub fn greatest(&self, row: &Row) -> Option<At> {
         let spline = self.spline(row)?;
         let time = |k: u32| self.period() * f64::from(k) / f64::from(PLACES);
-        let at = |time: f64| At {
-            time,
-            value: spline.at(time)[0],
-        };
+        let at = |time: f64| At { time, value: spline.at(time)[0] };
         let all = (0..PLACES).map(|k| at(time(k)));
         all.reduce(|a, b| if b.value > a.value { b } else { a })
     }
@@ -284,16 +266,9 @@ impl CycleView<'_> {
         let values: Vec<[f64; 2]> = places.map(|time| [time, spline.at(time)[0]]).collect();
         let part = |count: usize| count as f64 / f64::from(PLACES);
         let above = values.iter().filter(|[_, value]| *value > level).count();
-        let bars: Option<Vec<f64>> = (values.iter())
-            .map(|[time, _]| Some(self.bar_at(row, *time)?.total()))
-            .collect();
-        let near = |bars: Vec<f64>| {
-            values
-                .iter()
-                .zip(bars)
-                .filter(|([_, value], bar)| (value - level).abs() <= *bar)
-                .count()
-        };
+        let bars: Option<Vec<f64>> = (values.iter()).map(|[time, _]| Some(self.bar_at(row, *time)?.total())).collect();
+        let near =
+            |bars: Vec<f64>| values.iter().zip(bars).filter(|([_, value], bar)| (value - level).abs() <= *bar).count();
         Some((part(above), bars.map(|bars| Bar::of(part(near(bars).max(1))))))
     }
 

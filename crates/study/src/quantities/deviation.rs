@@ -66,10 +66,7 @@ fn over_cycle(cycle: &CycleView) -> Option<OfCycle> {
     let [middle, low, high] = [0.0, low, high].map(|z| cycle.least_along(z));
     let bars = [middle, low, high].map(|(_, time)| cycle.bar_of_thinnest(time));
     Some(OfCycle {
-        sections: Sections {
-            middle: middle.0.thickness,
-            ends: [low.0.thickness, high.0.thickness],
-        },
+        sections: Sections { middle: middle.0.thickness, ends: [low.0.thickness, high.0.thickness] },
         bars: match bars {
             [Some(a), Some(b), Some(c)] => Some([a, b, c]),
             _ => None,
@@ -81,17 +78,11 @@ impl OfCycle {
     /// A number of the sections, and its bar: what each section's bar changes it by.
     fn film(&self, number: impl Fn(&Sections) -> f64) -> Judged {
         let value = number(&self.sections);
-        let Sections {
-            middle,
-            ends: [low, high],
-        } = self.sections;
+        let Sections { middle, ends: [low, high] } = self.sections;
         let bar = self.bars.map(|bars| {
             let moved = |k: usize| {
                 let off = |place: usize| if place == k { bars[k].total() } else { 0.0 };
-                let moved = Sections {
-                    middle: middle + off(0),
-                    ends: [low - off(1), high - off(2)],
-                };
+                let moved = Sections { middle: middle + off(0), ends: [low - off(1), high - off(2)] };
                 let slope = (number(&moved) - value).abs() / bars[k].total().max(f64::MIN_POSITIVE);
                 bars[k].scaled(slope)
             };

@@ -54,9 +54,8 @@ const LOW: &str = "end_low";
 const HIGH: &str = "end_high";
 const DUAL: &str = "dual-weighted, and the difference of the two films";
 const OF_ENDS: ErrorRule = ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Ends, at.per(1.0)));
-const OF_INLET: ErrorRule = ErrorRule::Of("difference of the two films", |estimate, at| {
-    Some(Bar::of(estimate.inlet_flow(at.per(1.0))))
-});
+const OF_INLET: ErrorRule =
+    ErrorRule::Of("difference of the two films", |estimate, at| Some(Bar::of(estimate.inlet_flow(at.per(1.0)))));
 
 fn out_of(film: &View, end: &str) -> Option<f64> {
     let mut ends = film.regions(BoundaryKind::End);

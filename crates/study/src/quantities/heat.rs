@@ -78,11 +78,7 @@ fn model(scene: &Scene) -> Option<ThermalModel> {
 /// The balance, the temperature [K] of the film, and what heats and cools it.
 fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
     let (model, temperature) = (film.base.thermal?, film.base.oil.temperature?);
-    Some((
-        model.balance,
-        temperature,
-        thermal_flows(&model, film.base, film.measured),
-    ))
+    Some((model.balance, temperature, thermal_flows(&model, film.base, film.measured)))
 }
 
 /// Bar of the oil that leaves the film: those of the flows through the ends, and through all other regions as far as oil may leave there.
@@ -92,15 +88,12 @@ fn of_leaving(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
     }
     let elsewhere = [BoundaryKind::Line, BoundaryKind::Feed].map(|kind| at.view.regions(kind));
     let of_ends = estimate.flow(&FlowGoal::Ends, at.per(1.0))?;
-    elsewhere
-        .into_iter()
-        .flatten()
-        .try_fold(of_ends, |sum, (region, flow)| {
-            let goal = FlowGoal::Region(region.name.clone());
-            let bar = estimate.flow(&goal, Scaled { unit: 1.0, change: 0.0 })?;
-            let leaves = (bar.total() - flow.net.max(0.0)).max(0.0);
-            Some(sum + bar.scaled(leaves / bar.total().max(f64::MIN_POSITIVE)))
-        })
+    elsewhere.into_iter().flatten().try_fold(of_ends, |sum, (region, flow)| {
+        let goal = FlowGoal::Region(region.name.clone());
+        let bar = estimate.flow(&goal, Scaled { unit: 1.0, change: 0.0 })?;
+        let leaves = (bar.total() - flow.net.max(0.0)).max(0.0);
+        Some(sum + bar.scaled(leaves / bar.total().max(f64::MIN_POSITIVE)))
+    })
 }
 
 /// What friction and squeeze make for each kelvin and the housing does not take [W/K].

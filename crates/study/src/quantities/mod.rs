@@ -278,10 +278,7 @@ mod tests {
     #[test]
     fn every_row_is_documented_and_has_a_name_of_its_own() {
         for (place, row) in CATALOGUE.iter().enumerate() {
-            assert!(
-                !row.what.is_empty() && !row.definition.is_empty(),
-                "{row:?} is not documented"
-            );
+            assert!(!row.what.is_empty() && !row.definition.is_empty(), "{row:?} is not documented");
             assert!(!row.error.sentence().is_empty(), "{row:?} has no words for its error");
             assert!(!row.unit.dimension().is_empty() && !row.symbol.is_empty(), "{row:?}");
             let twin = CATALOGUE[..place].iter().find(|other| other.name == row.name);

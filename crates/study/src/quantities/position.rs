@@ -26,10 +26,10 @@ rows! {
         One(|film| Some(film.measured.thinnest.thickness)), ErrorRule::Position, tolerance headline(Headline::Always(5));
 }
 
-const ATTITUDE: ErrorRule = ErrorRule::Of(
-    "that of the angle of the load and, under a load, that of the position",
-    |estimate, _| Some(direction(estimate)),
-);
+const ATTITUDE: ErrorRule =
+    ErrorRule::Of("that of the angle of the load and, under a load, that of the position", |estimate, _| {
+        Some(direction(estimate))
+    });
 
 /// True where the journal is not centred.
 pub(super) fn is_eccentric(film: &View) -> bool {

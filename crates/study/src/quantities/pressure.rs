@@ -29,6 +29,5 @@ rows! {
 fn viscosity(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
     let (bar, greatest) = (estimate.greatest_pressure(), at.view.measured.extremes.greatest);
     let off = |p: f64| (at.view.problem.viscosity_at(p) - at.value).abs();
-    bar.is_finite()
-        .then(|| Bar::of(off(greatest + bar).max(off(greatest - bar))))
+    bar.is_finite().then(|| Bar::of(off(greatest + bar).max(off(greatest - bar))))
 }

@@ -33,12 +33,7 @@ impl Quantity {
     }
 
     fn named(row: &'static Row, name: Cow<'static, str>, value: f64) -> Self {
-        Self {
-            row,
-            name,
-            value,
-            bar: None,
-        }
+        Self { row, name, value, bar: None }
     }
 
     /// Name of the region of a member of a family; else empty.

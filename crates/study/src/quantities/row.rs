@@ -111,10 +111,7 @@ impl Row {
 
     /// One that may have a tolerance.
     pub(super) const fn tolerance(self) -> Self {
-        Self {
-            may_be_tolerance: true,
-            ..self
-        }
+        Self { may_be_tolerance: true, ..self }
     }
 
     /// One that short tables show.

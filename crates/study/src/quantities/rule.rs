@@ -101,10 +101,7 @@ impl ErrorRule {
             }
             _ => return None,
         };
-        Some(Bar {
-            algebra,
-            ..Bar::default()
-        })
+        Some(Bar { algebra, ..Bar::default() })
     }
 
     /// True if it is that of force and moment alone, which know of a wall that follows.
@@ -160,10 +157,7 @@ fn rim(subject: &Subject) -> Bar {
     let Film { problem, system, .. } = subject.view.base;
     let mut regions = system.supply.regions().iter();
     let region = regions.find(|region| region.name == subject.region);
-    Bar {
-        geometry: region.map_or(0.0, |region| rim_error(problem, system.space().mesh(), region)),
-        ..Bar::default()
-    }
+    Bar { geometry: region.map_or(0.0, |region| rim_error(problem, system.space().mesh(), region)), ..Bar::default() }
 }
 
 /// Bar [deg] of the angle of the load; any direction may be that of a load smaller than its own bar.

@@ -32,13 +32,7 @@ impl<'a> View<'a> {
     pub fn new(base: &'a Film, problem: &'a FilmProblem, measured: &'a Measured) -> Self {
         let (bearing, force) = (&problem.bearing, measured.load.magnitude());
         let reference = excess(problem, &measured.extremes).max(drag(problem)) * 2.0 * bearing.radius * bearing.length;
-        Self {
-            base,
-            problem,
-            measured,
-            force,
-            is_directed: force > NO_LOAD * reference,
-        }
+        Self { base, problem, measured, force, is_directed: force > NO_LOAD * reference }
     }
 
     /// The journal.
@@ -49,9 +43,7 @@ impl<'a> View<'a> {
     /// Regions of the supply of one kind, with their flows.
     pub fn regions(&self, kind: BoundaryKind) -> impl Iterator<Item = (&'a SupplyRegion, &'a RegionFlow)> + use<'a> {
         let regions = self.base.system.supply.regions().iter();
-        regions
-            .zip(&self.measured.flows.regions)
-            .filter(move |(region, _)| region.kind == kind)
+        regions.zip(&self.measured.flows.regions).filter(move |(region, _)| region.kind == kind)
     }
 
     /// Oil [m3/s] that leaves at both ends; none where they are sealed.

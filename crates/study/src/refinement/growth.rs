@@ -44,9 +44,7 @@ impl Growth {
     /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller step is better
     /// than none. The last mesh would take so many `seconds` [s] again.
     pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], [left, seconds]: [f64; 2]) -> Self {
-        let FilmProblem {
-            cavitation, lubricant, ..
-        } = &level.solved.film.problem;
+        let FilmProblem { cavitation, lubricant, .. } = &level.solved.film.problem;
         let order = cavitation.bar_order(&lubricant.pressure_law);
         let (least, most) = (LEAST_GROWTH, goal.most_growth);
         let has_served = left_of_bar(levels, &level.worst_name).is_none_or(|part| part < STUCK);

@@ -37,12 +37,7 @@ const MOST_WANTED_GROWTH: f64 = 2.0;
 impl Level {
     /// It is the answer.
     fn answer(self, levels: Vec<LevelFacts>, limit: Option<Limit>) -> Answer {
-        Answer {
-            film: self.solved.film.clone(),
-            outcome: Ok((self.solved, self.estimated)),
-            levels,
-            limit,
-        }
+        Answer { film: self.solved.film.clone(), outcome: Ok((self.solved, self.estimated)), levels, limit }
     }
 }
 
@@ -154,10 +149,7 @@ impl Refining<'_> {
     fn unanswered(&mut self, next: &Next, film: Film, reason: NoAnswer) -> Step {
         let may_divide = !self.watch.deadline.is_over() && 4 * film.unknowns() <= self.options.max_unknowns;
         // A finer mesh shows whether there is a film.
-        if let Some(finer) = (reason.is_near_limit() && may_divide)
-            .then(|| Next::divided(&film))
-            .flatten()
-        {
+        if let Some(finer) = (reason.is_near_limit() && may_divide).then(|| Next::divided(&film)).flatten() {
             return Step::Finer(finer);
         }
         // The numbers of the mesh before are still good.
@@ -209,14 +201,7 @@ impl Refining<'_> {
             Some(Tolerance::Usual) => worst * estimated.narrowed,
             _ => worst,
         };
-        let level = Level {
-            solved,
-            estimated,
-            worst,
-            by_film,
-            worst_name: name.to_owned(),
-            wanted,
-        };
+        let level = Level { solved, estimated, worst, by_film, worst_name: name.to_owned(), wanted };
         let finer = match ended(&level.solved, self.options) {
             None if worst > 1.0 => self.finer(next, &level).map_err(Some),
             None if by_film > 1.0 => self.finer_for_film(next, &level).ok_or(None),
@@ -260,21 +245,13 @@ impl Refining<'_> {
 
     /// The mesh after that of a level, or why there must be none.
     fn finer(&self, last: &Next, level: &Level) -> Result<Next, Limit> {
-        let goal = Goal {
-            worst: level.worst,
-            most_unknowns: self.options.max_unknowns,
-            most_growth: MOST_GROWTH,
-        };
+        let goal = Goal { worst: level.worst, most_unknowns: self.options.max_unknowns, most_growth: MOST_GROWTH };
         self.finer_for(&goal, last, level)
     }
 
     /// The mesh after that of a level which has what is required by its hill alone, if there may be one.
     fn finer_for_film(&self, last: &Next, level: &Level) -> Option<Next> {
-        let goal = Goal {
-            worst: level.by_film,
-            most_unknowns: self.options.max_unknowns,
-            most_growth: MOST_GROWTH,
-        };
+        let goal = Goal { worst: level.by_film, most_unknowns: self.options.max_unknowns, most_growth: MOST_GROWTH };
         self.finer_for(&goal, last, level).ok()
     }
 
@@ -339,10 +316,9 @@ impl Refining<'_> {
         match self.options.cause() {
             Cause::Interrupt => Some(self.stopped(goal.worst)),
             // Time first: a mesh that is too large is made smaller where there is time for one (see `Growth::of`).
-            _ if elapsed + seconds > max_seconds => Some(Limit::Seconds {
-                distance,
-                seconds: [elapsed, seconds, max_seconds],
-            }),
+            _ if elapsed + seconds > max_seconds => {
+                Some(Limit::Seconds { distance, seconds: [elapsed, seconds, max_seconds] })
+            }
             _ if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
             _ => (self.levels.len() >= MOST_LEVELS).then_some(Limit::Meshes(distance, MOST_LEVELS)),
         }

@@ -137,11 +137,7 @@ impl Next {
     /// The mesh of a film divided uniformly, if its round rims are fine enough for that.
     pub(super) fn divided(film: &Film) -> Option<Self> {
         let divided = refine::uniform(film.system.space().mesh()).ok()?;
-        Some(Self::Divided(
-            Arc::new(divided.mesh),
-            Refinement::Uniform,
-            Known::of(film),
-        ))
+        Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, Known::of(film)))
     }
 
     pub(super) fn first(scene: &Scene) -> Self {
@@ -160,12 +156,7 @@ impl Next {
             }
             Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let film = graded_within(
-                    &resized,
-                    MOST_TRIANGLES / factor.min(1.0).powi(2),
-                    shown.as_ref(),
-                    watch,
-                )?;
+                let film = graded_within(&resized, MOST_TRIANGLES / factor.min(1.0).powi(2), shown.as_ref(), watch)?;
                 Ok((Refinement::Given, film))
             }
             Self::DrawnFiner(factor, triangles, known) => {
@@ -303,11 +294,7 @@ mod tests {
     #[test]
     fn a_film_found_thinner_is_drawn_with_about_the_triangles_wanted() {
         let scene = thin_scene("jfo");
-        let thin = Position {
-            eccentricity: 0.6,
-            min_film_angle: 0.3,
-            tilt: [7.6e-4, 0.0],
-        };
+        let thin = Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [7.6e-4, 0.0] };
         let triangles = |factor: f64| {
             let resized = resized(&scene, factor).expect("a drawing");
             liner_mesh(&resized, thin).expect("a mesh").mesh.triangles().len()
@@ -342,25 +329,15 @@ mod tests {
     /// With and without rows, for a parallel journal and for one near contact at an end.
     #[test]
     fn about_as_many_triangles_are_expected_as_are_drawn() {
-        let parallel = Position {
-            eccentricity: 0.6,
-            min_film_angle: 0.3,
-            tilt: [0.0; 2],
-        };
-        let thin = Position {
-            tilt: [7.6e-4, 0.0],
-            ..parallel
-        };
+        let parallel = Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [0.0; 2] };
+        let thin = Position { tilt: [7.6e-4, 0.0], ..parallel };
         for model in ["reynolds", "jfo"] {
             let scene = thin_scene(model);
             for position in [parallel, thin] {
                 let drawn = liner_mesh(&scene, position).expect("a mesh").mesh.triangles().len() as f64;
                 let expected = expected_triangles(&scene, position).expect("a number");
                 let share = expected / drawn;
-                assert!(
-                    (0.6..1.7).contains(&share),
-                    "{model} {position:?}: {expected} for {drawn}"
-                );
+                assert!((0.6..1.7).contains(&share), "{model} {position:?}: {expected} for {drawn}");
             }
         }
     }

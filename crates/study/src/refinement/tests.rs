@@ -14,19 +14,14 @@ fn solved(length: f64, tilt: [f64; 2], (force, angle): (f64, f64)) -> RunResult 
          load = {{ force = \"{force} N\", angle = \"{angle} rad\" }}\n"
     );
     let scene = parse(&text, Path::new("tilted.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let options = RunOptions {
-        max_seconds: f64::INFINITY,
-        ..RunOptions::of(&scene)
-    };
+    let options = RunOptions { max_seconds: f64::INFINITY, ..RunOptions::of(&scene) };
     run(&scene, &options).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 /// The number of a reason after these words.
 fn number(reason: &str, after: &str) -> f64 {
     let number = reason.split(after).nth(1).and_then(|rest| rest.split(' ').next());
-    number
-        .and_then(|number| number.parse().ok())
-        .unwrap_or_else(|| panic!("{reason}"))
+    number.and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("{reason}"))
 }
 
 /// The film of a journal in contact at one end carries a finite force, far below that of one in contact all along: more is refused, less is balanced.
@@ -49,8 +44,5 @@ fn the_best_contact_bounds_the_load() {
 fn a_load_far_beyond_all_contacts_is_refused() {
     let refused = solved(0.034, [1.77e-3, -8.36e-4], (12.4e3, 0.644));
     let reason = refused.reason.unwrap_or_default();
-    assert!(
-        refused.status == Status::NoSolution && reason.contains("in contact anywhere around"),
-        "{reason}"
-    );
+    assert!(refused.status == Status::NoSolution && reason.contains("in contact anywhere around"), "{reason}");
 }

@@ -19,11 +19,7 @@ impl Verdict {
     /// The worst verdict of those that decide; `None` where the scene sets no limit.
     pub fn of(criteria: &[Criterion]) -> Option<Self> {
         let decide = criteria.iter().filter(|criterion| criterion.decides);
-        let rank = |verdict: &Self| {
-            [Self::Pass, Self::Undecided, Self::Fail]
-                .iter()
-                .position(|it| it == verdict)
-        };
+        let rank = |verdict: &Self| [Self::Pass, Self::Undecided, Self::Fail].iter().position(|it| it == verdict);
         decide.map(|criterion| criterion.verdict).max_by_key(rank)
     }
 
@@ -154,11 +150,7 @@ impl Criterion {
             (_, Some(most)) => ("above", most),
             (least, None) => ("below", least.unwrap_or(self.value)),
         };
-        let side = if self.verdict == Verdict::Undecided {
-            "undecided at"
-        } else {
-            side
-        };
+        let side = if self.verdict == Verdict::Undecided { "undecided at" } else { side };
         format!("{} {side} {} {}", self.what, readable(bound), self.unit)
     }
 
@@ -186,23 +178,11 @@ mod tests {
             (4.1, within(0.2), Verdict::Undecided, Some(Reserve::InsideBar)),
             (3.9, within(0.2), Verdict::Undecided, Some(Reserve::InsideBar)),
             (3.9, within(0.05), Verdict::Fail, None),
-            (
-                9.9,
-                Accuracy::NotResolved,
-                Verdict::Undecided,
-                Some(Reserve::NotResolved),
-            ),
+            (9.9, Accuracy::NotResolved, Verdict::Undecided, Some(Reserve::NotResolved)),
         ] {
             let found = film(value, accuracy);
-            assert_eq!(
-                (found.verdict, found.reserve),
-                (verdict, reserve),
-                "{value} {accuracy:?}"
-            );
-            assert_eq!(
-                (found.is_met, found.is_missed()),
-                (value > 4.0, verdict != Verdict::Pass)
-            );
+            assert_eq!((found.verdict, found.reserve), (verdict, reserve), "{value} {accuracy:?}");
+            assert_eq!((found.is_met, found.is_missed()), (value > 4.0, verdict != Verdict::Pass));
         }
         assert_eq!(film(3.9, within(0.2)).fault(), "least film undecided at 4 um");
         assert_eq!(film(3.9, within(0.0)).fault(), "least film below 4 um");
@@ -211,20 +191,9 @@ mod tests {
     /// What nobody set refuses nothing, and the worst of the others is the verdict.
     #[test]
     fn a_usual_value_decides_nothing() {
-        let usual = Criterion::new(
-            "pressure",
-            "bar",
-            (2.0, Accuracy::Within(0.1)),
-            [Some(3.0), None],
-            Origin::Usual,
-        );
+        let usual = Criterion::new("pressure", "bar", (2.0, Accuracy::Within(0.1)), [Some(3.0), None], Origin::Usual);
         assert!(usual.verdict == Verdict::Fail && !usual.is_missed());
-        let set = |value| Criterion {
-            origin: Origin::Scene,
-            decides: true,
-            verdict: value,
-            ..usual.clone()
-        };
+        let set = |value| Criterion { origin: Origin::Scene, decides: true, verdict: value, ..usual.clone() };
         assert_eq!(Verdict::of(std::slice::from_ref(&usual)), None);
         let all = [usual.clone(), set(Verdict::Pass), set(Verdict::Undecided)];
         assert_eq!(Verdict::of(&all), Some(Verdict::Undecided));

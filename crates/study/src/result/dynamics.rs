@@ -154,9 +154,6 @@ impl Pair {
     fn of(coefficients: &Coefficients) -> Self {
         let order = coefficients.order;
         let matrix = |of: &Square| of[..order].iter().map(|row| row[..order].to_vec()).collect();
-        Self {
-            stiffness: matrix(&coefficients.stiffness),
-            damping: matrix(&coefficients.damping),
-        }
+        Self { stiffness: matrix(&coefficients.stiffness), damping: matrix(&coefficients.damping) }
     }
 }

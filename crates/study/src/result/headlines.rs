@@ -31,11 +31,7 @@ mod tests {
 
     #[test]
     fn a_given_load_is_no_headline_and_the_table_is_short() {
-        let mut all = vec![
-            Quantity::new(&LOAD, 1.0),
-            Quantity::new(&LOAD_X, 1.0),
-            Quantity::new(&ECCENTRICITY, 0.5),
-        ];
+        let mut all = vec![Quantity::new(&LOAD, 1.0), Quantity::new(&LOAD_X, 1.0), Quantity::new(&ECCENTRICITY, 0.5)];
         all.extend((0..20).map(|feed| Quantity::of_region(&FEED_FLOW, &format!("hole{feed}"), 1.0)));
         let mut effects = Effects::default();
         let names = |effects: &Effects| -> Vec<String> {
@@ -43,9 +39,7 @@ mod tests {
             shown.iter().map(|it| it.name.to_string()).collect()
         };
         assert_eq!(names(&effects)[..3], ["load", "eccentricity", "feed_flow.hole0"]);
-        effects.simulated = (EFFECTS.iter().copied())
-            .filter(|effect| effect.socket == Socket::Position)
-            .collect();
+        effects.simulated = (EFFECTS.iter().copied()).filter(|effect| effect.socket == Socket::Position).collect();
         assert_eq!(names(&effects)[..2], ["eccentricity", "feed_flow.hole0"]);
         assert_eq!(names(&effects).len(), MOST_HEADLINES);
     }

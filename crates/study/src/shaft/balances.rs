@@ -77,16 +77,13 @@ fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &ShaftStep) -> [[f6
 fn left_of_power(films: &Films, instants: &[Instant], loads: &[NodeForce], angle: f64) -> [f64; 2] {
     let asked = films.shaft.loads(loads, angle);
     let displaced = instants.iter().zip(&films.films);
-    let displaced: Vec<Vector> = displaced
-        .map(|(here, film)| [0, 1, 2, 3].map(|k| here.at[k] + film.compliance[k] * here.excess[k]))
-        .collect();
+    let displaced: Vec<Vector> =
+        displaced.map(|(here, film)| [0, 1, 2, 3].map(|k| here.at[k] + film.compliance[k] * here.excess[k])).collect();
     let by_shaft = films.shaft.forces(&displaced, angle);
     let [mut left, mut dissipated] = [0.0; 2];
     for (bearing, (here, film)) in instants.iter().zip(&films.films).enumerate() {
         let Measured { power, load, .. } = measure(&here.problem, film.system, &here.film);
-        let by_asperities = load
-            .contact
-            .map_or([0.0; 4], |share| film.coordinates.forces(&share.resultant()));
+        let by_asperities = load.contact.map_or([0.0; 4], |share| film.coordinates.forces(&share.resultant()));
         let driving = |k: usize| (asked[bearing][k] - by_shaft[bearing][k] - by_asperities[k]) * here.velocity[k];
         let lost = power.shear + power.driven + power.contact;
         left += (0..4).map(driving).sum::<f64>() + power.friction() + power.supplied + power.cavity - lost;

@@ -56,16 +56,12 @@ pub struct Compiled {
 pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, ShaftError> {
     let bearings = bearings(scene, eccentricity)?;
     let crankshaft = crankshaft(scene);
-    let places: Vec<f64> = (bearings.iter().map(|bearing| bearing.at))
-        .chain(scene.crankshaft.loads.iter().map(|load| load.at))
-        .collect();
+    let places: Vec<f64> =
+        (bearings.iter().map(|bearing| bearing.at)).chain(scene.crankshaft.loads.iter().map(|load| load.at)).collect();
     let laid = crankshaft.laid(&places);
     let (journals, loads) = laid.places.split_at(bearings.len());
     let journals: Vec<Place> = (journals.iter().zip(&bearings))
-        .map(|(&node, bearing)| Place {
-            node,
-            coordinates: coordinates(&bearing.film),
-        })
+        .map(|(&node, bearing)| Place { node, coordinates: coordinates(&bearing.film) })
         .collect();
     let pins = laid.throws.iter().map(|throw| throw.pin);
     let webs = laid.throws.iter().flat_map(|throw| throw.webs);
@@ -77,19 +73,11 @@ pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, 
     let loaded_at: Vec<f64> = loaded.iter().map(|&node| laid.frame.nodes[node][2]).collect();
     let shaft = match scene.crankshaft.statics {
         Statics::Elastic => laid.frame.on(&journals, &loaded)?,
-        Statics::Cut => Shaft::cut(
-            &bearings.iter().map(|bearing| bearing.at).collect::<Vec<_>>(),
-            &loaded_at,
-        )?,
+        Statics::Cut => Shaft::cut(&bearings.iter().map(|bearing| bearing.at).collect::<Vec<_>>(), &loaded_at)?,
     };
     Ok(Compiled {
         shaft,
-        loads: given
-            .map(|(place, load)| NodeForce {
-                place,
-                force: load.force,
-            })
-            .collect(),
+        loads: given.map(|(place, load)| NodeForce { place, force: load.force }).collect(),
         loaded_at,
         throws: crankshaft.throws(),
         bearings,
@@ -98,10 +86,7 @@ pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, 
 
 /// Which coordinates of its journal a film on a shaft sees.
 fn coordinates(film: &Film) -> Coordinates {
-    Coordinates {
-        order: if film.scene.support.is_some() { 4 } else { 2 },
-        arm: 0.5 * film.problem.bearing.length,
-    }
+    Coordinates { order: if film.scene.support.is_some() { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
 }
 
 impl Bearing {
@@ -114,10 +99,7 @@ impl Bearing {
 impl Compiled {
     /// The films, as the balance of the shaft has them.
     pub fn films(&self) -> Films<'_> {
-        Films {
-            shaft: &self.shaft,
-            films: self.bearings.iter().map(film).collect(),
-        }
+        Films { shaft: &self.shaft, films: self.bearings.iter().map(film).collect() }
     }
 
     /// Loads that do not change, as forces on the journals [N].
@@ -158,10 +140,7 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
 
 fn failed(path: &Path) -> impl Fn(CompileError) -> ShaftError {
     let path = path.to_owned();
-    move |source| ShaftError::Film {
-        path: path.clone(),
-        source,
-    }
+    move |source| ShaftError::Film { path: path.clone(), source }
 }
 
 /// Refuses what is not solved on a shaft.
@@ -185,11 +164,7 @@ fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
         ),
     ];
     match refused.into_iter().find(|(is_asked, ..)| *is_asked) {
-        Some((_, reason, help)) => Err(ShaftError::Refused {
-            path: path.to_owned(),
-            reason,
-            help,
-        }),
+        Some((_, reason, help)) => Err(ShaftError::Refused { path: path.to_owned(), reason, help }),
         None => Ok(()),
     }
 }
@@ -221,10 +196,7 @@ fn on_shaft(path: &Path, scene: &ShaftScene) -> Result<Scene, ShaftError> {
     // No load: that of the shaft acts.
     changed.journal = Journal::without_load(shaft.speed);
     (changed.load_at, changed.load_moment, changed.load_cycle, changed.crank) = (None, None, None, None);
-    changed.support = resists_tilt.then_some(Support {
-        tilt_stiffness: 0.0,
-        tilt: [0.0; 2],
-    });
+    changed.support = resists_tilt.then_some(Support { tilt_stiffness: 0.0, tilt: [0.0; 2] });
     changed.orbit = Some(scene.orbit.unwrap_or_else(Orbit::usual));
     changed.tolerance = None;
     (changed.dynamics, changed.sweep) = (None, None);
@@ -235,31 +207,22 @@ fn crankshaft(scene: &ShaftScene) -> Crankshaft {
     let shaft = &scene.crankshaft;
     let radius = scene.crank.as_ref().map_or(0.0, |crank| crank.radius);
     let piece = |piece: &ShaftPiece| match (piece, &shaft.throw) {
-        (ShaftPiece::Straight { length, diameter, bore }, _) => Piece::Straight(Round {
-            length: *length,
-            diameter: *diameter,
-            bore: *bore,
-        }),
+        (ShaftPiece::Straight { length, diameter, bore }, _) => {
+            Piece::Straight(Round { length: *length, diameter: *diameter, bore: *bore })
+        }
         (ShaftPiece::Throw { fires_at }, shape) => {
             let shape = shape.unwrap_or_else(scene::ThrowShape::none);
             Piece::Throw(CrankThrow {
                 angle: -fires_at,
                 radius,
-                pin: Round {
-                    length: shape.pin_length,
-                    diameter: shape.pin_diameter,
-                    bore: shape.pin_bore,
-                },
+                pin: Round { length: shape.pin_length, diameter: shape.pin_diameter, bore: shape.pin_bore },
                 web_thickness: shape.web_thickness,
                 web_width: shape.web_width,
             })
         }
     };
     Crankshaft {
-        material: Material {
-            youngs_modulus: shaft.youngs_modulus,
-            shear_modulus: shaft.shear_modulus,
-        },
+        material: Material { youngs_modulus: shaft.youngs_modulus, shear_modulus: shaft.shear_modulus },
         pieces: shaft.pieces.iter().map(piece).collect(),
     }
 }
@@ -275,28 +238,16 @@ pub fn engine(scene: &ShaftScene) -> Result<Option<Engine>, ShaftError> {
     let web_mass = shaft.throw.map_or(0.0, |throw| throw.web_mass);
     let fires_at = shaft.fires_at();
     let of_web = |angle: f64, moment: f64| [moment * angle.cos(), moment * angle.sin()];
-    let mut unbalances: Vec<[[f64; 2]; 2]> = (fires_at.iter())
-        .map(|angle| [of_web(-angle, 0.5 * web_mass * crank.radius); 2])
-        .collect();
+    let mut unbalances: Vec<[[f64; 2]; 2]> =
+        (fires_at.iter()).map(|angle| [of_web(-angle, 0.5 * web_mass * crank.radius); 2]).collect();
     for weight in &shaft.counterweights {
         let [x, y] = of_web(weight.angle - fires_at[weight.throw], weight.moment);
         let web = &mut unbalances[weight.throw][weight.web];
         *web = [web[0] + x, web[1] + y];
     }
-    let engine = Engine {
-        crank: drive,
-        fires_at,
-        unbalances,
-        speed: shaft.speed,
-    };
+    let engine = Engine { crank: drive, fires_at, unbalances, speed: shaft.speed };
     let angles = (0..CHECKED).map(|k| shaft.period * f64::from(k) / f64::from(CHECKED));
-    let is_finite = |angle: f64| {
-        engine
-            .loads(angle)
-            .iter()
-            .flat_map(|load| load.force)
-            .all(f64::is_finite)
-    };
+    let is_finite = |angle: f64| engine.loads(angle).iter().flat_map(|load| load.force).all(f64::is_finite);
     match angles.into_iter().find(|&angle| !is_finite(angle)) {
         Some(angle) => Err(ShaftError::Load(NoDuty::NotFinite { angle }.to_string())),
         None => Ok(Some(engine)),

@@ -45,10 +45,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
         let own = &*bearing.film.scene;
         let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
         let outcome = follow_under(own, &model, &cycle, options);
-        let (_, outcome) = outcome.map_err(|source| ShaftError::Film {
-            path: bearing.path.clone(),
-            source,
-        })?;
+        let (_, outcome) = outcome.map_err(|source| ShaftError::Film { path: bearing.path.clone(), source })?;
         match outcome {
             Ok(followed) => {
                 let cycles = &followed.facts.cycles;
@@ -66,9 +63,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
             }
         }
     }
-    run.result
-        .timing_s
-        .push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
     Ok(run)
 }
 
@@ -83,35 +78,24 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
         closure: model.closure,
         cycles: model.cycles,
         deadline: options.deadline(),
-        observer: options
-            .observer
-            .map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
+        observer: options.observer.map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
     let first = compiled.shaft.loads(&engine.loads(0.0), 0.0);
     let mut start = compiled.films().first_places(&first);
     if let Some((end, greatest)) = rough(scene, engine, &compiled, (&start, &march)) {
         start = end;
-        let is_graded = compiled
-            .bearings
-            .iter()
-            .any(|bearing| bearing.film.scene.mesh.is_graded());
+        let is_graded = compiled.bearings.iter().any(|bearing| bearing.film.scene.mesh.is_graded());
         if is_graded && !suits(USUAL, greatest) {
             compiled = compile_shaft(scene, greatest)?;
         }
     }
-    let found = drive(scene, engine, &compiled, &compiled.films(), |drive| {
-        drive.follow(&start, &march)
-    });
-    run.result
-        .timing_s
-        .push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    let found = drive(scene, engine, &compiled, &compiled.films(), |drive| drive.follow(&start, &march));
+    run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
     let outcome = found.map_err(|reason| (status(&reason), told(&reason, &compiled, options.cause())));
     let outcome = outcome.and_then(|orbit| {
         let clock = Instant::now();
         let outcome = report(scene, engine, &compiled, &orbit, options, &mut run);
-        run.result
-            .timing_s
-            .push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
+        run.result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
         outcome?;
         let last = orbit.cycles.last().map_or(0.0, |cycle| cycle.closure);
         ended(&mut run, orbit.end, (orbit.cycles.len(), last), options);
@@ -134,12 +118,7 @@ fn drive<T>(
     then: impl FnOnce(&Drive) -> T,
 ) -> T {
     let loads = |angle: f64| compiled.shaft.loads(&engine.loads(angle), angle);
-    then(&Drive {
-        films,
-        loads: &loads,
-        period: scene.crankshaft.period,
-        speed: scene.crankshaft.speed,
-    })
+    then(&Drive { films, loads: &loads, period: scene.crankshaft.period, speed: scene.crankshaft.speed })
 }
 
 /// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1]; `None` where there is none.
@@ -151,12 +130,7 @@ fn rough(
 ) -> Option<(Vec<Vector>, f64)> {
     let films = compiled.films();
     let coarser = films.coarser().unwrap_or_else(|| compiled.films());
-    let options = MarchOptions {
-        tolerance: ROUGH,
-        cycles: ROUGH_CYCLES,
-        observer: None,
-        ..*march
-    };
+    let options = MarchOptions { tolerance: ROUGH, cycles: ROUGH_CYCLES, observer: None, ..*march };
     let orbit = drive(scene, engine, compiled, &coarser, |drive| drive.follow(start, &options)).ok()?;
     let end = orbit.steps.last()?.train.at.clone();
     let gaps = orbit.steps.iter().map(|step| films.thinnest(&step.train.at).1);
@@ -217,20 +191,11 @@ fn own_load(
     let arm = bearing.coordinates().arm;
     let point = |step: &ShaftStep| {
         let [x, y, z_x, z_y] = step.carried[number];
-        LoadPoint {
-            angle: speed * step.time,
-            force: [x, y],
-            moment: [arm * z_x, arm * z_y],
-        }
+        LoadPoint { angle: speed * step.time, force: [x, y], moment: [arm * z_x, arm * z_y] }
     };
     // The last step is the first one of the next cycle.
     let points: Vec<LoadPoint> = steps[..steps.len().saturating_sub(1)].iter().map(point).collect();
-    DutyCycle::of_table(
-        &points,
-        scene.crankshaft.period,
-        Frame::Shell,
-        Turning { speed, rod: None },
-    )
+    DutyCycle::of_table(&points, scene.crankshaft.period, Frame::Shell, Turning { speed, rod: None })
 }
 
 /// The orbit of one journal.
@@ -287,11 +252,7 @@ fn add(
         energy: followed.balances.energy,
         ..BearingReport::of(bearing, followed.quantities, options.bars)
     });
-    run.paths.push(BearingPath {
-        name: bearing.name.clone(),
-        load,
-        path: followed.path,
-    });
+    run.paths.push(BearingPath { name: bearing.name.clone(), load, path: followed.path });
 }
 
 /// Says how cycles ended that are not closed, with their number and the closure of the last one.

@@ -38,19 +38,12 @@ pub struct BearingPath {
 impl ShaftRun {
     /// Least film of all bearings over the cycle [m]; `None` where none was found.
     pub fn least_film(&self) -> Option<f64> {
-        let films = self
-            .result
-            .bearings
-            .iter()
-            .filter_map(|bearing| bearing.quantity(&CYCLE_FILM_THICKNESS_MIN));
+        let films = self.result.bearings.iter().filter_map(|bearing| bearing.quantity(&CYCLE_FILM_THICKNESS_MIN));
         films.map(|quantity| quantity.value).reduce(f64::min)
     }
 
     pub(super) fn of(scene: &ShaftScene, bars: bool) -> Self {
-        Self {
-            result: ShaftResult::of(scene, bars),
-            paths: Vec::new(),
-        }
+        Self { result: ShaftResult::of(scene, bars), paths: Vec::new() }
     }
 }
 
@@ -181,13 +174,7 @@ impl BearingReport {
 /// load; over a cycle of a shaft both have errors, which are not estimated.
 pub(super) fn found_with_shaft(quantities: Vec<Quantity>) -> Vec<Quantity> {
     let bar = |quantity: &Quantity| quantity.bar.filter(|_| quantity.error() != Some(0.0));
-    quantities
-        .into_iter()
-        .map(|quantity| Quantity {
-            bar: bar(&quantity),
-            ..quantity
-        })
-        .collect()
+    quantities.into_iter().map(|quantity| Quantity { bar: bar(&quantity), ..quantity }).collect()
 }
 
 impl ShaftResult {

@@ -58,9 +58,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
         (eccentricity, meshes) = (greatest, meshes + 1);
         compiled = compile_shaft(scene, eccentricity)?;
     };
-    result
-        .timing_s
-        .push(("balance".to_owned(), clock.elapsed().as_secs_f64()));
+    result.timing_s.push(("balance".to_owned(), clock.elapsed().as_secs_f64()));
     let clock = Clock::now();
     let outcome = found
         .map_err(|reason| without(&reason, &compiled, options.cause()))
@@ -68,9 +66,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
     if let Err((status, reason)) = outcome {
         (result.status, result.reason) = (status, Some(reason));
     }
-    result
-        .timing_s
-        .push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
+    result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
     Ok(run)
 }
 
@@ -89,14 +85,8 @@ fn is_graded(bearing: &Bearing) -> bool {
 
 /// A film whose journal is where the shaft rests: its numbers are those of one film, not of a cycle.
 fn at_rest(film: Film) -> Film {
-    let scene = Scene {
-        orbit: None,
-        ..(*film.scene).clone()
-    };
-    Film {
-        scene: Arc::new(scene),
-        ..film
-    }
+    let scene = Scene { orbit: None, ..(*film.scene).clone() };
+    Film { scene: Arc::new(scene), ..film }
 }
 
 /// The films of a balance, solved with those by which errors are estimated.
@@ -123,10 +113,7 @@ fn reported(
     let mut left = f64::INFINITY;
     for _ in 0..MOST_BALANCES {
         let solve = |(bearing, here): (&Bearing, &Instant)| {
-            let solve = SolveOptions {
-                errors: options.errors(),
-                ..SolveOptions::default()
-            };
+            let solve = SolveOptions { errors: options.errors(), ..SolveOptions::default() };
             isothermal(&at_rest(bearing.film.with_journal(here.problem.journal)), &solve)
         };
         let at: Vec<(&Bearing, &Instant)> = compiled.bearings.iter().zip(&balance.instants).collect();
@@ -143,11 +130,7 @@ fn reported(
             film.more = more;
         }
         if left <= BALANCED * size {
-            return Ok(Reported {
-                balance,
-                solved,
-                carried,
-            });
+            return Ok(Reported { balance, solved, carried });
         }
         let next = films.rebalanced(&asked, 0.0, &balance);
         balance = next.map_err(|reason| without(&reason, compiled, options.cause()))?;
@@ -155,11 +138,7 @@ fn reported(
     let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
     let (bearing, gap) = films.thinnest(&at);
     let residual = left / size;
-    Err(without(
-        &NoBalance::Stuck { residual, bearing, gap },
-        compiled,
-        options.cause(),
-    ))
+    Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled, options.cause()))
 }
 
 /// What the film of a bearing carries whose numbers are reported.
@@ -180,11 +159,7 @@ fn report(
     result: &mut ShaftResult,
 ) -> Result<(), (Status, String)> {
     let mut films = compiled.films();
-    let Reported {
-        balance,
-        solved,
-        carried,
-    } = reported(compiled, &mut films, found, options)?;
+    let Reported { balance, solved, carried } = reported(compiled, &mut films, found, options)?;
     let estimated: Vec<Estimated> = solved.par_iter().map(estimate_errors).collect();
     let displacements = displacements(&films, &balance, &estimated);
     let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled, options.cause()))?;
@@ -204,16 +179,11 @@ fn report(
         let shell = [0, 1, 2, 3].map(|k| of_film.compliance[k] * forces[k]);
         let [tilt_x, tilt_y] = solved.film.problem.journal.tilt;
         let report = BearingReport {
-            shell: [
-                shell[0].hypot(shell[1]),
-                shell[2].hypot(shell[3]) / of_film.coordinates.arm,
-            ],
+            shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / of_film.coordinates.arm],
             tilt_max: tilt_x.hypot(tilt_y),
             ..BearingReport::of(bearing, estimated.quantities, options.bars)
         };
-        let named = warnings
-            .into_iter()
-            .map(|warning| warning.of(&BearingReport::part(&report.name)));
+        let named = warnings.into_iter().map(|warning| warning.of(&BearingReport::part(&report.name)));
         result.warnings.extend(named);
         result.bearings.push(report);
     }
@@ -272,12 +242,7 @@ fn balances(compiled: &Compiled, balance: &Balance, carried: &[Resultant]) -> Sh
         }
     }
     let over = |[x, y]: [f64; 2], scale: f64| if scale > 0.0 { x.hypot(y) / scale } else { 0.0 };
-    ShaftBalances {
-        force: over(force, scale),
-        moment: over(moment, arm_scale),
-        journals: balance.residual,
-        power: 0.0,
-    }
+    ShaftBalances { force: over(force, scale), moment: over(moment, arm_scale), journals: balance.residual, power: 0.0 }
 }
 
 /// Why there is no balance, with the name of the bearing that is meant, and the way out.

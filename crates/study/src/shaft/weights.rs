@@ -107,23 +107,9 @@ pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, Counterwei
     let objective = |free: &[f64]| least_film(&moved(&engine, &webs, &changes(&basis, free)), &compiled, &maps);
     let sum: f64 = scene.crankshaft.counterweights.iter().map(|weight| weight.moment).sum();
     let radius = scene.crank.as_ref().map_or(0.0, |crank| crank.radius);
-    let usual = scene
-        .crank
-        .as_ref()
-        .and_then(|crank| crank.drive.as_ref())
-        .map_or(0.0, |drive| drive.rotating_mass);
-    let step = STEP
-        * if sum > 0.0 {
-            sum / webs.len() as f64
-        } else {
-            radius * usual
-        };
-    let best = greatest(
-        |free| objective(free).unwrap_or(f64::NAN),
-        &vec![0.0; 2 * basis.len()],
-        step,
-        MOST,
-    );
+    let usual = scene.crank.as_ref().and_then(|crank| crank.drive.as_ref()).map_or(0.0, |drive| drive.rotating_mass);
+    let step = STEP * if sum > 0.0 { sum / webs.len() as f64 } else { radius * usual };
+    let best = greatest(|free| objective(free).unwrap_or(f64::NAN), &vec![0.0; 2 * basis.len()], step, MOST);
     let before = objective(&vec![0.0; best.at.len()]).ok_or(NoWeights::NoOrbit)?;
     let after = moved(&engine, &webs, &changes(&basis, &best.at));
     let [was, is] = [&engine, &after].map(|engine| engine.out_of_balance(&compiled.throws));
@@ -151,12 +137,7 @@ pub(super) fn part_of_way(
     let weight = |&(throw, web): &(usize, usize)| {
         let [[x, y], [to_x, to_y]] = [from, to].map(|scene| sum(scene, throw, web));
         let [x, y] = [x + part * (to_x - x), y + part * (to_y - y)];
-        Counterweight {
-            throw,
-            web,
-            moment: x.hypot(y),
-            angle: y.atan2(x),
-        }
+        Counterweight { throw, web, moment: x.hypot(y), angle: y.atan2(x) }
     };
     let webs = webs(from);
     let moved = from.with_counterweights(webs.iter().map(weight).collect());
@@ -172,12 +153,7 @@ pub(super) fn part_of_way(
 
 /// The webs that have a counterweight, each once.
 fn webs(scene: &ShaftScene) -> Vec<(usize, usize)> {
-    let mut webs: Vec<_> = scene
-        .crankshaft
-        .counterweights
-        .iter()
-        .map(|weight| (weight.throw, weight.web))
-        .collect();
+    let mut webs: Vec<_> = scene.crankshaft.counterweights.iter().map(|weight| (weight.throw, weight.web)).collect();
     webs.sort_unstable();
     webs.dedup();
     webs
@@ -201,10 +177,7 @@ fn maps(compiled: &Compiled) -> Result<Vec<(usize, FiniteMap)>, NoWeights> {
         if first != Some(number) {
             continue;
         }
-        let none = |reason: String| NoWeights::NoMap {
-            bearing: bearing.name.clone(),
-            reason,
-        };
+        let none = |reason: String| NoWeights::NoMap { bearing: bearing.name.clone(), reason };
         if let Some(reason) = no_map(&bearing.film.scene) {
             return Err(none(reason.to_owned()));
         }
@@ -248,16 +221,8 @@ fn with_weights(scene: &ShaftScene, webs: &[(usize, usize)], changes: &[[f64; 2]
         let [x, y] = sum(scene, throw, web);
         // The change in the axes of the throw.
         let (sin, cos) = engine.lies_at(throw).sin_cos();
-        let [x, y] = [
-            x + cos * change[0] + sin * change[1],
-            y - sin * change[0] + cos * change[1],
-        ];
-        Counterweight {
-            throw,
-            web,
-            moment: x.hypot(y),
-            angle: y.atan2(x),
-        }
+        let [x, y] = [x + cos * change[0] + sin * change[1], y - sin * change[0] + cos * change[1]];
+        Counterweight { throw, web, moment: x.hypot(y), angle: y.atan2(x) }
     };
     scene.with_counterweights(webs.iter().zip(changes).map(weight).collect())
 }

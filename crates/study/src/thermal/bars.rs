@@ -29,10 +29,7 @@ impl TemperatureFound {
 
     /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of them.
     pub fn widen(&self, film: &Film, measured: &Measured, quantities: &mut [Quantity]) {
-        let Some(model) = film
-            .thermal
-            .filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some()))
-        else {
+        let Some(model) = film.thermal.filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some())) else {
             return;
         };
         let flows = thermal_flows(&model, film, measured);
@@ -74,10 +71,8 @@ impl TemperatureFound {
                 _ => (quantity.bar, self.slopes.get(&quantity.name).copied()),
             };
             let widened = own.zip(temperature).zip(per_kelvin);
-            quantity.set_bar(widened.map(|((own, bar), per_kelvin)| Bar {
-                temperature: bar * per_kelvin.abs(),
-                ..own
-            }));
+            quantity
+                .set_bar(widened.map(|((own, bar), per_kelvin)| Bar { temperature: bar * per_kelvin.abs(), ..own }));
         }
     }
 }

@@ -29,10 +29,7 @@ const LEAST_REACH: f64 = 10.0;
 pub fn temperature_report(solved: &Solved, quantities: &[Quantity], options: &RunOptions) -> Option<TemperatureReport> {
     let deadline = options.deadline();
     let film = &solved.film;
-    let (model, found) = (
-        film.thermal?,
-        solved.temperature.as_ref().filter(|found| !found.is_ended)?,
-    );
+    let (model, found) = (film.thermal?, solved.temperature.as_ref().filter(|found| !found.is_ended)?);
     let root = found.balanced.temperature;
     let reach = (REACH * (root - model.balance.inlet).abs()).max(LEAST_REACH);
     let step = reach / f64::from(FILMS);
@@ -60,9 +57,7 @@ fn fitness(
     (quantities, bars): (&[Quantity], bool),
     curve: Vec<TemperaturePoint>,
 ) -> Option<TemperatureReport> {
-    let load = quantities
-        .iter()
-        .find(|it| it.row == &LOAD || it.row == &CYCLE_LOAD_MAX)?;
+    let load = quantities.iter().find(|it| it.row == &LOAD || it.row == &CYCLE_LOAD_MAX)?;
     let bearing = &film.problem.bearing;
     let criteria = design_criteria(film, Some(model), quantities, bars);
     Some(TemperatureReport {

@@ -18,12 +18,7 @@ pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) 
     let regions = system.supply.regions().iter().zip(&measured.flows.regions);
     let leaves = regions.map(|(region, flow)| match region.kind {
         // No film has less pressure than its cavity, so that no oil enters at such an end.
-        BoundaryKind::End
-            if problem
-                .cavitation
-                .pressure()
-                .is_some_and(|least| region.pressure <= least) =>
-        {
+        BoundaryKind::End if problem.cavitation.pressure().is_some_and(|least| region.pressure <= least) => {
             (-flow.net).max(0.0)
         }
         BoundaryKind::End => flow.outward,

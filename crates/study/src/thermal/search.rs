@@ -130,11 +130,7 @@ impl<'a> Search<'a> {
     fn estimated_slope(&mut self, temperature: f64, kind: Kind) -> Option<f64> {
         let flows = self.at(temperature, kind).ok()?;
         let thinner = |by: f64| -self.film.oil.at(temperature + by).viscosity.ln();
-        let exponent = if self.film.load.is_some() {
-            FRICTION_EXPONENT
-        } else {
-            1.0
-        };
+        let exponent = if self.film.load.is_some() { FRICTION_EXPONENT } else { 1.0 };
         let by_friction = exponent * flows.power * (thinner(0.5) - thinner(-0.5));
         let balance = self.model.balance;
         let taken = |mean: f64| balance.surplus(mean, &flows);
@@ -197,20 +193,9 @@ impl<'a> Search<'a> {
         if is_kept && !solved.is_ended() {
             let measured = measured.with_dynamics(&solved.film, reported(&solved), None);
             let view = View::new(&solved.film, &solved.film.problem, &measured);
-            self.numbers.push(Numbers {
-                temperature,
-                surplus,
-                quantities: quantities::measured(&view),
-            });
+            self.numbers.push(Numbers { temperature, surplus, quantities: quantities::measured(&view) });
         }
-        Ok(Tried {
-            temperature,
-            flows,
-            surplus,
-            kind,
-            solved,
-            seconds: clock.elapsed().as_secs_f64(),
-        })
+        Ok(Tried { temperature, flows, surplus, kind, solved, seconds: clock.elapsed().as_secs_f64() })
     }
 
     /// The balance of films whose numbers are reported: with error estimate those of cubic ones, but for mass-conserving films.
@@ -293,10 +278,7 @@ impl<'a> Search<'a> {
             let change = there.surplus - here.surplus;
             change / (there.temperature - here.temperature)
         };
-        Balanced {
-            slope: self.nearest(found.temperature).map_or(found.slope, slope),
-            ..found
-        }
+        Balanced { slope: self.nearest(found.temperature).map_or(found.slope, slope), ..found }
     }
 }
 
@@ -323,13 +305,7 @@ impl Tried {
 
     /// Where the search was ended: the balance that is not one.
     fn unbalanced(&self) -> Balanced {
-        Balanced {
-            temperature: self.temperature,
-            film: self.flows,
-            surplus: self.surplus,
-            slope: f64::NAN,
-            films: 0,
-        }
+        Balanced { temperature: self.temperature, film: self.flows, surplus: self.surplus, slope: f64::NAN, films: 0 }
     }
 }
 
@@ -346,10 +322,7 @@ pub(super) fn visited(film: &Film) -> Visited {
 
 /// From a balance on, to another one nearby.
 fn again(found: &Balanced) -> Start {
-    Start {
-        temperature: found.temperature,
-        slope: Some(found.slope),
-    }
+    Start { temperature: found.temperature, slope: Some(found.slope) }
 }
 
 /// Solves a film from the initial guess or, where that leads nowhere, from a cold start.
@@ -373,18 +346,9 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     if let (Ok(found), Errors::Estimated) = (&found, options.errors) {
         search.prepare_estimate(found);
     }
-    let slopes = found
-        .as_ref()
-        .map_or_else(|_| HashMap::new(), |found| search.slopes(found.temperature));
+    let slopes = found.as_ref().map_or_else(|_| HashMap::new(), |found| search.slopes(found.temperature));
     let with_slope = found.as_ref().ok().map(|found| search.with_slope(*found));
-    let is_ended = matches!(
-        found,
-        Err(NoBalance::NoFilm(Left::Ended)
-            | NoBalance::Ends {
-                reason: Left::Ended,
-                ..
-            })
-    );
+    let is_ended = matches!(found, Err(NoBalance::NoFilm(Left::Ended) | NoBalance::Ends { reason: Left::Ended, .. }));
     let (balanced, best) = match (found, search.best) {
         (Ok(found), Some(best)) => (with_slope.unwrap_or(found), best),
         (Err(_), Some(best)) if is_ended => (best.unbalanced(), best),
@@ -398,10 +362,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         solved.solution.fallbacks.push(fallback.to_owned());
     }
     solved.temperature = Some(TemperatureFound {
-        balanced: Balanced {
-            films: search.solved,
-            ..balanced
-        },
+        balanced: Balanced { films: search.solved, ..balanced },
         is_ended,
         positions: search.positions,
         slopes,

@@ -63,12 +63,7 @@ pub fn blocks(page: &Page) -> Vec<Block> {
             (_, Some(name)) => How::File(name.to_owned()),
             _ => panic!("{place}: the mark {mark:?} is not known"),
         };
-        blocks.push(Block {
-            place,
-            language: language.to_owned(),
-            how,
-            text,
-        });
+        blocks.push(Block { place, language: language.to_owned(), how, text });
     }
     blocks
 }

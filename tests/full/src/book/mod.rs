@@ -28,10 +28,7 @@ impl Page {
     /// It cannot be read.
     pub fn read(path: &str) -> Self {
         let text = std::fs::read_to_string(repository().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
-        Self {
-            path: path.to_owned(),
-            text,
-        }
+        Self { path: path.to_owned(), text }
     }
 }
 

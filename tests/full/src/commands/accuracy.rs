@@ -28,12 +28,7 @@ pub(crate) fn run(arguments: &[String]) -> std::io::Result<()> {
     let list = bearings(SEED, count);
     let tally = tally(&list, SEED, most, |done, bearing| {
         let seconds = clock.elapsed().as_secs_f64();
-        eprintln!(
-            "{done}/{} {seconds:.0} s: {} {}",
-            list.len(),
-            bearing.name,
-            bearing.model
-        );
+        eprintln!("{done}/{} {seconds:.0} s: {} {}", list.len(), bearing.name, bearing.model);
     });
     for reason in &tally.without {
         eprintln!("{reason}");
@@ -45,11 +40,7 @@ pub(crate) fn run(arguments: &[String]) -> std::io::Result<()> {
         eprintln!("tolerances: {}", bearing.name);
         reference(bearing, most).map_or(Vec::new(), |reference| met(bearing, &reference))
     });
-    let numbers = Numbers {
-        tally,
-        met: met.into_iter().flatten().collect(),
-        most,
-    };
+    let numbers = Numbers { tally, met: met.into_iter().flatten().collect(), most };
     let path = repository().join("docs/validation/accuracy.md");
     let written = std::fs::read_to_string(&path)?;
     std::fs::write(&path, page(&written, &numbers))

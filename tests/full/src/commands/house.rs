@@ -19,11 +19,7 @@ pub(crate) fn run(_: &[String]) {
         let lines: usize = own.map(|source| source.lines_of_code()).sum();
         println!("    {package}: {lines}, {:.1} %", 100.0 * lines as f64 / all as f64);
         for circle in circles(&sources, package) {
-            println!(
-                "        circle of {}: {}",
-                circle.len(),
-                Vec::from_iter(circle).join(" ")
-            );
+            println!("        circle of {}: {}", circle.len(), Vec::from_iter(circle).join(" "));
         }
     }
 }

@@ -12,10 +12,7 @@ use oilwedge_study::result::Status;
 const EDGES: [f64; 2] = [20.0, 30.0];
 const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 /// How orbits of any kind are followed.
-const ROUGH: Followed = Followed {
-    edges: 18.0,
-    tolerance: 1e-2,
-};
+const ROUGH: Followed = Followed { edges: 18.0, tolerance: 1e-2 };
 
 /// Runs the command.
 pub(crate) fn run(arguments: &[String]) {
@@ -86,11 +83,7 @@ fn of_any_kind(from: u64, to: u64) {
             println!("{number} FAULT {fault}");
         }
         if result.status != Status::Converged {
-            println!(
-                "{number} {:.1} s {}: {reason}",
-                clock.elapsed().as_secs_f64(),
-                result.status.name()
-            );
+            println!("{number} {:.1} s {}: {reason}", clock.elapsed().as_secs_f64(), result.status.name());
         }
     }
     for (kind, count) in counts {

@@ -37,20 +37,12 @@ pub(crate) fn run(arguments: &[String]) {
             Status::Converged => {
                 closed += 1;
                 let (film, off) = (least_film(&result).unwrap_or(f64::NAN), result.balances);
-                format!(
-                    "least film {:.3} um; force {:.0e}, moment {:.0e}",
-                    1e6 * film,
-                    off.force,
-                    off.moment
-                )
+                format!("least film {:.3} um; force {:.0e}, moment {:.0e}", 1e6 * film, off.force, off.moment)
             }
             _ => result.reason.clone().unwrap_or_default(),
         };
         let (bearings, seconds) = (result.bearings.len(), clock.elapsed().as_secs_f64());
-        println!(
-            "{number} {seconds:.1} s, {bearings} bearings, {}: {told}",
-            result.status.name()
-        );
+        println!("{number} {seconds:.1} s, {bearings} bearings, {}: {told}", result.status.name());
         if let Some(fault) = fault(&result) {
             faults += 1;
             println!("{number} FAULT {fault}");

@@ -58,11 +58,7 @@ pub(crate) fn run(arguments: &[String]) -> io::Result<()> {
     let has = |flag: &str| arguments.iter().any(|it| it == flag);
     let mut numbers = arguments.iter().filter_map(|argument| argument.parse::<u64>().ok());
     let (first, second) = (numbers.next(), numbers.next());
-    let bearings = if has("--walls") {
-        Bearings::Walls
-    } else {
-        Bearings::Plain
-    };
+    let bearings = if has("--walls") { Bearings::Walls } else { Bearings::Plain };
     if let Some(number) = first.filter(|_| has("--scene")) {
         print!("{}", bearings.number(number).text);
         return Ok(());
@@ -118,9 +114,7 @@ fn outcomes(bearings: Bearings, numbers: std::ops::Range<u64>) -> io::Result<Vec
         let processors = thread::available_parallelism()?.get();
         let threads: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
         let end = |thread: thread::ScopedJoinHandle<io::Result<()>>| {
-            thread
-                .join()
-                .unwrap_or_else(|_| Err(io::Error::other("a thread has panicked")))
+            thread.join().unwrap_or_else(|_| Err(io::Error::other("a thread has panicked")))
         };
         threads.into_iter().try_for_each(end)
     })?;
@@ -137,15 +131,8 @@ fn solved(bearings: Bearings, number: u64) -> io::Result<Outcome> {
         .args(["--outcome", &number.to_string()])
         .output()?;
     let written = serde_json::from_slice(&process.stdout);
-    let outcome = written
-        .ok()
-        .and_then(|written| Outcome::from_json(bearings.number(number), &written));
-    outcome.ok_or_else(|| {
-        io::Error::other(format!(
-            "bearing {number}: {}",
-            String::from_utf8_lossy(&process.stderr)
-        ))
-    })
+    let outcome = written.ok().and_then(|written| Outcome::from_json(bearings.number(number), &written));
+    outcome.ok_or_else(|| io::Error::other(format!("bearing {number}: {}", String::from_utf8_lossy(&process.stderr))))
 }
 
 /// Most unknowns of a reference.
@@ -155,10 +142,7 @@ const MOST: usize = 12_000;
 fn bars(bearings: impl Iterator<Item = TiltedBearing>, from: u64) {
     let list: Vec<Bearing> = bearings.map(|bearing| bearing.counted()).collect();
     let tally = tally(&list, from, MOST, |_, _| {});
-    println!(
-        "{} solves, {} errors not known, {} numbers without a bar",
-        tally.solves, tally.unknown, tally.unresolved
-    );
+    println!("{} solves, {} errors not known, {} numbers without a bar", tally.solves, tally.unknown, tally.unresolved);
     for without in &tally.without {
         println!("{without}");
     }

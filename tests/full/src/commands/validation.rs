@@ -58,8 +58,5 @@ fn write_gallery() -> std::io::Result<()> {
         std::fs::write(gallery::picture_file(name), exhibit.svg)?;
         parts.push(exhibit.text);
     }
-    std::fs::write(
-        repository().join("docs/gallery.md"),
-        gallery::page(parts.iter().map(String::as_str)),
-    )
+    std::fs::write(repository().join("docs/gallery.md"), gallery::page(parts.iter().map(String::as_str)))
 }

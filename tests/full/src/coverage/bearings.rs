@@ -120,12 +120,9 @@ pub fn bearings(seed: u64, each: u64) -> Vec<Bearing> {
 pub fn bearing(family: Family, number: u64) -> Bearing {
     let name = format!("{} {number}", family.name());
     let mut bearing = match family {
-        Family::Conserving => Bearing {
-            name,
-            family,
-            model: "jfo",
-            table: RandomBearing::new(number).text.parse().expect("TOML"),
-        },
+        Family::Conserving => {
+            Bearing { name, family, model: "jfo", table: RandomBearing::new(number).text.parse().expect("TOML") }
+        }
         Family::Imported => imported(name, number),
         _ => drawn(name, family, number),
     };
@@ -156,10 +153,7 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
     };
     let minimum = dice.between(-PI, PI);
     let speed = if dice.chance(0.5) { SPEED } else { -SPEED };
-    let mixed = matches!(
-        family,
-        Family::Thickening | Family::Squeeze | Family::Thin | Family::Loaded
-    );
+    let mixed = matches!(family, Family::Thickening | Family::Squeeze | Family::Thin | Family::Loaded);
     let has_start = family == Family::Start || (mixed && dice.chance(0.5));
     let opens = matches!(family, Family::Holes | Family::Grooves | Family::Pockets) || (mixed && dice.chance(0.5));
     let shell = !has_start && opens && family != Family::Pockets && dice.chance(0.3);
@@ -172,11 +166,7 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
     );
     let _ = match (has_start, shell) {
         (true, _) => writeln!(text, "film_start = \"{first} rad\""),
-        (_, true) => writeln!(
-            text,
-            "arc = {{ from = \"{first} rad\", to = \"{} rad\" }}",
-            first + span
-        ),
+        (_, true) => writeln!(text, "arc = {{ from = \"{first} rad\", to = \"{} rad\" }}", first + span),
         _ => Ok(()),
     };
     let at_rest = family == Family::Squeeze && dice.chance(0.5);
@@ -189,17 +179,11 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
         let force = dice.decades(-0.3, 0.7) * PRESSURE_UNIT * 2.0 * RADIUS * length * (length / RADIUS).min(1.0);
         let _ = writeln!(text, "[load]\nforce = \"{force} N\"\nangle = \"{minimum} rad\"");
     } else {
-        let _ = writeln!(
-            text,
-            "eccentricity = {eccentricity}\nmin_film_angle = \"{minimum} rad\""
-        );
+        let _ = writeln!(text, "eccentricity = {eccentricity}\nmin_film_angle = \"{minimum} rad\"");
     }
     if family == Family::Squeeze {
         let [radial, tangential] = [0, 1].map(|_| CLEARANCE * SPEED * dice.between(-0.5, 0.5));
-        let _ = writeln!(
-            text,
-            "squeeze = {{ radial = \"{radial} m/s\", tangential = \"{tangential} m/s\" }}"
-        );
+        let _ = writeln!(text, "squeeze = {{ radial = \"{radial} m/s\", tangential = \"{tangential} m/s\" }}");
     }
     let _ = writeln!(text, "[oil]\nviscosity = \"{VISCOSITY} Pa.s\"");
     if family == Family::Thickening {
@@ -217,24 +201,10 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
             let middle = first + sector * (k as f64 + 0.5);
             let as_pocket = family == Family::Pockets && k == 0;
             let round = family == Family::Holes || (mixed && dice.chance(0.5));
-            opening(
-                &mut text,
-                &mut dice,
-                k,
-                [middle, sector],
-                length,
-                round,
-                as_pocket,
-                ends,
-            );
+            opening(&mut text, &mut dice, k, [middle, sector], length, round, as_pocket, ends);
         }
     }
-    Bearing {
-        name,
-        family,
-        model,
-        table: text.parse().expect("TOML"),
-    }
+    Bearing { name, family, model, table: text.parse().expect("TOML") }
 }
 
 #[expect(clippy::too_many_arguments, reason = "one opening of the bearing above")]
@@ -257,20 +227,14 @@ fn opening(
         half_angle = half_width / RADIUS;
     }
     let play = half_length - half_width - LAND;
-    let z = if dice.chance(0.5) {
-        0.0
-    } else {
-        dice.between(-play, play)
-    };
+    let z = if dice.chance(0.5) { 0.0 } else { dice.between(-play, play) };
     let shift = dice.between(-1.0, 1.0) * (widest - half_angle).max(0.0);
     let angle = middle + shift;
     let _ = writeln!(text, "[[feed]]\ngroup = \"opening_{k}\"");
     let _ = match round {
-        true => writeln!(
-            text,
-            "hole = {{ diameter = \"{} m\", angle = \"{angle} rad\", z = \"{z} m\" }}",
-            2.0 * half_width
-        ),
+        true => {
+            writeln!(text, "hole = {{ diameter = \"{} m\", angle = \"{angle} rad\", z = \"{z} m\" }}", 2.0 * half_width)
+        }
         false => {
             let corner = match dice.chance(0.5) {
                 true => String::new(),
@@ -290,11 +254,7 @@ fn opening(
     };
     let _ = match as_pocket {
         true => writeln!(text, "depth = \"{} m\"", CLEARANCE * dice.decades(-1.0, 1.0)),
-        false => writeln!(
-            text,
-            "pressure = \"{} Pa\"",
-            ambient + PRESSURE_UNIT * dice.decades(-3.0, 0.3)
-        ),
+        false => writeln!(text, "pressure = \"{} Pa\"", ambient + PRESSURE_UNIT * dice.decades(-3.0, 0.3)),
     };
 }
 
@@ -321,12 +281,7 @@ fn imported(name: String, number: u64) -> Bearing {
     if dice.chance(0.5) {
         table(&mut edited, "oil").remove("barus");
     }
-    Bearing {
-        name: format!("{name} {mesh}"),
-        family: Family::Imported,
-        model,
-        table: edited,
-    }
+    Bearing { name: format!("{name} {mesh}"), family: Family::Imported, model, table: edited }
 }
 
 /// The shipped scenes as they are; those with a sweep are another one again.
@@ -352,12 +307,7 @@ pub fn shipped() -> Vec<Bearing> {
             (true, _) => Family::Loaded,
             _ => Family::Imported,
         };
-        Bearing {
-            name,
-            family,
-            model,
-            table,
-        }
+        Bearing { name, family, model, table }
     };
     names.into_iter().map(one).collect()
 }

@@ -53,19 +53,10 @@ impl Solve {
     /// The reason why there is no film or no position, in words.
     pub fn new(film: &Film, kind: Kind) -> Result<Self, String> {
         let clock = Instant::now();
-        let options = SolveOptions {
-            errors: Errors::Estimated,
-            ..SolveOptions::default()
-        };
+        let options = SolveOptions { errors: Errors::Estimated, ..SolveOptions::default() };
         let solved = solve(film, &options).map_err(|reason| reason.to_string())?;
         let judged = estimate_errors(&solved);
-        Ok(Self {
-            kind,
-            unknowns: film.unknowns(),
-            solved,
-            judged,
-            seconds: clock.elapsed().as_secs_f64(),
-        })
+        Ok(Self { kind, unknowns: film.unknowns(), solved, judged, seconds: clock.elapsed().as_secs_f64() })
     }
 
     /// The mesh.

@@ -54,21 +54,15 @@ fn counts(tally: &Tally) -> Vec<Vec<String>> {
     let mut add = |what: &str, number: usize| rows.push(vec![what.to_owned(), number.to_string()]);
     add("solves", tally.solves);
     add("bars compared with a true error", tally.pairs.len());
-    add(
-        "bars whose error is below what the reference is unsure of",
-        tally.unknown,
-    );
+    add("bars whose error is below what the reference is unsure of", tally.unknown);
     add("values that the mesh does not resolve: no bar", tally.unresolved);
     add("meshes without an answer", tally.without.len());
     rows
 }
 
 /// The models in rows, by name.
-const MODELS: [(&str, &[&str]); 3] = [
-    ("`none`, `guembel`", &["none", "guembel"]),
-    ("`reynolds`", &["reynolds"]),
-    ("`jfo`", &["jfo"]),
-];
+const MODELS: [(&str, &[&str]); 3] =
+    [("`none`, `guembel`", &["none", "guembel"]), ("`reynolds`", &["reynolds"]), ("`jfo`", &["jfo"])];
 
 fn statistics(tally: &Tally, chosen: impl Fn(&Pair) -> bool) -> Option<Vec<String>> {
     let ratios = tally.ratios(chosen);
@@ -84,15 +78,7 @@ fn statistics(tally: &Tally, chosen: impl Fn(&Pair) -> bool) -> Option<Vec<Strin
 }
 
 fn by_quantity(tally: &Tally, of: Of) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "quantity",
-        "model",
-        "bars",
-        "hold",
-        "bar/error, median",
-        "10 % - 90 %",
-        "worst",
-    ])];
+    let mut rows = vec![row(["quantity", "model", "bars", "hold", "bar/error, median", "10 % - 90 %", "worst"])];
     for quantity in COUNTED {
         for (name, models) in MODELS {
             let chosen = |pair: &Pair| pair.quantity == quantity && pair.of == of && models.contains(&pair.model);
@@ -105,15 +91,7 @@ fn by_quantity(tally: &Tally, of: Of) -> Vec<Vec<String>> {
 }
 
 fn by_family(tally: &Tally) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "bearings",
-        "quantity",
-        "bars",
-        "hold",
-        "bar/error, median",
-        "10 % - 90 %",
-        "worst",
-    ])];
+    let mut rows = vec![row(["bearings", "quantity", "bars", "hold", "bar/error, median", "10 % - 90 %", "worst"])];
     for family in Family::ALL {
         for quantity in &COUNTED[..6] {
             let chosen = |pair: &Pair| pair.quantity == *quantity && pair.of == Of::Reported && pair.family == family;
@@ -126,14 +104,7 @@ fn by_family(tally: &Tally) -> Vec<Vec<String>> {
 }
 
 fn effectivity(tally: &Tally) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "bearings",
-        "solves",
-        "within 0.8 - 1.2",
-        "median",
-        "least",
-        "greatest",
-    ])];
+    let mut rows = vec![row(["bearings", "solves", "within 0.8 - 1.2", "median", "least", "greatest"])];
     let mut add = |name: &str, chosen: &dyn Fn(Family) -> bool| {
         let mut found: Vec<f64> = (tally.effectivity.iter())
             .filter(|(family, ..)| chosen(*family))
@@ -160,21 +131,14 @@ fn effectivity(tally: &Tally) -> Vec<Vec<String>> {
 }
 
 fn tolerances(met: &[Met]) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "asked",
-        "answers",
-        "bar met",
-        "true error met",
-        "unknowns over needed, median",
-        "greatest",
-    ])];
+    let mut rows =
+        vec![row(["asked", "answers", "bar met", "true error met", "unknowns over needed, median", "greatest"])];
     for asked in TOLERANCES {
         let here: Vec<&Met> = met.iter().filter(|met| met.asked == asked).collect();
         let claimed: Vec<&&Met> = here.iter().filter(|met| met.claimed).collect();
         let kept = claimed.iter().filter(|met| met.error <= asked).count();
-        let mut over: Vec<f64> = (claimed.iter())
-            .filter_map(|met| Some(met.unknowns as f64 / met.needed? as f64))
-            .collect();
+        let mut over: Vec<f64> =
+            (claimed.iter()).filter_map(|met| Some(met.unknowns as f64 / met.needed? as f64)).collect();
         over.sort_by(f64::total_cmp);
         rows.push(vec![
             format!("{} %", 100.0 * asked),
@@ -189,16 +153,8 @@ fn tolerances(met: &[Met]) -> Vec<Vec<String>> {
 }
 
 fn each_met(met: &[Met]) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "bearing",
-        "model",
-        "asked",
-        "bar",
-        "true error",
-        "unknowns",
-        "unknowns needed",
-        "seconds",
-    ])];
+    let mut rows =
+        vec![row(["bearing", "model", "asked", "bar", "true error", "unknowns", "unknowns needed", "seconds"])];
     rows.extend(met.iter().map(|met| {
         vec![
             met.bearing.clone(),

@@ -64,16 +64,12 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
         };
         let next = last.on(&scene, refined.mesh)?;
         before = last.judged.quantities;
-        last = Solve {
-            judged: next.judged,
-            ..next
-        };
+        last = Solve { judged: next.judged, ..next };
     }
     let known = last.judged.quantities.iter().map(|quantity| {
         let earlier = before.iter().find(|earlier| earlier.name == quantity.name);
-        let change = earlier.map_or(f64::INFINITY, |earlier| {
-            quantity.row.difference(quantity.value, earlier.value).abs()
-        });
+        let change =
+            earlier.map_or(f64::INFINITY, |earlier| quantity.row.difference(quantity.value, earlier.value).abs());
         let bar = quantity.error().unwrap_or(f64::INFINITY);
         Known {
             name: quantity.name.to_string(),
@@ -81,10 +77,7 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
             bar: bar.min(change.max(if bar.is_finite() { LEAST * bar } else { 0.0 })),
         }
     });
-    Ok(Reference {
-        unknowns: last.unknowns,
-        known: known.collect(),
-    })
+    Ok(Reference { unknowns: last.unknowns, known: known.collect() })
 }
 
 /// For each triangle its greatest share in the error of any goal, relative to that goal's shares together.

@@ -110,9 +110,7 @@ impl Tally {
 
     /// Ratios of the pairs chosen, the least first.
     pub fn ratios(&self, chosen: impl Fn(&Pair) -> bool) -> Vec<f64> {
-        let mut ratios: Vec<f64> = (self.pairs.iter().filter(|pair| chosen(pair)))
-            .map(|pair| pair.ratio)
-            .collect();
+        let mut ratios: Vec<f64> = (self.pairs.iter().filter(|pair| chosen(pair))).map(|pair| pair.ratio).collect();
         ratios.sort_by(f64::total_cmp);
         ratios
     }
@@ -177,16 +175,11 @@ impl Tally {
         let study = &solve.solved.film;
         let film = measure(&study.problem, &study.system, &solve.solved.solution);
         let quadratic = measured(&View::new(study, &study.problem, &film));
-        let load = |list: &[Quantity]| {
-            list.iter()
-                .find(|quantity| quantity.name == "load")
-                .map(|load| load.value)
-        };
+        let load = |list: &[Quantity]| list.iter().find(|quantity| quantity.name == "load").map(|load| load.value);
         if let (Some(better), Some(worse)) = (load(&solve.judged.quantities), load(&quadratic)) {
             let error = known.value - worse;
             if error.abs() > 10.0 * known.bar {
-                self.effectivity
-                    .push((bearing.family, solve.unknowns, (better - worse) / error));
+                self.effectivity.push((bearing.family, solve.unknowns, (better - worse) / error));
             }
         }
     }
@@ -194,11 +187,7 @@ impl Tally {
 
 /// What an error of the quantity is compared with: its value, a radian, the greatest pressure, all oil that passes.
 fn size(quantity: &Quantity, list: &[Quantity], solve: &Solve) -> f64 {
-    let named = |name: &str| {
-        list.iter()
-            .find(|other| other.name == name)
-            .map_or(0.0, |other| other.value.abs())
-    };
+    let named = |name: &str| list.iter().find(|other| other.name == name).map_or(0.0, |other| other.value.abs());
     match quantity.unit() {
         "deg" => 1f64.to_degrees(),
         "Pa" => named("pressure_max"),

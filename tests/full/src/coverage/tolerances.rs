@@ -54,11 +54,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
         .filter_map(|k| {
             let study = graded(&sized(bearing, LEAST * GROWTH.powi(k)), Deadline::default().into()).ok()?;
             let solve = Solve::new(&study, Kind::Drawn).ok()?;
-            let load = solve
-                .judged
-                .quantities
-                .iter()
-                .find(|quantity| quantity.name == "load")?;
+            let load = solve.judged.quantities.iter().find(|quantity| quantity.name == "load")?;
             Some((solve.unknowns, relative(load.value)))
         })
         .collect();
@@ -66,9 +62,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
         let last_bad = errors.iter().rposition(|(_, error)| *error > asked);
         let needed = errors.get(last_bad.map_or(0, |k| k + 1)).map(|(unknowns, _)| *unknowns);
         let clock = Instant::now();
-        let Answer {
-            film, outcome, limit, ..
-        } = answer(&tolerant(bearing, asked), &RunOptions::default()).ok()?;
+        let Answer { film, outcome, limit, .. } = answer(&tolerant(bearing, asked), &RunOptions::default()).ok()?;
         let (_, judged) = outcome.ok()?;
         let load = judged.quantities.iter().find(|quantity| quantity.name == "load")?;
         Some(Met {

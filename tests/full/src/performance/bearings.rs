@@ -42,23 +42,15 @@ const UNKNOWNS: usize = 6000;
 /// # Panics
 /// If the program fails.
 pub fn rows(films: &Films, program: &Path) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "temperature",
-        "mesh",
-        "error bars",
-        "nodes",
-        "processor, 1 thread [s]",
-        "wall, 2 threads [s]",
-    ])];
+    let mut rows =
+        vec![row(["temperature", "mesh", "error bars", "nodes", "processor, 1 thread [s]", "wall, 2 threads [s]"])];
     for (temperature, oil) in [("given", GIVEN), ("sought", SOUGHT)] {
         let text = format!("{MAIN_BEARING}{oil}");
         let refined = films.written(&format!("bearing_{temperature}"), &text);
         let sized = films.drawn(&format!("bearing_{temperature}_"), &text, UNKNOWNS);
-        for (mesh, path, bars) in [
-            ("by the program", &refined, true),
-            ("given", &sized, true),
-            ("given", &sized, false),
-        ] {
+        for (mesh, path, bars) in
+            [("by the program", &refined, true), ("given", &sized, true), ("given", &sized, false)]
+        {
             eprintln!("bearings: temperature {temperature}, mesh {mesh}");
             let answer = run(&scene(path), &RunOptions::default()).expect("our own scene");
             let [one, two] =

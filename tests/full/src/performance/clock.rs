@@ -31,10 +31,7 @@ pub fn processor_seconds() -> f64 {
 pub fn timed<T>(work: impl FnOnce() -> T) -> (T, Spent) {
     let (cpu, wall) = (ProcessTime::now(), Instant::now());
     let value = work();
-    let spent = Spent {
-        cpu: cpu.elapsed().as_secs_f64(),
-        wall: wall.elapsed().as_secs_f64(),
-    };
+    let spent = Spent { cpu: cpu.elapsed().as_secs_f64(), wall: wall.elapsed().as_secs_f64() };
     (value, spent)
 }
 

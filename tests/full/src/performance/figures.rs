@@ -78,12 +78,7 @@ pub fn rows(
         rows.seconds("the same on two threads, wall, 1000000 unknowns", 0.9, measured);
     }
     if let Some(exponent) = exponent(one, 1) {
-        rows.number(
-            "growth of file to load from 1e4 unknowns on, exponent",
-            1.05,
-            exponent,
-            "",
-        );
+        rows.number("growth of file to load from 1e4 unknowns on, exponent", 1.05, exponent, "");
     }
     if most >= ITERATED {
         iterated(&mut rows, films, load(one, ITERATED, 1));
@@ -113,12 +108,7 @@ pub fn rows(
     rows.seconds("the same, processor", 0.010, spent.cpu);
     if most >= 1_000_000 {
         let peak = apart(program, &films.ring(Kind::Linear, 1_000_000), 1, false).peak;
-        rows.number(
-            "most memory, linear film, 1000000 unknowns",
-            450.0,
-            peak as f64 / 1e6,
-            " MB",
-        );
+        rows.number("most memory, linear film, 1000000 unknowns", 450.0, peak as f64 / 1e6, " MB");
     }
     rows.rows
 }
@@ -131,37 +121,19 @@ fn iterated(rows: &mut Rows, films: &Films, linear: Option<f64>) {
         on_threads(1, || median(3, || phases::file_to_load(&scene)).cpu)
     };
     if let Some(linear) = linear {
-        rows.number(
-            "Barus over the linear film, 100000 unknowns",
-            1.0,
-            from_file(Kind::Barus) / linear,
-            "",
-        );
+        rows.number("Barus over the linear film, 100000 unknowns", 1.0, from_file(Kind::Barus) / linear, "");
     }
-    rows.seconds(
-        "Swift-Stieber, 100000 unknowns, file to load",
-        0.6,
-        from_file(Kind::SwiftStieber),
-    );
+    rows.seconds("Swift-Stieber, 100000 unknowns, file to load", 0.6, from_file(Kind::SwiftStieber));
     eprintln!("figures: jfo");
     let study = phases::study(&scene(&films.grooved_ring(ITERATED)));
     let conserved = on_threads(1, || median(1, || phases::film(&study)).cpu);
-    rows.seconds(
-        "`jfo`, groove bearing, 100000 unknowns, film from nothing",
-        6.0,
-        conserved,
-    );
+    rows.seconds("`jfo`, groove bearing, 100000 unknowns, film from nothing", 6.0, conserved);
 }
 
 /// The table of whole processes: `oilwedge solve`, its output included.
 pub fn processes(films: &Films, program: &Path, sizes: &[usize]) -> Vec<Vec<String>> {
-    let mut rows = vec![row([
-        "unknowns",
-        "error bars",
-        "processor, 1 thread [s]",
-        "wall, 2 threads [s]",
-        "most memory [MB]",
-    ])];
+    let mut rows =
+        vec![row(["unknowns", "error bars", "processor, 1 thread [s]", "wall, 2 threads [s]", "most memory [MB]"])];
     for &unknowns in sizes {
         eprintln!("whole process, {unknowns} unknowns");
         let scene = films.ring(Kind::Linear, unknowns);

@@ -19,12 +19,8 @@ const LENGTH: f64 = 0.075;
 /// Radius of its feed hole [m], and the angle [deg] of that.
 const HOLE: (f64, f64) = (0.0085, 130.0);
 /// What gmsh writes for a large mesh (`-bin`).
-const LARGE: Form = Form {
-    encoding: Encoding::Binary,
-    element: Element::Linear,
-    numbers: Numbers::Consecutive,
-    entities: 1,
-};
+const LARGE: Form =
+    Form { encoding: Encoding::Binary, element: Element::Linear, numbers: Numbers::Consecutive, entities: 1 };
 /// Most unknowns of the meshes from which the size of another one is found.
 const TRIAL: f64 = 40_000.0;
 
@@ -80,11 +76,7 @@ pub enum Kind {
 impl Kind {
     fn text(self) -> String {
         let journal = if self == Self::Loaded { LOADED } else { AT_REST };
-        let alpha = if self == Self::Barus {
-            "barus = { alpha = \"1e-9 1/Pa\" }\n"
-        } else {
-            ""
-        };
+        let alpha = if self == Self::Barus { "barus = { alpha = \"1e-9 1/Pa\" }\n" } else { "" };
         let cavitation = match self {
             Self::Linear | Self::Barus => "",
             Self::SwiftStieber | Self::Loaded => "[cavitation]\nmodel = \"reynolds\"\n",
@@ -104,9 +96,7 @@ impl Films {
     /// # Panics
     /// If there is no folder for temporary files.
     pub fn new() -> Self {
-        Self {
-            folder: TempDir::new().expect("a folder"),
-        }
+        Self { folder: TempDir::new().expect("a folder") }
     }
 
     /// Where scenes and meshes lie, and where the program may write.
@@ -202,15 +192,8 @@ fn ring(unknowns: usize) -> Mesh {
         shape: Shape::disc([RADIUS * angle.to_radians(), 0.0], radius),
         meshed: false,
     };
-    let blueprint = Blueprint {
-        liner: Liner {
-            radius: RADIUS,
-            length: LENGTH,
-            arc: None,
-        },
-        features: vec![hole],
-        line: None,
-    };
+    let blueprint =
+        Blueprint { liner: Liner { radius: RADIUS, length: LENGTH, arc: None }, features: vec![hole], line: None };
     let uniform = |size: f64| generate(&blueprint, &|_| size).expect("a ring with a hole");
     uniform(size_for(unknowns, |size| uniform(size).quadratic_nodes() as f64))
 }

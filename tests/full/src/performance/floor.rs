@@ -72,11 +72,7 @@ impl Sizes {
         Self {
             rows: assembler.space().dofs() as f64,
             entries: assembler.pattern().columns.len() as f64,
-            mesh: [
-                mesh.points().len() as f64,
-                mesh.topology().edges.len() as f64,
-                mesh.triangles().len() as f64,
-            ],
+            mesh: [mesh.points().len() as f64, mesh.topology().edges.len() as f64, mesh.triangles().len() as f64],
             file: file as f64,
             factor: analysis.factor_entries() as f64,
             factor_flops: analysis.factor_flops(),
@@ -102,10 +98,7 @@ impl Sizes {
             Path::Draw => [self.mesh_bytes(), 0.0],
             Path::Number => [16.0 * edges + 12.0 * triangles + 4.0 * (self.entries + self.rows), 0.0],
             Path::Analyse => [4.0 * (self.entries + self.rows) + 8.0 * self.rows, 0.0],
-            Path::Assemble => [
-                self.mesh_bytes() + 16.0 * self.rows + 8.0 * self.entries,
-                FLOPS_OF_ELEMENT * triangles,
-            ],
+            Path::Assemble => [self.mesh_bytes() + 16.0 * self.rows + 8.0 * self.entries, FLOPS_OF_ELEMENT * triangles],
             Path::Factorise => [12.0 * self.entries + 8.0 * self.factor, self.factor_flops],
             Path::Substitute => [16.0 * self.factor + 32.0 * self.rows, 4.0 * self.factor],
             Path::Measure => [self.mesh_bytes() + 8.0 * self.rows, 0.0],

@@ -37,18 +37,12 @@ pub fn instructions(program: &Path) -> Option<f64> {
 /// The compiler, as it names itself.
 pub fn compiler() -> String {
     let output = Command::new("rustc").arg("--version").output();
-    output.map_or("unknown".to_owned(), |output| {
-        String::from_utf8_lossy(&output.stdout).trim().to_owned()
-    })
+    output.map_or("unknown".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 /// The count that the page records.
 pub fn recorded(page: &str) -> Option<f64> {
-    let table = page
-        .split("<!-- table: gate -->")
-        .nth(1)?
-        .split("<!-- end -->")
-        .next()?;
+    let table = page.split("<!-- table: gate -->").nth(1)?.split("<!-- end -->").next()?;
     let row = table.lines().rfind(|line| line.starts_with("| 01"))?;
     row.split('|').nth(COUNT)?.trim().parse().ok()
 }
@@ -57,14 +51,7 @@ pub fn recorded(page: &str) -> Option<f64> {
 pub fn judged(count: f64, before: f64) -> (String, bool) {
     let change = count / before - 1.0;
     let open = change <= NOISE;
-    let verdict = if open {
-        "the gate is open"
-    } else {
-        "the plain scene pays for something"
-    };
-    let told = format!(
-        "plain scene: {count:.0} instructions, before {before:.0}: {:+.2} %; {verdict}",
-        100.0 * change
-    );
+    let verdict = if open { "the gate is open" } else { "the plain scene pays for something" };
+    let told = format!("plain scene: {count:.0} instructions, before {before:.0}: {:+.2} %; {verdict}", 100.0 * change);
     (told, open)
 }

@@ -29,11 +29,7 @@ pub struct Machine {
 impl Machine {
     /// Measures this machine, in about a second.
     pub fn measured() -> Self {
-        Self {
-            bandwidth: bandwidth(1),
-            bandwidth_of_two: bandwidth(2),
-            flops: flops(),
-        }
+        Self { bandwidth: bandwidth(1), bandwidth_of_two: bandwidth(2), flops: flops() }
     }
 
     /// Bytes copied a second on one thread: each is read and written.
@@ -43,11 +39,7 @@ impl Machine {
 
     /// Bandwidth on so many threads [B/s].
     pub fn bandwidth_on(&self, threads: usize) -> f64 {
-        if threads == 1 {
-            self.bandwidth
-        } else {
-            self.bandwidth_of_two
-        }
+        if threads == 1 { self.bandwidth } else { self.bandwidth_of_two }
     }
 }
 
@@ -87,7 +79,5 @@ pub fn busy() -> String {
 pub fn processor() -> String {
     let facts = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let line = facts.lines().find_map(|line| line.strip_prefix("model name"));
-    line.map_or("of an unknown name".to_owned(), |rest| {
-        rest.trim_start_matches([' ', '\t', ':']).to_owned()
-    })
+    line.map_or("of an unknown name".to_owned(), |rest| rest.trim_start_matches([' ', '\t', ':']).to_owned())
 }

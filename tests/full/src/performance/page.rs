@@ -43,24 +43,15 @@ pub fn page(written: &str, program: &Path, most: usize) -> String {
     page = replace(&page, "growth", &growth);
     page = replace(&page, "processes", &figures::processes(&films, program, &sizes));
     page = replace(&page, "bearings", &bearings::rows(&films, program));
-    page = replace(
-        &page,
-        "figures",
-        &figures::rows(&films, program, &machine, [one, two], most),
-    );
+    page = replace(&page, "figures", &figures::rows(&films, program, &machine, [one, two], most));
     page = replace(&page, "peers", &peers::rows(program, most));
     replace(&page, "gate", &gate(program))
 }
 
 fn facts(machine: &Machine) -> Vec<Vec<String>> {
     let cores = std::thread::available_parallelism().map_or(0, usize::from);
-    let revision = Command::new("git")
-        .args(["rev-parse", "--short", "HEAD"])
-        .current_dir(repository())
-        .output();
-    let revision = revision.map_or(String::new(), |it| {
-        String::from_utf8_lossy(&it.stdout).trim().to_owned()
-    });
+    let revision = Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(repository()).output();
+    let revision = revision.map_or(String::new(), |it| String::from_utf8_lossy(&it.stdout).trim().to_owned());
     vec![
         row([
             "processor",
@@ -90,11 +81,6 @@ fn facts(machine: &Machine) -> Vec<Vec<String>> {
 /// # Panics
 /// If the program fails.
 pub fn gate(program: &Path) -> Vec<Vec<String>> {
-    let count = instructions(program).map_or("not counted: no valgrind here".to_owned(), |count| {
-        format!("{count:.0}")
-    });
-    vec![
-        row(["scene", "instructions", "compiler"]),
-        vec!["01_plain_ring".to_owned(), count, compiler()],
-    ]
+    let count = instructions(program).map_or("not counted: no valgrind here".to_owned(), |count| format!("{count:.0}"));
+    vec![row(["scene", "instructions", "compiler"]), vec!["01_plain_ring".to_owned(), count, compiler()]]
 }

@@ -10,10 +10,7 @@ const SIZES: [usize; 2] = [10_000, 100_000];
 
 /// The table that the script prints; where Python or what the script needs is missing, a row that says so.
 pub fn rows(program: &Path, most: usize) -> Vec<Vec<String>> {
-    let sizes = SIZES
-        .into_iter()
-        .filter(|&size| size <= most)
-        .map(|size| size.to_string());
+    let sizes = SIZES.into_iter().filter(|&size| size <= most).map(|size| size.to_string());
     eprintln!("peers");
     let output = Command::new("python3")
         .arg("compare_speed.py")
@@ -34,14 +31,7 @@ pub fn rows(program: &Path, most: usize) -> Vec<Vec<String>> {
 
 /// The cells of a Markdown table.
 fn table(text: &str) -> Vec<Vec<String>> {
-    let lines = text
-        .lines()
-        .filter(|line| line.starts_with('|') && !line.starts_with("|-"));
-    let cells = |line: &str| {
-        line.trim_matches('|')
-            .split('|')
-            .map(|cell| cell.trim().to_owned())
-            .collect()
-    };
+    let lines = text.lines().filter(|line| line.starts_with('|') && !line.starts_with("|-"));
+    let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
     lines.map(cells).collect()
 }

@@ -62,83 +62,40 @@ fn timed_paths(films: &Films, unknowns: usize, threads: usize, machine: &Machine
     let ring = scene(&films.ring(Kind::Linear, unknowns));
     let sizes = phases::sizes(&ring);
     let drawn = scene(&films.drawn_ring(unknowns));
-    let mut column = Column {
-        unknowns: sizes.rows as usize,
-        paths: Vec::new(),
-    };
+    let mut column = Column { unknowns: sizes.rows as usize, paths: Vec::new() };
     let mut add = |name, path, spent| {
         let floor = sizes.floor(path, machine, threads);
         column.paths.push(Timed { name, spent, floor });
     };
     let mesh = Arc::new(phases::mesh(&ring));
     add("read", Path::Read, median(runs, || phases::mesh(&ring)));
-    add(
-        "draw the mesh",
-        Path::Draw,
-        median(runs.min(3), || phases::mesh(&drawn)),
-    );
+    add("draw the mesh", Path::Draw, median(runs.min(3), || phases::mesh(&drawn)));
     add("number", Path::Number, median(runs, || phases::number(&mesh)));
     drop(mesh);
     let study = phases::study(&ring);
     let assembler = &study.system.assembler;
-    add(
-        "order and analyse",
-        Path::Analyse,
-        median(runs, || phases::analyse(assembler)),
-    );
+    add("order and analyse", Path::Analyse, median(runs, || phases::analyse(assembler)));
     let analysis = phases::analyse(assembler);
     let mut linear = phases::Linear::of(&study);
-    add(
-        "assemble",
-        Path::Assemble,
-        median(runs, || phases::assemble(&study, &mut linear)),
-    );
-    add(
-        "factorise",
-        Path::Factorise,
-        median(runs, || phases::factorise(&analysis, &linear)),
-    );
+    add("assemble", Path::Assemble, median(runs, || phases::assemble(&study, &mut linear)));
+    add("factorise", Path::Factorise, median(runs, || phases::factorise(&analysis, &linear)));
     let factor = phases::factorise(&analysis, &linear);
-    add(
-        "back-substitute",
-        Path::Substitute,
-        median(runs, || phases::substitute(&factor, &linear)),
-    );
+    add("back-substitute", Path::Substitute, median(runs, || phases::substitute(&factor, &linear)));
     drop((factor, linear, analysis));
     add("film", Path::Film, median(runs, || phases::film(&study)));
     let film = phases::film(&study);
-    add(
-        "measure",
-        Path::Measure,
-        median(runs, || phases::measured(&study, &film)),
-    );
+    add("measure", Path::Measure, median(runs, || phases::measured(&study, &film)));
     drop((film, study));
-    add(
-        FILE_TO_LOAD,
-        Path::FileToLoad,
-        median(runs, || phases::file_to_load(&ring)),
-    );
+    add(FILE_TO_LOAD, Path::FileToLoad, median(runs, || phases::file_to_load(&ring)));
     if unknowns <= MOST_ITERATED {
         let study = phases::study(&scene(&films.ring(Kind::SwiftStieber, unknowns)));
-        add(
-            "cavity (Swift-Stieber)",
-            Path::Film,
-            median(runs.min(3), || phases::film(&study)),
-        );
+        add("cavity (Swift-Stieber)", Path::Film, median(runs.min(3), || phases::film(&study)));
         let study = phases::study(&scene(&films.ring(Kind::Loaded, unknowns)));
-        add(
-            "equilibrium",
-            Path::Film,
-            median(runs.min(3), || phases::equilibrium(&study)),
-        );
+        add("equilibrium", Path::Film, median(runs.min(3), || phases::equilibrium(&study)));
     }
     if unknowns <= MOST_CONSERVING {
         let study = phases::study(&scene(&films.grooved_ring(unknowns)));
-        add(
-            "cavity (`jfo`)",
-            Path::Film,
-            median(runs.min(3), || phases::film(&study)),
-        );
+        add("cavity (`jfo`)", Path::Film, median(runs.min(3), || phases::film(&study)));
     }
     column
 }
@@ -154,12 +111,7 @@ pub fn rows(columns: &[Column], threads: usize) -> Vec<Vec<String>> {
             let timed = column.paths.iter().find(|timed| timed.name == name);
             timed.map_or(String::new(), |timed| {
                 let seconds = timed.spent.on(threads);
-                format!(
-                    "{} / {} = {:.1}",
-                    milliseconds(seconds),
-                    milliseconds(timed.floor),
-                    seconds / timed.floor
-                )
+                format!("{} / {} = {:.1}", milliseconds(seconds), milliseconds(timed.floor), seconds / timed.floor)
             })
         }));
         rows.push(row);

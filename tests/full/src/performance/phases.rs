@@ -25,9 +25,7 @@ const DEGREE: usize = 2;
 /// # Panics
 /// If there is none.
 pub fn mesh(scene: &Scene) -> Mesh {
-    liner_mesh(scene, Position::start(scene))
-        .unwrap_or_else(|error| panic!("{error}"))
-        .mesh
+    liner_mesh(scene, Position::start(scene)).unwrap_or_else(|error| panic!("{error}")).mesh
 }
 
 /// **Number.** Unknowns, pattern of the matrix, and where each element adds to it.
@@ -114,10 +112,7 @@ pub fn film(study: &Film) -> FilmSolution {
 /// If there is none.
 pub fn equilibrium(study: &Film) -> Equilibrium {
     let load = study.load.expect("a load");
-    let options = SearchOptions {
-        centre_velocity: study.centre_velocity,
-        ..SearchOptions::default()
-    };
+    let options = SearchOptions { centre_velocity: study.centre_velocity, ..SearchOptions::default() };
     find(&study.problem, &study.system, load, &options).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
@@ -138,10 +133,7 @@ pub fn measured(study: &Film, film: &FilmSolution) -> Measured {
 /// # Panics
 /// If it cannot be run.
 pub fn whole_run(scene: &Scene, bars: bool) -> Run {
-    let options = RunOptions {
-        bars,
-        ..RunOptions::default()
-    };
+    let options = RunOptions { bars, ..RunOptions::default() };
     run(scene, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 

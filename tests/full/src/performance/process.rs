@@ -23,17 +23,12 @@ pub struct Process {
 /// If it fails.
 pub fn run(program: &Path, scene: &Path, threads: usize, bars: bool) -> Process {
     let start = Instant::now();
-    let mut child = command(program, scene, threads, bars)
-        .spawn()
-        .expect("the program starts");
+    let mut child = command(program, scene, threads, bars).spawn().expect("the program starts");
     let ended = child.wait4().expect("the program ends");
     let wall = start.elapsed().as_secs_f64();
     assert!(ended.status.success(), "{} fails", scene.display());
     let cpu = (ended.rusage.utime + ended.rusage.stime).as_secs_f64();
-    Process {
-        spent: Spent { cpu, wall },
-        peak: ended.rusage.maxrss,
-    }
+    Process { spent: Spent { cpu, wall }, peak: ended.rusage.maxrss }
 }
 
 /// `oilwedge sweep SCENE` on so many threads, without error bars.
@@ -43,15 +38,7 @@ pub fn run(program: &Path, scene: &Path, threads: usize, bars: bool) -> Process 
 pub fn sweep(program: &Path, scene: &Path, threads: usize) -> Spent {
     let start = Instant::now();
     let mut child = Command::new(program)
-        .args([
-            "sweep",
-            "--fresh",
-            "--bars",
-            "none",
-            "--threads",
-            &threads.to_string(),
-            "--out",
-        ])
+        .args(["sweep", "--fresh", "--bars", "none", "--threads", &threads.to_string(), "--out"])
         .arg(scene.with_extension("out"))
         .arg(scene)
         .stdout(Stdio::null())
@@ -60,10 +47,7 @@ pub fn sweep(program: &Path, scene: &Path, threads: usize) -> Spent {
         .expect("the program starts");
     let ended = child.wait4().expect("the program ends");
     assert!(ended.status.success(), "{} fails", scene.display());
-    Spent {
-        cpu: (ended.rusage.utime + ended.rusage.stime).as_secs_f64(),
-        wall: start.elapsed().as_secs_f64(),
-    }
+    Spent { cpu: (ended.rusage.utime + ended.rusage.stime).as_secs_f64(), wall: start.elapsed().as_secs_f64() }
 }
 
 /// The command of [`run`].
@@ -98,10 +82,7 @@ pub fn apart(program: &Path, scene: &Path, threads: usize, bars: bool) -> Proces
     let [cpu, wall, peak] = numbers[..] else {
         panic!("{} fails", scene.display());
     };
-    Process {
-        spent: Spent { cpu, wall },
-        peak: peak as u64,
-    }
+    Process { spent: Spent { cpu, wall }, peak: peak as u64 }
 }
 
 /// The other side of [`apart`]: takes its arguments, prints what it measured.

@@ -11,10 +11,7 @@ use super::texts_below;
 /// Where mdBook is installed: it builds the book, whose pages lead to each other and ask for nothing outside.
 #[test]
 fn the_book_is_built() {
-    let is_there = Command::new("mdbook")
-        .arg("--version")
-        .output()
-        .is_ok_and(|output| output.status.success());
+    let is_there = Command::new("mdbook").arg("--version").output().is_ok_and(|output| output.status.success());
     let missing = match is_there {
         true => Vec::new(),
         false => vec![Missing::new("mdBook", "cargo install mdbook --version 0.5.4 --locked")],
@@ -31,10 +28,7 @@ fn the_book_is_built() {
         .output()
         .expect("mdBook starts");
     let said = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        output.status.success() && !said.contains("WARN") && !said.contains("ERROR"),
-        "{said}"
-    );
+    assert!(output.status.success() && !said.contains("WARN") && !said.contains("ERROR"), "{said}");
     let mut links = 0;
     for (path, html) in texts_below(folder.path(), &["html"]) {
         let file = Path::new(&path);
@@ -50,10 +44,7 @@ fn the_book_is_built() {
                     assert!(is_page, "{path} loads {target}");
                 } else if !target.is_empty() && !target.starts_with('#') {
                     links += 1;
-                    let to = file
-                        .parent()
-                        .expect("a folder")
-                        .join(target.split(['#', '?']).next().unwrap_or_default());
+                    let to = file.parent().expect("a folder").join(target.split(['#', '?']).next().unwrap_or_default());
                     assert!(to.exists(), "{path}: {target}");
                 }
             }

@@ -27,12 +27,7 @@ fn the_gallery_has_every_scene_in_order() {
 #[test]
 fn the_gallery_is_up_to_date() {
     let page = Page::read("docs/gallery.md");
-    for chosen in [
-        "01_plain_ring",
-        "12_flexpde_shell_cavitated",
-        "16_loaded_shell",
-        "18_sweep_eccentricity",
-    ] {
+    for chosen in ["01_plain_ring", "12_flexpde_shell_cavitated", "16_loaded_shell", "18_sweep_eccentricity"] {
         let (name, picture) = all().find(|(name, _)| *name == chosen).expect("a scene");
         let exhibit = exhibit(name, picture);
         let svg = std::fs::read_to_string(picture_file(name)).expect("a picture");

@@ -28,14 +28,9 @@ fn links_and_images_lead_somewhere() {
             if !repository().join(&path).exists() {
                 faults.push(format!("{}: there is no {path}", link.place));
             } else if page.path != README && !path.starts_with("docs/") {
-                faults.push(format!(
-                    "{}: {path} is not in the book; name it without a link",
-                    link.place
-                ));
+                faults.push(format!("{}: {path} is not in the book; name it without a link", link.place));
             } else if !anchor.is_empty()
-                && !by_path
-                    .get(&path)
-                    .is_some_and(|to| anchors(to).iter().any(|it| it == anchor))
+                && !by_path.get(&path).is_some_and(|to| anchors(to).iter().any(|it| it == anchor))
             {
                 faults.push(format!("{}: {path} has no #{anchor}", link.place));
             }
@@ -64,10 +59,7 @@ fn joined(page: &str, target: &str) -> String {
 #[test]
 fn the_list_of_chapters_has_every_page_once() {
     let summary = Page::read(SUMMARY);
-    let listed: Vec<String> = links(&summary)
-        .iter()
-        .map(|link| joined(SUMMARY, &link.target))
-        .collect();
+    let listed: Vec<String> = links(&summary).iter().map(|link| joined(SUMMARY, &link.target)).collect();
     let once: BTreeSet<&String> = listed.iter().collect();
     assert_eq!(listed.len(), once.len(), "a page is listed twice");
     let paths = pages().into_iter().map(|page| page.path);
@@ -78,24 +70,12 @@ fn the_list_of_chapters_has_every_page_once() {
 #[test]
 fn pages_and_pictures_load_nothing() {
     for (path, text) in texts_below(&repository().join("docs"), &["md", "svg", "toml"]) {
-        for mark in [
-            "<script",
-            "<img",
-            "<iframe",
-            "<link",
-            "@import",
-            "url(http",
-            "src=\"http",
-            "href=\"http",
-        ] {
+        for mark in ["<script", "<img", "<iframe", "<link", "@import", "url(http", "src=\"http", "href=\"http"] {
             assert!(!text.contains(mark), "{path}: {mark}");
         }
         if path.ends_with(".svg") {
             let addresses: BTreeSet<&str> = text.split("://").skip(1).map(|rest| &rest[..10]).collect();
-            assert!(
-                addresses.iter().all(|address| *address == "www.w3.org"),
-                "{path}: {addresses:?}"
-            );
+            assert!(addresses.iter().all(|address| *address == "www.w3.org"), "{path}: {addresses:?}");
         }
     }
 }

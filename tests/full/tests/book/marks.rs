@@ -32,12 +32,7 @@ fn all_blocks() -> impl Iterator<Item = (Page, Block)> {
 fn blocks_are_marked_as_they_are_tested() {
     let mut not_run: BTreeMap<String, usize> = BTreeMap::new();
     for (page, block) in all_blocks() {
-        let Block {
-            place,
-            language,
-            how,
-            text,
-        } = block;
+        let Block { place, language, how, text } = block;
         assert!(LANGUAGES.contains(&language.as_str()), "{place}: {language:?}");
         match (language.as_str(), &how) {
             ("sh" | "python", How::Not(reason)) => {

@@ -23,23 +23,12 @@ struct Desk {
 impl Desk {
     fn new() -> Self {
         let bench = Bench::new();
-        for folder in [
-            "scenes",
-            "scenes/loads",
-            "scenes/engines",
-            "scenes/engines/bearings",
-            "meshes",
-            "bin",
-            "home",
-        ] {
+        for folder in ["scenes", "scenes/loads", "scenes/engines", "scenes/engines/bearings", "meshes", "bin", "home"] {
             std::fs::create_dir_all(bench.path().join(folder)).expect("a folder");
             let Ok(entries) = std::fs::read_dir(repository().join(folder)) else {
                 continue;
             };
-            for path in entries
-                .map(|entry| entry.expect("an entry").path())
-                .filter(|path| path.is_file())
-            {
+            for path in entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()) {
                 let name = path.file_name().expect("a name");
                 std::fs::copy(&path, bench.path().join(folder).join(name)).expect("a copy");
             }
@@ -49,12 +38,8 @@ impl Desk {
         // A difference is the status 1 of `diff`, and no failure.
         let run = format!("'{program}' \"$@\" || [ $? = 1 -a \"$1\" = diff ]");
         let cargo = "[ \"$1 $2 $3\" = 'run --release --' ] || exit 9; shift 3; oilwedge \"$@\"".to_owned();
-        for (name, text) in [
-            ("oilwedge", run),
-            ("cargo", cargo),
-            ("xdg-open", String::new()),
-            ("open", String::new()),
-        ] {
+        for (name, text) in [("oilwedge", run), ("cargo", cargo), ("xdg-open", String::new()), ("open", String::new())]
+        {
             let path = bench.path().join("bin").join(name);
             bench.write(&format!("bin/{name}"), format!("#!/bin/sh\n{text}\n"));
             let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
@@ -83,11 +68,7 @@ impl Desk {
     }
 
     fn shell(&self, text: &str) -> Ran {
-        let output = self
-            .command("sh")
-            .args(["-e", "-u", "-c", text])
-            .output()
-            .expect("a shell");
+        let output = self.command("sh").args(["-e", "-u", "-c", text]).output().expect("a shell");
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         Ran {
             fault: (!output.status.success()).then(|| format!("{}{}", text(&output.stderr), output.status)),
@@ -129,10 +110,7 @@ for line in sys.stdin:
 impl Session {
     fn start(desk: &Desk, python: &Path) -> Self {
         let mut command = desk.command(python);
-        command
-            .args(["-c", DRIVER])
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped());
+        command.args(["-c", DRIVER]).stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut process = command.spawn().expect("Python starts");
         let answers = BufReader::new(process.stdout.take().expect("its stdout"));
         Self { process, answers }
@@ -145,10 +123,7 @@ impl Session {
         self.answers.read_line(&mut answer).expect("Python answers");
         let answer: serde_json::Value = serde_json::from_str(&answer).expect("an answer");
         let text = |place: usize| answer[place].as_str().map(str::to_owned);
-        Ran {
-            printed: text(0).unwrap_or_default(),
-            fault: text(1),
-        }
+        Ran { printed: text(0).unwrap_or_default(), fault: text(1) }
     }
 }
 
@@ -172,12 +147,7 @@ fn faults(page: &Page, python: Option<&Path>) -> Vec<String> {
     let mut printed = String::new();
     let mut session = None;
     for block in blocks(page) {
-        let Block {
-            place,
-            language,
-            how,
-            text,
-        } = block;
+        let Block { place, language, how, text } = block;
         let ran = match (language.as_str(), &how) {
             ("sh", How::Whole) => desk.shell(&text),
             ("toml", How::Whole) => desk.scene("scenes/example.toml", &text),
@@ -202,9 +172,7 @@ fn faults(page: &Page, python: Option<&Path>) -> Vec<String> {
 
 /// Pages with blocks of Python need the environment of the cross-check.
 fn has_python(page: &Page) -> bool {
-    blocks(page)
-        .iter()
-        .any(|block| block.language == "python" && block.how == How::Whole)
+    blocks(page).iter().any(|block| block.language == "python" && block.how == How::Whole)
 }
 
 #[test]

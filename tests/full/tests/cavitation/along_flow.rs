@@ -72,11 +72,7 @@ fn is_right(row: &Value, result: &RunResult, off: f64) -> Result<(), String> {
         ("load", "W_N", 5e-4 * number(row, "W_N")),
         ("attitude_angle", "attitude_deg", 0.02),
         ("pressure_max", "p_max_Pa", 5e-4 * number(row, "p_max_Pa")),
-        (
-            "friction_power",
-            "friction_power_W",
-            3e-4 * number(row, "friction_power_W"),
-        ),
+        ("friction_power", "friction_power_W", 3e-4 * number(row, "friction_power_W")),
     ] {
         let ([value, error], expected) = (known(result, name)?, number(row, key));
         // The reference takes the pressure part from its differences of pressure, which give less than the moment of the load.
@@ -94,9 +90,7 @@ fn is_right(row: &Value, result: &RunResult, off: f64) -> Result<(), String> {
     let expected = 0.5 * at("omega_rad_s") * at("W_N") * offset * sin;
     let [value, error] = known(result, "friction_pressure_power")?;
     if (value - expected).abs() > error + 5e-4 * expected {
-        return Err(format!(
-            "friction_pressure_power {value} +- {error} instead of {expected}"
-        ));
+        return Err(format!("friction_pressure_power {value} +- {error} instead of {expected}"));
     }
     let (load, expected) = (quantity(result, "load")?.value, number(row, "W_N"));
     match (load / expected - 1.0).abs() <= off {
@@ -140,10 +134,7 @@ fn meshes_of_any_kind_agree() {
         if error > 1e-2 * load {
             return Err(format!("{kind:?}: {load} +- {error}"));
         }
-        let is_told = result
-            .warnings
-            .iter()
-            .any(|warning| warning.contains("layout = \"file\""));
+        let is_told = result.warnings.iter().any(|warning| warning.contains("layout = \"file\""));
         if is_told != matches!(kind, Kind::Random | Kind::Graded) {
             return Err(format!("{kind:?}: {:?}", result.warnings));
         }
@@ -169,41 +160,11 @@ struct Grooved {
 }
 
 const GROOVED: [Grooved; 5] = [
-    Grooved {
-        eccentricity: 0.6,
-        groove: 1e5,
-        ends: 0.0,
-        cavity: 0.0,
-        speed: 200.0,
-    },
-    Grooved {
-        eccentricity: 0.8,
-        groove: 2e5,
-        ends: 0.0,
-        cavity: 0.0,
-        speed: 300.0,
-    },
-    Grooved {
-        eccentricity: 0.8,
-        groove: 0.3e5,
-        ends: 0.0,
-        cavity: 0.0,
-        speed: -300.0,
-    },
-    Grooved {
-        eccentricity: 0.5,
-        groove: 1e5,
-        ends: 0.0,
-        cavity: -0.5e5,
-        speed: 200.0,
-    },
-    Grooved {
-        eccentricity: 0.9,
-        groove: 5e5,
-        ends: 0.2e5,
-        cavity: 0.0,
-        speed: 100.0,
-    },
+    Grooved { eccentricity: 0.6, groove: 1e5, ends: 0.0, cavity: 0.0, speed: 200.0 },
+    Grooved { eccentricity: 0.8, groove: 2e5, ends: 0.0, cavity: 0.0, speed: 300.0 },
+    Grooved { eccentricity: 0.8, groove: 0.3e5, ends: 0.0, cavity: 0.0, speed: -300.0 },
+    Grooved { eccentricity: 0.5, groove: 1e5, ends: 0.0, cavity: -0.5e5, speed: 200.0 },
+    Grooved { eccentricity: 0.9, groove: 5e5, ends: 0.2e5, cavity: 0.0, speed: 100.0 },
 ];
 
 impl Grooved {
@@ -251,10 +212,7 @@ cavitation = {{ model = "jfo", pressure = "{} Pa" }}
             let [flow, error] = known(&result, name)?;
             let apart = (flow - self.flow()).abs();
             if apart > error || apart > off * self.flow() {
-                return Err(format!(
-                    "{name} {flow} +- {error} instead of {} with {mesh:?}",
-                    self.flow()
-                ));
+                return Err(format!("{name} {flow} +- {error} instead of {} with {mesh:?}", self.flow()));
             }
         }
         Ok(result.mesh.nodes as f64)
@@ -265,9 +223,7 @@ cavitation = {{ model = "jfo", pressure = "{} Pa" }}
 fn flow_of_a_groove_all_around() {
     assert!((GROOVED[0].flow() - 7.6453e-7).abs() < 1e-11);
     each(&GROOVED, |bearing| bearing.check("", 5e-3).map(|_| ()));
-    each(&[&GROOVED[4]], |bearing| {
-        bearing.check("mesh.tolerance = \"0.1 %\"", 1e-3).map(|_| ())
-    });
+    each(&[&GROOVED[4]], |bearing| bearing.check("mesh.tolerance = \"0.1 %\"", 1e-3).map(|_| ()));
     // The third has so little pressure that its layer is as thin as a row.
     let fine = [(&GROOVED[2], 3e-4), (&GROOVED[3], 1e-4)];
     each(&fine, |(bearing, off)| {

@@ -58,12 +58,7 @@ fn shaken_meshes_have_a_film_or_a_place_where_it_is_wrong() {
                     assert!(flows(&film, &system, &solution).imbalance < 1e-10, "{told}");
                     assert!(load(&film, &system, &solution).magnitude() > 0.0, "{told}");
                 }
-                Err(NoFilm::FilmFraction {
-                    fraction,
-                    angle,
-                    z,
-                    couplings,
-                }) => {
+                Err(NoFilm::FilmFraction { fraction, angle, z, couplings }) => {
                     refused += 1;
                     assert!(fraction < 0.0 && couplings > 0, "{told}: {fraction} {couplings}");
                     assert!(z.abs() <= 0.5 * LENGTH && angle.abs() < 7.0, "{told}: {angle} {z}");

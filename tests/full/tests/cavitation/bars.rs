@@ -12,17 +12,12 @@ use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{table, variant, written};
 
 fn film(study: &Film) -> FilmSolution {
-    study
-        .problem
-        .solve(&study.system)
-        .unwrap_or_else(|reason| panic!("{reason}"))
+    study.problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
 fn bars(study: &Film, film: &FilmSolution) -> ConservingError {
     let (problem, system) = (&study.problem, &study.system);
-    let companion = problem
-        .coarse_comparison(system, film)
-        .unwrap_or_else(|reason| panic!("{reason}"));
+    let companion = problem.coarse_comparison(system, film).unwrap_or_else(|reason| panic!("{reason}"));
     let bars = conserving_error(problem, system, film, &companion, None).expect("a mass-conserving film");
     let greatest = bars.load.total().max(bars.across.total());
     assert!(bars.indicator.iter().sum::<f64>() > (1.0 - 1e-12) * greatest);
@@ -59,52 +54,26 @@ fn finer_meshes_lie_inside() {
         let coarse_film = film(&study);
         let bars = bars(&study, &coarse_film);
         assert!(bars.is_resolved, "{name}");
-        let (coarse, fine) = (
-            measure(&study.problem, &study.system, &coarse_film),
-            finer(&scene, &study, times),
-        );
+        let (coarse, fine) = (measure(&study.problem, &study.system, &coarse_film), finer(&scene, &study, times));
         let side = |measured: &Measured| -measured.flows.regions[..2].iter().map(|flow| flow.net).sum::<f64>();
         let cavity = |measured: &Measured| measured.cavity.expect("a cavity");
         let turned = (coarse.load.angle() - fine.load.angle()).sin();
         for (what, error, bar) in [
-            (
-                "load",
-                coarse.load.magnitude() - fine.load.magnitude(),
-                bars.load.total(),
-            ),
-            (
-                "load_x",
-                coarse.load.total.force[0] - fine.load.total.force[0],
-                bars.force[0].total(),
-            ),
-            (
-                "load_y",
-                coarse.load.total.force[1] - fine.load.total.force[1],
-                bars.force[1].total(),
-            ),
+            ("load", coarse.load.magnitude() - fine.load.magnitude(), bars.load.total()),
+            ("load_x", coarse.load.total.force[0] - fine.load.total.force[0], bars.force[0].total()),
+            ("load_y", coarse.load.total.force[1] - fine.load.total.force[1], bars.force[1].total()),
             ("angle", turned, bars.across.total() / coarse.load.magnitude()),
             (
                 "pressure_integral",
                 coarse.load.total.pressure - fine.load.total.pressure,
                 bars.pressure_integral.total(),
             ),
-            (
-                "pressure_max",
-                coarse.extremes.greatest - fine.extremes.greatest,
-                bars.greatest_pressure,
-            ),
+            ("pressure_max", coarse.extremes.greatest - fine.extremes.greatest, bars.greatest_pressure),
             ("side_flow", side(&coarse) - side(&fine), bars.side_flow),
-            (
-                "cavity_share",
-                cavity(&coarse).share - cavity(&fine).share,
-                bars.cavity_share,
-            ),
+            ("cavity_share", cavity(&coarse).share - cavity(&fine).share, bars.cavity_share),
         ] {
             assert!(error.abs() <= bar, "{name}: {what} is {error:e} off, bar {bar:e}");
-            assert!(
-                what != "load" || bar < 60.0 * error.abs(),
-                "{name}: {what} is {error:e} off, bar {bar:e}"
-            );
+            assert!(what != "load" || bar < 60.0 * error.abs(), "{name}: {what} is {error:e} off, bar {bar:e}");
         }
     }
 }
@@ -171,9 +140,7 @@ fn coarser_meshes_of_a_starved_film_carry_nearly_what_it_carries() {
     let here = forces(&measure(&study.problem, &study.system, &film(&study)));
     let coarser = study.system.coarser.as_ref().expect("a coarser mesh");
     let problem = coarser.problem(&study.problem);
-    let coarse_film = problem
-        .solve(&coarser.system)
-        .unwrap_or_else(|reason| panic!("{reason}"));
+    let coarse_film = problem.solve(&coarser.system).unwrap_or_else(|reason| panic!("{reason}"));
     let there = forces(&measure(&problem, &coarser.system, &coarse_film));
     let size = here.iter().map(|x| x * x).sum::<f64>().sqrt();
     let off = (0..4).map(|k| (there[k] - here[k]).powi(2)).sum::<f64>().sqrt() / size;

@@ -11,14 +11,8 @@ use oilwedge_tests::scenes::{table, variant};
 
 /// Most iterations on the finest mesh.
 fn few(study: &Film, least_levels: usize) {
-    for (cavitation, most) in [
-        (Cavitation::Reynolds { pressure: 0.0 }, 12),
-        (Cavitation::Jfo { pressure: 0.0 }, 18),
-    ] {
-        let problem = FilmProblem {
-            cavitation,
-            ..study.problem.clone()
-        };
+    for (cavitation, most) in [(Cavitation::Reynolds { pressure: 0.0 }, 12), (Cavitation::Jfo { pressure: 0.0 }, 18)] {
+        let problem = FilmProblem { cavitation, ..study.problem.clone() };
         let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
         let iterations = film.history.len();
         assert!(iterations <= most, "{iterations} at {} unknowns", film.unknown.len());
@@ -58,11 +52,7 @@ fn refined(study: &mut Film) {
     let regions: Vec<SupplyRegion> = (study.system.supply.regions().iter())
         .map(|region| {
             let same = finer.mesh.region(&region.name).expect("refinement keeps groups");
-            SupplyRegion {
-                edges: same.edges.clone(),
-                cells: same.cells.clone(),
-                ..region.clone()
-            }
+            SupplyRegion { edges: same.edges.clone(), cells: same.cells.clone(), ..region.clone() }
         })
         .collect();
     let system = FilmSystem::new(Arc::new(finer.mesh), 2, regions).expect("refinement keeps the boundary");

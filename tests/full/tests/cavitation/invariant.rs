@@ -49,11 +49,7 @@ fn answer(film: &FilmProblem, system: &FilmSystem) -> [f64; 3] {
     let solution = film.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
     assert!(solution.cavity.contains(&true));
     let load = load(film, system, &solution);
-    [
-        load.magnitude(),
-        load.angle(),
-        flows(film, system, &solution).throughput,
-    ]
+    [load.magnitude(), load.angle(), flows(film, system, &solution).throughput]
 }
 
 #[track_caller]
@@ -66,10 +62,7 @@ fn close(a: f64, b: f64, tolerance: f64) {
 fn mirror_with_reversed_speed() {
     for (angle, column) in [(1.0, 20), (2.5, 7), (0.4, 30)] {
         let ahead = answer(&film(angle, SPEED), &grooved(ring(COLUMNS, 16, LENGTH, 0.0), column));
-        let back = answer(
-            &film(-angle, -SPEED),
-            &grooved(ring(COLUMNS, 16, LENGTH, 0.0), -column - 4),
-        );
+        let back = answer(&film(-angle, -SPEED), &grooved(ring(COLUMNS, 16, LENGTH, 0.0), -column - 4));
         close(ahead[0], back[0], 1e-10);
         close(ahead[1], -back[1], 1e-10);
         close(ahead[2], back[2], 1e-10);
@@ -94,9 +87,7 @@ fn from_everywhere(study: &mut Film) -> [f64; 3] {
         film.unwrap_or_else(|reason| panic!("{reason}"))
     };
     let nested = solve(&study.system, Neighbour::None);
-    std::sync::Arc::get_mut(&mut study.system)
-        .expect("a system of its own")
-        .coarser = None;
+    std::sync::Arc::get_mut(&mut study.system).expect("a system of its own").coarser = None;
     let cold = solve(&study.system, Neighbour::None);
     let mut start = solve(&study.system, Neighbour::None);
     start.cavity.fill(true);
@@ -162,12 +153,7 @@ cavitation = {{ model = "jfo", pressure = "0 bar" }}
                 0.5 * speed.abs() * problem.bearing.radius * h * mean * (nodes[1][1] - nodes[0][1]).abs()
             })
             .sum();
-        let net = -flow
-            .regions
-            .iter()
-            .find(|flow| flow.name == leaving)
-            .expect("its flow")
-            .net;
+        let net = -flow.regions.iter().find(|flow| flow.name == leaving).expect("its flow").net;
         close(net, carried, 2e-2);
     }
 }

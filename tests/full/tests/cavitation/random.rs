@@ -33,9 +33,7 @@ fn every_bearing_has_its_film() {
 
 fn at_most(film: &FilmSolution, most: usize) -> Result<(), String> {
     let count = film.history.len();
-    (count <= most)
-        .then_some(())
-        .ok_or_else(|| format!("{count} iterations"))
+    (count <= most).then_some(()).ok_or_else(|| format!("{count} iterations"))
 }
 
 fn conserves(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<(), String> {

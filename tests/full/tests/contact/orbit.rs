@@ -15,20 +15,13 @@ fn at_300_rpm(size: &str, load: &str, tables: &str, bars: bool) -> RunResult {
     assert!(text.contains(at_rest), "{text}");
     let text = text.replace(at_rest, load).replace("2 mm", size);
     let scene = oilwedge_study::parse(&text, Path::new("orbit.toml")).unwrap_or_else(|error| panic!("{error}"));
-    let options = RunOptions {
-        bars,
-        ..RunOptions::of(&scene)
-    };
-    oilwedge_study::run(&scene, &options)
-        .unwrap_or_else(|error| panic!("{error}"))
-        .result
+    let options = RunOptions { bars, ..RunOptions::of(&scene) };
+    oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 fn value(result: &RunResult, name: &str) -> f64 {
     let quantity = result.by_name(name);
-    quantity
-        .unwrap_or_else(|| panic!("no {name}: {:?}", result.reason))
-        .value
+    quantity.unwrap_or_else(|| panic!("no {name}: {:?}", result.reason)).value
 }
 
 /// Under a load that does not change the orbit ends where film and contact together carry it at rest.
@@ -60,15 +53,9 @@ fn a_pulsing_load_touches_for_a_part_of_the_cycle() {
     let [share, bar] = quantity(&heavy, "cycle_contact_share_max");
     let [duration, doubt] = quantity(&heavy, "cycle_contact_duration");
     assert!(share > 0.02 && share < 0.5 && bar < share, "{share} +- {bar}");
-    assert!(
-        duration > 0.05 && duration < 0.95 && doubt < 0.2,
-        "{duration} +- {doubt}"
-    );
+    assert!(duration > 0.05 && duration < 0.95 && doubt < 0.2, "{duration} +- {doubt}");
     let criterion = heavy.criteria.first().expect("a criterion");
-    assert!(
-        criterion.is_met && (criterion.value - share).abs() < 1e-12,
-        "{criterion:?}"
-    );
+    assert!(criterion.is_met && (criterion.value - share).abs() < 1e-12, "{criterion:?}");
     let light = at_300_rpm("6 mm", &wave(1.5, 1.0), &tables("1e-2"), false);
     let [share, duration] = ["cycle_contact_share_max", "cycle_contact_duration"].map(|name| value(&light, name));
     assert!(share < 0.01 && duration == 0.0, "{share} {duration}");

@@ -20,11 +20,7 @@ fn the_friction_of_contact_heats() {
         .replace("friction = 0.1", friction);
         let result = run(&text);
         let of = |name: &str| quantity(&result, name)[0];
-        (
-            of("temperature_effective"),
-            of("friction_contact_power"),
-            of("friction_power"),
-        )
+        (of("temperature_effective"), of("friction_contact_power"), of("friction_power"))
     };
     let ((hot, rubbed, all), (cool, none, _)) = (heated("friction = 0.1"), heated("friction = 0"));
     assert!(none == 0.0 && rubbed > 0.0 && rubbed < all, "{rubbed} {all}");
@@ -42,10 +38,7 @@ fn a_film_that_conserves_oil_touches_too() {
         quantity(&result, "contact_share")
     };
     let ([conserving, bar], [other, _]) = (with("\"jfo\""), with("\"reynolds\""));
-    assert!(
-        (conserving - other).abs() < 0.02 && bar < 0.02,
-        "{conserving} +- {bar}, {other}"
-    );
+    assert!((conserving - other).abs() < 0.02 && bar < 0.02, "{conserving} +- {bar}, {other}");
 }
 
 /// The load at the position found is that which was balanced; viscosity that grows with pressure carries more of it.
@@ -53,11 +46,8 @@ fn a_film_that_conserves_oil_touches_too() {
 fn a_given_position_carries_what_was_balanced() {
     let found = run(&scene(300.0, ASPERITIES, ""));
     let of = |name: &str| quantity(&found, name)[0];
-    let position = format!(
-        "eccentricity = {}, min_film_angle = \"{} deg\" }}\n",
-        of("eccentricity"),
-        of("min_film_angle")
-    );
+    let position =
+        format!("eccentricity = {}, min_film_angle = \"{} deg\" }}\n", of("eccentricity"), of("min_film_angle"));
     let text = scene(300.0, ASPERITIES, "")
         .replace("\"300 rpm\" }\n", &format!("\"300 rpm\", {position}"))
         .replace("load = { force = \"10 kN\", angle = \"0 deg\" }", "");
@@ -66,10 +56,8 @@ fn a_given_position_carries_what_was_balanced() {
     assert!((load[0] / 10e3 - 1.0).abs() < 1e-3 + load[1] / 10e3, "{load:?}");
     let share = quantity(&there, "contact_share")[0];
     assert!((share - of("contact_share")).abs() < 1e-3, "{share}");
-    let barus = text.replace(
-        "oil.viscosity = \"8 mPa.s\"",
-        "oil = { viscosity = \"8 mPa.s\", barus = { alpha = \"5e-9 1/Pa\" } }",
-    );
+    let barus = text
+        .replace("oil.viscosity = \"8 mPa.s\"", "oil = { viscosity = \"8 mPa.s\", barus = { alpha = \"5e-9 1/Pa\" } }");
     let thicker = run(&barus);
     assert!(quantity(&thicker, "load")[0] > load[0]);
     assert!(quantity(&thicker, "contact_share")[0] < share);

@@ -39,10 +39,7 @@ fn a_result_that_finds_no_room_leaves_the_earlier_one() {
     let folder = bench.path().join("whole");
     let before = pair(&folder);
     let solve = ["solve", TWO[0], "--out", "whole"];
-    refuses(
-        &by_script(&bench, LIMITED, &solve),
-        &["cannot write", "film.vtu", "too large", "--out"],
-    );
+    refuses(&by_script(&bench, LIMITED, &solve), &["cannot write", "film.vtu", "too large", "--out"]);
     assert!(pair(&folder) == before);
     assert_eq!(names(&folder), ["film.vtu", "result.json"]);
     // Without a handler the system ends the program there.
@@ -63,14 +60,8 @@ fn meshes_and_studies_find_no_room() {
         &["cannot write", "liner.msh", "too large"],
     );
     let study = ["converge", TWO[0], "--max-seconds", "0.1", "--out", "out"];
-    refuses(
-        &by_script(&bench, LIMITED, &study),
-        &["cannot write", "converge.", "too large", "--out"],
-    );
-    assert_eq!(
-        std::fs::read(bench.path().join("liner.msh")).expect("a file"),
-        b"earlier"
-    );
+    refuses(&by_script(&bench, LIMITED, &study), &["cannot write", "converge.", "too large", "--out"]);
+    assert_eq!(std::fs::read(bench.path().join("liner.msh")).expect("a file"), b"earlier");
     assert_eq!(names(bench.path()), [TWO[1], "liner.msh", "out", TWO[0]]);
     assert!(names(&bench.path().join("out")).is_empty());
 }
@@ -84,21 +75,14 @@ fn a_sweep_that_finds_no_room_keeps_its_rows() {
     assert_eq!(run("whole").status, 0);
     let whole = rows(&bench.path().join("whole"));
     let arguments = [&command[..], &["out"]].concat();
-    refuses(
-        &by_script(&bench, LIMITED, &arguments),
-        &["cannot write", "sweep.csv", "too large", "--out"],
-    );
+    refuses(&by_script(&bench, LIMITED, &arguments), &["cannot write", "sweep.csv", "too large", "--out"]);
     let folder = bench.path().join("out");
     let kept = rows(&folder);
     assert!((1..32).contains(&kept.len()), "{} rows", kept.len());
     assert!(kept.iter().all(|(case, row)| whole.get(case) == Some(row)));
     let told = run("out");
     assert_eq!((told.status, rows(&folder)), (0, whole), "{}", told.stderr);
-    assert!(
-        told.stdout.contains(&format!("kept      {} cases", kept.len())),
-        "{}",
-        told.stdout
-    );
+    assert!(told.stdout.contains(&format!("kept      {} cases", kept.len())), "{}", told.stdout);
 }
 
 #[test]
@@ -110,10 +94,7 @@ fn a_disk_of_some_kilobytes_is_full() {
         echo earlier > disk/result.json; \"$@\"; status=$?; ls -A disk; cat disk/result.json; exit $status";
     let inside = format!("exec unshare --mount sh -c '{script}' sh \"$@\"");
     let output = by_script(&bench, &inside, &["solve", TWO[0], "--out", "disk"]);
-    let (stdout, stderr) = (
-        String::from_utf8_lossy(&output.stdout),
-        String::from_utf8_lossy(&output.stderr),
-    );
+    let (stdout, stderr) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     if stdout.starts_with("no disk") || stderr.contains("unshare") {
         println!("no disk can be mounted here: {stderr}");
         return;

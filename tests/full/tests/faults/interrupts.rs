@@ -80,10 +80,7 @@ fn a_refinement_ends_with_the_best_answer_so_far() {
     let reason = result["reason"].as_str().expect("a reason");
     assert!(reason.starts_with("interrupted: the bars are "), "{reason}");
     let load = &result["quantities"]["load"];
-    assert!(
-        load["value"].as_f64().is_some() && load["error"].as_f64().is_some(),
-        "{load}"
-    );
+    assert!(load["value"].as_f64().is_some() && load["error"].as_f64().is_some(), "{load}");
     assert_eq!(names(&bench.path().join("out")), ["film.vtu", "result.json"]);
 }
 
@@ -96,10 +93,7 @@ fn a_search_for_a_position_ends_where_it_is() {
     let reason = result["reason"].as_str().expect("a reason");
     assert!(reason.starts_with("interrupted: "), "{reason}");
     assert!(result["quantities"]["load"]["value"].as_f64().is_some(), "{result}");
-    assert!(
-        result["balances"]["force"].as_f64().is_some_and(|force| force > 1e-10),
-        "{result}"
-    );
+    assert!(result["balances"]["force"].as_f64().is_some_and(|force| force > 1e-10), "{result}");
 }
 
 /// A heavy rotor whirls on its film: its orbit does not close.
@@ -134,26 +128,17 @@ fn an_orbit_ends_with_the_cycles_that_are_done() {
     let result = interrupted(&bench, 5.0);
     assert_eq!(result["status"], "not_converged");
     let reason = result["reason"].as_str().expect("a reason");
-    assert!(
-        reason.starts_with("interrupted: the orbit was ended after "),
-        "{reason}"
-    );
+    assert!(reason.starts_with("interrupted: the orbit was ended after "), "{reason}");
     let thinnest = &result["quantities"]["cycle_film_thickness_min"]["value"];
     assert!(thinnest.as_f64().is_some_and(|least| least > 0.0), "{result}");
-    assert_eq!(
-        names(&bench.path().join("out")),
-        ["film.vtu", "orbit.csv", "result.json"]
-    );
+    assert_eq!(names(&bench.path().join("out")), ["film.vtu", "orbit.csv", "result.json"]);
 }
 
 #[test]
 fn a_study_ends_with_its_levels() {
     let bench = Bench::new();
     bench.scene("01_plain_ring", &[]);
-    let run = start(
-        &bench,
-        &["converge", "scene.toml", "--out", "out", "--max-seconds", "600"],
-    );
+    let run = start(&bench, &["converge", "scene.toml", "--out", "out", "--max-seconds", "600"]);
     until_it_listens(&run);
     std::thread::sleep(Duration::from_millis(500));
     send("-INT", &run);

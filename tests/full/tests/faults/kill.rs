@@ -111,11 +111,7 @@ fn a_killed_solve_leaves_a_whole_result_or_none() {
     while kills.goes_on() {
         kills.kill(start(&bench, &["solve", TWO[kills.started % 2], "--out", "out"]));
         if let Some((scene, picture)) = pair(&folder) {
-            assert!(
-                whole.get(&scene) == Some(&picture),
-                "run {}: the picture of another run",
-                kills.started
-            );
+            assert!(whole.get(&scene) == Some(&picture), "run {}: the picture of another run", kills.started);
         }
     }
     assert_eq!(bench.run(&["solve", TWO[0], "--out", "out"]).status, 0);
@@ -178,11 +174,7 @@ fn a_killed_mesher_leaves_a_whole_mesh_or_none() {
     let mut kills = Kills::of("mesh", &folder, MESHES, length, SEED + 2);
     while kills.goes_on() {
         kills.kill(start(&bench, &arguments(TWO[kills.started % 2])));
-        assert!(
-            read().is_some_and(|mesh| whole.contains(&mesh)),
-            "run {}",
-            kills.started
-        );
+        assert!(read().is_some_and(|mesh| whole.contains(&mesh)), "run {}", kills.started);
     }
     assert_eq!(bench.run(&arguments(TWO[0])).status, 0);
     assert_eq!(names(&folder), ["liner.msh"]);
@@ -203,10 +195,7 @@ fn a_killed_study_leaves_files_of_one_study_or_no_report() {
         }
     }
     bench.run(&arguments);
-    assert_eq!(
-        names(&folder),
-        ["converge.csv", "converge.json", "converge.png", "converge.svg"]
-    );
+    assert_eq!(names(&folder), ["converge.csv", "converge.json", "converge.png", "converge.svg"]);
 }
 
 /// The times of a study are those of no other.
@@ -215,33 +204,17 @@ fn is_of_one_study(report: &str, folder: &Path) {
     let table = String::from_utf8(read("converge.csv")).expect("a table");
     let mut lines = table.lines();
     let headings = lines.next().expect("headings").split(',');
-    let place = headings
-        .into_iter()
-        .position(|heading| heading == "total_s")
-        .expect("total_s");
-    let in_table: Vec<f64> = lines
-        .map(|line| {
-            line.split(',')
-                .nth(place)
-                .and_then(|cell| cell.parse().ok())
-                .expect("seconds")
-        })
-        .collect();
+    let place = headings.into_iter().position(|heading| heading == "total_s").expect("total_s");
+    let in_table: Vec<f64> =
+        lines.map(|line| line.split(',').nth(place).and_then(|cell| cell.parse().ok()).expect("seconds")).collect();
     let report = object(report);
     let strategies = report["strategies"].as_array().expect("strategies").iter();
     let levels = strategies.flat_map(|course| course["levels"].as_array().expect("levels"));
-    let in_report: Vec<f64> = levels
-        .map(|level| level["seconds"]["total"].as_f64().expect("seconds"))
-        .collect();
+    let in_report: Vec<f64> = levels.map(|level| level["seconds"]["total"].as_f64().expect("seconds")).collect();
     assert_eq!(in_table.len(), in_report.len());
     for (a, b) in in_table.iter().zip(&in_report) {
         assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
     }
-    assert!(
-        String::from_utf8(read("converge.svg"))
-            .expect("a drawing")
-            .trim_end()
-            .ends_with("</svg>")
-    );
+    assert!(String::from_utf8(read("converge.svg")).expect("a drawing").trim_end().ends_with("</svg>"));
     assert!(read("converge.png").ends_with(b"IEND\xae\x42\x60\x82"));
 }

@@ -16,10 +16,7 @@ const NEAR: f64 = oilwedge_bearing::NEAR;
 
 /// The drawn ring with this below `[mesh]`.
 fn drawn(bench: &Bench, mesh: &str) {
-    bench.write(
-        "scene.toml",
-        edited("09_drawn_ring", &[]) + &format!("\n[mesh]\n{mesh}\n"),
-    );
+    bench.write("scene.toml", edited("09_drawn_ring", &[]) + &format!("\n[mesh]\n{mesh}\n"));
 }
 
 /// The object that a run prints that was ended by a limit.
@@ -43,11 +40,7 @@ fn a_refinement_ends_with_its_first_mesh() {
     for limit in [TIME, SIZE] {
         let result = limited(&bench, &[&["solve", "scene.toml"], &limit[..]].concat());
         is_answered(&result, limit[0]);
-        assert!(
-            result["quantities"]["load"]["error"]
-                .as_f64()
-                .is_some_and(|bar| bar > 0.0)
-        );
+        assert!(result["quantities"]["load"]["error"].as_f64().is_some_and(|bar| bar > 0.0));
         assert_eq!(result["levels"].as_array().map(Vec::len), Some(1));
     }
 }
@@ -116,10 +109,7 @@ fn numbers_under_a_wall_that_was_left_open_have_no_bars() {
     let mut near = 0;
     for asked in 8..20 {
         ASKED.store(asked, Ordering::Relaxed);
-        let options = RunOptions {
-            clock: Clock::showing(leaping),
-            ..RunOptions::of(&scene)
-        };
+        let options = RunOptions { clock: Clock::showing(leaping), ..RunOptions::of(&scene) };
         let result = run(&scene, &options).expect("a run").result;
         let left = result.balances.deflection.unwrap_or(0.0);
         if left > 1e-6 {
@@ -129,10 +119,7 @@ fn numbers_under_a_wall_that_was_left_open_have_no_bars() {
                 .iter()
                 .filter(|quantity| quantity.name == "eccentricity" || quantity.name == "film_thickness_min");
             assert_eq!(result.status, Status::NotConverged);
-            assert!(
-                bars.into_iter().all(|quantity| quantity.error().is_none()),
-                "{asked}: {left:e}"
-            );
+            assert!(bars.into_iter().all(|quantity| quantity.error().is_none()), "{asked}: {left:e}");
         }
     }
     assert!(near > 0, "no wall was left open near a balance");
@@ -144,11 +131,7 @@ fn limits_do_not_concern_what_is_not_sought() {
     let bench = Bench::new();
     for scene in ["01_plain_ring", "16_loaded_shell"] {
         bench.scene(scene, &[]);
-        let limits = if scene == "01_plain_ring" {
-            [TIME, SIZE].concat()
-        } else {
-            SIZE.to_vec()
-        };
+        let limits = if scene == "01_plain_ring" { [TIME, SIZE].concat() } else { SIZE.to_vec() };
         let told = bench.run(&[&["solve", "scene.toml", "--json"], &limits[..]].concat());
         assert_eq!(told.status, 0, "{scene}: {}", told.stderr);
         assert_eq!(object(&told.stdout)["status"], "converged");
@@ -159,11 +142,8 @@ fn limits_do_not_concern_what_is_not_sought() {
 fn a_sweep_has_the_limits_of_its_cases() {
     let bench = Bench::new();
     let axes = "\n[sweep]\nforce = [\"4 kN\", \"5 kN\"]\n";
-    for (mesh, limit) in [
-        ("size = \"1.5 mm\"", TIME),
-        ("tolerance = \"0.1 %\"", TIME),
-        ("tolerance = \"0.1 %\"", SIZE),
-    ] {
+    for (mesh, limit) in [("size = \"1.5 mm\"", TIME), ("tolerance = \"0.1 %\"", TIME), ("tolerance = \"0.1 %\"", SIZE)]
+    {
         let text = edited("17_engine_main_bearing", &[("size = \"1.5 mm\"", mesh)]);
         bench.write("scene.toml", text + axes);
         let told = bench.run(&[&["sweep", "scene.toml", "--fresh", "--json"], &limit[..]].concat());
@@ -184,11 +164,7 @@ fn a_study_has_a_level_in_any_case() {
         let report = object(&told.stdout);
         assert_eq!(report["status"], "converged");
         let levels = report["strategies"].as_array().expect("strategies").iter();
-        assert!(
-            levels
-                .clone()
-                .any(|course| course["levels"].as_array().is_some_and(|levels| !levels.is_empty()))
-        );
+        assert!(levels.clone().any(|course| course["levels"].as_array().is_some_and(|levels| !levels.is_empty())));
     }
 }
 
@@ -197,15 +173,8 @@ fn a_study_has_a_level_in_any_case() {
 fn a_mesh_of_a_billion_cells_is_refused() {
     let bench = Bench::new();
     drawn(&bench, "size = \"2 um\"");
-    for verb in [
-        &["solve", "scene.toml"][..],
-        &["check", "scene.toml"],
-        &["mesh", "scene.toml", "-o", "liner.msh"],
-    ] {
+    for verb in [&["solve", "scene.toml"][..], &["check", "scene.toml"], &["mesh", "scene.toml", "-o", "liner.msh"]] {
         bench.refuses(verb, &["triangles", "[mesh] size", "larger size"]);
     }
-    bench.refuses(
-        &["converge", "scene.toml", "--max-seconds", "0.1"],
-        &["[mesh] size", "larger size"],
-    );
+    bench.refuses(&["converge", "scene.toml", "--max-seconds", "0.1"], &["[mesh] size", "larger size"]);
 }

@@ -15,18 +15,11 @@ fn bits(bench: &Bench, threads: &str) -> (String, Vec<u8>) {
 #[test]
 fn a_large_film_on_one_thread_and_on_three() {
     let bench = Bench::new();
-    bench.write(
-        "scene.toml",
-        edited("09_drawn_ring", &[]) + "\n[mesh]\nsize = \"0.55 mm\"\n",
-    );
+    bench.write("scene.toml", edited("09_drawn_ring", &[]) + "\n[mesh]\nsize = \"0.55 mm\"\n");
     let [alone, together] = ["1", "3"].map(|threads| bits(&bench, threads));
     assert_eq!(lines_without_times(&alone.0), lines_without_times(&together.0));
     assert!(alone.1 == together.1, "another picture");
     let result = object(&alone.0);
-    assert!(
-        result["mesh"]["nodes"].as_u64().is_some_and(|nodes| nodes > 155_000),
-        "{}",
-        result["mesh"]
-    );
+    assert!(result["mesh"]["nodes"].as_u64().is_some_and(|nodes| nodes > 155_000), "{}", result["mesh"]);
     assert_eq!(result["linear_solver"]["route"], "multigrid");
 }

@@ -57,10 +57,7 @@ fn a_sweep_that_is_being_written_is_refused_to_others() {
     assert_eq!(told.status, 0, "{}", told.stderr);
     assert!(told.stdout.contains("cases of an earlier run"), "{}", told.stdout);
     assert_eq!(rows(&bench.path().join("out")).len(), 60);
-    assert_eq!(
-        names(&bench.path().join("out")),
-        ["film.vtu", "result.json", "sweep.csv", "sweep.json"]
-    );
+    assert_eq!(names(&bench.path().join("out")), ["film.vtu", "result.json", "sweep.csv", "sweep.json"]);
 }
 
 #[test]

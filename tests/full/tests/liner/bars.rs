@@ -68,9 +68,7 @@ fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
             let [angle, of_angle] = quantity(&film, "film_thickness_min_angle");
             let off = angle.min(360.0 - angle);
             if (thickness - RIGID).abs() > bar || off > of_angle {
-                missed.push(format!(
-                    "{layer} {size}: {thickness:e} +- {bar:e}, {angle} +- {of_angle}"
-                ));
+                missed.push(format!("{layer} {size}: {thickness:e} +- {bar:e}, {angle} +- {of_angle}"));
             }
         }
     }
@@ -81,10 +79,7 @@ fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
 #[test]
 fn shares_are_those_of_films_under_walls_of_their_own() {
     let system = ring_system(96, 12, RADIUS, Some(std::f64::consts::PI));
-    for (cavitation, touches) in [
-        (Cavitation::None, false),
-        (Cavitation::Reynolds { pressure: 0.0 }, true),
-    ] {
+    for (cavitation, touches) in [(Cavitation::None, false), (Cavitation::Reynolds { pressure: 0.0 }, true)] {
         let mut problem = tilted(walled(RADIUS, 0.8, cavitation, |_| layer(0.05)), [2e-5, -1e-5]);
         problem.contact = touches.then(|| contacts().into_iter().next().expect("a law"));
         let (problem, film) = closed(problem, &system);
@@ -106,10 +101,7 @@ fn shares_are_those_of_films_under_walls_of_their_own() {
         for (range, name) in [(0..2, "force"), (2..4, "moment")] {
             let size = |of: &[f64]| of[range.clone()].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
             let off: Vec<f64> = found.iter().zip(&wanted).map(|(a, b)| a - b).collect();
-            let case = format!(
-                "{} {touches} {name}: {found:?}, {wanted:?}, held {held:?}",
-                cavitation.name()
-            );
+            let case = format!("{} {touches} {name}: {found:?}, {wanted:?}, held {held:?}", cavitation.name());
             assert!(size(&off) < 0.01 * size(&held), "{case}");
             assert!(size(&wanted) < 0.5 * size(&held), "{case}");
         }

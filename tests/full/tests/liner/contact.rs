@@ -26,22 +26,18 @@ const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
 /// Films whose surfaces touch at one end of a soft wall, smooth and rough, with both laws of contact.
 fn films() -> [(String, FilmProblem, FilmSystem); 3] {
     let [elastic, plastic] = contacts();
-    [
-        (Cavitation::None, plastic, false),
-        (REYNOLDS, elastic, true),
-        (Cavitation::Jfo { pressure: 0.0 }, elastic, false),
-    ]
-    .map(|(model, contact, is_rough)| {
-        let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
-        let problem = walled(LENGTH, 0.87, model, |_| layer(5e-4));
-        let mut problem = tilted(problem, slope([0.15, -0.1]));
-        problem.contact = Some(contact);
-        problem.terms.push(Arc::new(terms::squeeze::Squeeze));
-        if is_rough {
-            problem.flow_factors = vec![Arc::new(PatirCheng { roughness: 2e-6 })];
-        }
-        (format!("{model:?} {} {is_rough}", contact.law.name()), problem, system)
-    })
+    [(Cavitation::None, plastic, false), (REYNOLDS, elastic, true), (Cavitation::Jfo { pressure: 0.0 }, elastic, false)]
+        .map(|(model, contact, is_rough)| {
+            let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+            let problem = walled(LENGTH, 0.87, model, |_| layer(5e-4));
+            let mut problem = tilted(problem, slope([0.15, -0.1]));
+            problem.contact = Some(contact);
+            problem.terms.push(Arc::new(terms::squeeze::Squeeze));
+            if is_rough {
+                problem.flow_factors = vec![Arc::new(PatirCheng { roughness: 2e-6 })];
+            }
+            (format!("{model:?} {} {is_rough}", contact.law.name()), problem, system)
+        })
 }
 
 /// Forces in one unit: moments over half of the length.
@@ -70,10 +66,7 @@ fn tangents_of_film_wall_and_contact_are_differences() {
         let changed = carried_changes(&problem, &system, &film, &changes, EXACT).expect("a tangent");
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| forces(&changed[k].by_film));
         let at = |change: &JournalChange| {
-            let moved = FilmProblem {
-                journal: problem.journal.changed(change),
-                ..problem.clone()
-            };
+            let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() };
             let (moved, film) =
                 closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
             forces(&carried(&moved, &system, &film))
@@ -112,10 +105,7 @@ fn the_gap_tangent_answers_to_the_journal() {
             let found = problem.answer(&film, &residual, 0.0).expect("an answer");
             let wanted = problem.unknown_change(&system, &film, &change).expect("a change");
             let size = wanted.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-            let off = found
-                .iter()
-                .zip(&wanted)
-                .fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+            let off = found.iter().zip(&wanted).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
             assert!(size > 0.0 && off < 1e-11 * size, "{what}: {k}: {off:e} of {size:e}");
             assert!(tangent.by_journal(&system, &change.as_rate()).is_none(), "{what}: {k}");
         }
@@ -133,10 +123,7 @@ fn a_layer_under_contact_alone_gives_way_place_by_place() {
         problem.contact = Some(contact);
         let (problem, film) = closed(problem, &system);
         let carried = carried(&problem, &system, &film).force;
-        let (force, rigid) = (
-            contact_force(&contact, eps, per_pressure),
-            contact_force(&contact, eps, 0.0),
-        );
+        let (force, rigid) = (contact_force(&contact, eps, per_pressure), contact_force(&contact, eps, 0.0));
         let off = carried[0].hypot(carried[1]) / force - 1.0;
         assert!(off.abs() < 2e-4, "{off:e}");
         assert!(force < 0.97 * rigid, "{force} {rigid}");
@@ -183,10 +170,7 @@ fn the_gradient_of_the_load_is_its_change() {
         let bent = problem.deflection().expect("a wall");
         let of =
             |number: usize, scale: f64| -> Vec<f64> { (0..number).map(|k| scale * (7.0 * k as f64).sin()).collect() };
-        let (unknown, wall) = (
-            of(film.unknown.len(), 1e5),
-            of(bent.coefficients.len(), 1e-3 * CLEARANCE),
-        );
+        let (unknown, wall) = (of(film.unknown.len(), 1e5), of(bent.coefficients.len(), 1e-3 * CLEARANCE));
         let shape = bent.change(wall.clone());
         let change = load_change(&problem, &system, &film, &[FilmChange::Gap(&shape)], &unknown);
         let contact = ContactPoints::of(&problem, &system);
@@ -241,9 +225,7 @@ fn loads_are_balanced_in_mixed_films_on_soft_walls() {
         let share = |keys: &str| {
             let result = run(&scene(300.0, contact, keys).replace("\"2 mm\"", "\"3 mm\""));
             let of = |name: &str| {
-                let quantity = result
-                    .by_name(name)
-                    .unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+                let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
                 (quantity.value, quantity.error().unwrap_or(f64::NAN))
             };
             assert!(result.balances.force < 1e-10, "{:e}", result.balances.force);
@@ -263,23 +245,15 @@ fn points_of_contact_follow_the_wall() {
     for (what, problem, system) in films() {
         let (problem, _) = closed(problem, &system);
         let (bent, contact) = (problem.deflection().expect("a wall"), problem.contact.expect("contact"));
-        let more: Vec<f64> = (0..bent.coefficients.len())
-            .map(|k| 1e-3 * CLEARANCE * (7.0 * k as f64).sin())
-            .collect();
+        let more: Vec<f64> = (0..bent.coefficients.len()).map(|k| 1e-3 * CLEARANCE * (7.0 * k as f64).sin()).collect();
         let points = ContactPoints::of(&problem, &system).expect("contact");
         let followed = points.bent_further(&contact.law, &more).forces();
         let there = problem.clone().deflected(Some(&bent.with_more(&more)));
         let found = ContactPoints::of(&there, &system).expect("contact").forces();
         let greatest = found.iter().copied().fold(0.0, f64::max);
-        let apart = found
-            .iter()
-            .zip(&followed)
-            .map(|(found, followed)| (found - followed).abs());
+        let apart = found.iter().zip(&followed).map(|(found, followed)| (found - followed).abs());
         let off = apart.fold(0.0, f64::max) / greatest;
-        let moved = found
-            .iter()
-            .zip(points.forces())
-            .map(|(found, before)| (found - before).abs());
+        let moved = found.iter().zip(points.forces()).map(|(found, before)| (found - before).abs());
         let moved = moved.fold(0.0, f64::max) / greatest;
         assert!(off < 1e-5 * moved, "{what}: {off:e} {moved:e}");
     }

@@ -17,11 +17,8 @@ use serde_json::Value;
 
 use oilwedge_tests::rough_surfaces::contacts;
 
-const MODELS: [Cavitation; 3] = [
-    Cavitation::None,
-    Cavitation::Guembel { pressure: 0.0 },
-    Cavitation::Reynolds { pressure: 0.0 },
-];
+const MODELS: [Cavitation; 3] =
+    [Cavitation::None, Cavitation::Guembel { pressure: 0.0 }, Cavitation::Reynolds { pressure: 0.0 }];
 
 /// A film that squeezes, its wall a layer that moves by this compliance [m/Pa].
 fn squeezed(cavitation: Cavitation, per_pressure: f64) -> FilmProblem {
@@ -42,36 +39,17 @@ fn load_with(turning: f64) -> DutyCycle {
         cos: [unit * cos[0], unit * cos[1], 0.0, 0.0],
         sin: [unit * sin[0], unit * sin[1], 0.0, 0.0],
     };
-    let orders = vec![
-        of(0.0, [1.5, 0.0], [0.0; 2]),
-        of(1.0, [turning, 0.0], [0.0, 0.7 * turning]),
-    ];
-    let rotation = Turning {
-        speed: SPEED,
-        rod: None,
-    };
+    let orders = vec![of(0.0, [1.5, 0.0], [0.0; 2]), of(1.0, [turning, 0.0], [0.0, 0.7 * turning])];
+    let rotation = Turning { speed: SPEED, rod: None };
     DutyCycle::of_harmonics(orders, TAU, Frame::Shell, rotation)
 }
 
 fn motion<'a>(problem: &'a FilmProblem, system: &'a FilmSystem, cycle: &'a DutyCycle) -> Motion<'a> {
-    Motion {
-        problem,
-        system,
-        gap: Gap::of(problem, system),
-        cycle,
-        support: None,
-        mass: 0.0,
-    }
+    Motion { problem, system, gap: Gap::of(problem, system), cycle, support: None, mass: 0.0 }
 }
 
 fn options(tolerance: f64, cycles: usize) -> OrbitOptions<'static> {
-    OrbitOptions {
-        tolerance,
-        closure: 1e-10,
-        cycles,
-        deadline: Deadline::default(),
-        observer: None,
-    }
+    OrbitOptions { tolerance, closure: 1e-10, cycles, deadline: Deadline::default(), observer: None }
 }
 
 /// Oil is conserved.
@@ -113,11 +91,7 @@ fn hardly_moves(model: Cavitation, system: &FilmSystem) {
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest() {
     let problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
-    let way = Way {
-        start: START,
-        turns: 6.0,
-        options: options(1e-4, 1),
-    };
+    let way = Way { start: START, turns: 6.0, options: options(1e-4, 1) };
     comes_to_rest(&problem, &ring(), 1.5, &way, 1e-8);
 }
 
@@ -126,11 +100,7 @@ fn a_load_at_rest_leads_to_the_position_at_rest() {
 fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
     let mut problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
     problem.contact = Some(contacts()[0]);
-    let way = Way {
-        start: [0.9 * CLEARANCE, 0.2 * CLEARANCE, 0.0, 0.0],
-        turns: 3.0,
-        options: options(1e-2, 1),
-    };
+    let way = Way { start: [0.9 * CLEARANCE, 0.2 * CLEARANCE, 0.0, 0.0], turns: 3.0, options: options(1e-2, 1) };
     let rest = comes_to_rest(&problem, &ring(), 6.0, &way, 1e-6);
     assert!(rest > CLEARANCE, "{rest}");
 }
@@ -138,11 +108,7 @@ fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
 /// On triangles, films with a history carry their oil by another scheme than films at rest: on this mesh the place differs by 2e-3 of the clearance, the deflection by 4e-3.
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest_where_oil_is_conserved() {
-    let way = Way {
-        start: START,
-        turns: 3.0,
-        options: options(1e-4, 2),
-    };
+    let way = Way { start: START, turns: 3.0, options: options(1e-4, 2) };
     comes_to_rest(&squeezed(CONSERVING, layer(0.05)), &fed_ring(), 1.5, &way, 5e-3);
 }
 
@@ -157,11 +123,7 @@ struct Way {
 /// The film at rest under so many units of force is that to which the path leads; its eccentricity [m].
 fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, units: f64, way: &Way, within: f64) -> f64 {
     let force = units * force_scale();
-    let duty = Duty {
-        force: [force, 0.0],
-        moment: [0.0; 2],
-        speed: SPEED,
-    };
+    let duty = Duty { force: [force, 0.0], moment: [0.0; 2], speed: SPEED };
     let cycle = DutyCycle::constant(duty, way.turns * TAU, SPEED);
     let motion = motion(problem, system, &cycle);
     let orbit = motion.orbit(way.start, &way.options);
@@ -169,10 +131,7 @@ fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, units: f64, way: &W
     let end = orbit.steps.last().expect("steps");
     let load: Load = [force, 0.0].into();
     let begin = FilmProblem {
-        journal: JournalState {
-            offset: [way.start[0], way.start[1]],
-            ..problem.journal
-        },
+        journal: JournalState { offset: [way.start[0], way.start[1]], ..problem.journal },
         ..problem.clone()
     };
     let rest = find(&begin, system, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
@@ -195,25 +154,16 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
         let per_time = 8.0 * SPEED;
         let at = |offset: [f64; 2], near: Option<(&FilmProblem, Neighbour)>| {
             let (from, near) = near.unwrap_or((&problem, Neighbour::None));
-            let journal = JournalState {
-                offset,
-                velocity: [0, 1].map(|k| per_time * (offset[k] - known[k])),
-                ..from.journal
-            };
-            let moved = FilmProblem {
-                journal,
-                ..from.clone()
-            };
+            let journal =
+                JournalState { offset, velocity: [0, 1].map(|k| per_time * (offset[k] - known[k])), ..from.journal };
+            let moved = FilmProblem { journal, ..from.clone() };
             closed_film(moved, &system, near).unwrap_or_else(|reason| panic!("{}: {reason}", model.name()))
         };
         // A wall that was bent by a film before, and has followed in part.
         let here = [0.57 * CLEARANCE, -0.22 * CLEARANCE];
         let (before, film) = at(here, None);
         let bent = before.deflection().expect("a wall");
-        let stage = WallStage {
-            per_time,
-            known: bent.coefficients.iter().map(|d| 0.9 * d).collect(),
-        };
+        let stage = WallStage { per_time, known: bent.coefficients.iter().map(|d| 0.9 * d).collect() };
         let staged = before.clone().deflected(Some(&bent.in_stage(stage)));
         let (staged, film) = at(here, Some((&staged, Neighbour::Start(&film))));
         let size = (0..2).map(|k| column(&staged, &system, &film, k, per_time)[k].abs());
@@ -243,10 +193,7 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
 fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films() {
     let system = ring_system(72, 8, RADIUS, Some(PI));
     let problem = squeezed(CONSERVING, layer(0.02));
-    let (known, here) = (
-        [0.55 * CLEARANCE, -0.25 * CLEARANCE],
-        [0.57 * CLEARANCE, -0.22 * CLEARANCE],
-    );
+    let (known, here) = ([0.55 * CLEARANCE, -0.25 * CLEARANCE], [0.57 * CLEARANCE, -0.22 * CLEARANCE]);
     let per_time = 8.0 * SPEED;
     let placed = |offset: [f64; 2]| JournalState {
         offset,
@@ -254,28 +201,16 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
         ..problem.journal
     };
     // The wall as a film without memory bends it, and the oil of a full film under it.
-    let swift = FilmProblem {
-        cavitation: Cavitation::Reynolds { pressure: 0.0 },
-        journal: placed(known),
-        ..problem.clone()
-    };
+    let swift =
+        FilmProblem { cavitation: Cavitation::Reynolds { pressure: 0.0 }, journal: placed(known), ..problem.clone() };
     let (before, _) = closed_film(swift, &system, Neighbour::None).expect("a film");
     let bent = before.deflection().expect("a wall");
-    let full = FilmProblem {
-        journal: placed(known),
-        ..problem.clone()
-    };
+    let full = FilmProblem { journal: placed(known), ..problem.clone() };
     let full = full.deflected(Some(bent)).oil_of_full_film(&system).expect("oil");
-    let begin = FilmProblem {
-        storage: Some(Arc::new(Storage { per_time, known: full })),
-        ..problem.clone()
-    };
+    let begin = FilmProblem { storage: Some(Arc::new(Storage { per_time, known: full })), ..problem.clone() };
     let begin = begin.deflected(Some(&bent.in_stage(bent.resting(per_time))));
     let at = |offset: [f64; 2], (from, near): (&FilmProblem, Neighbour)| {
-        let moved = FilmProblem {
-            journal: placed(offset),
-            ..from.clone()
-        };
+        let moved = FilmProblem { journal: placed(offset), ..from.clone() };
         closed_film(moved, &system, near).unwrap_or_else(|reason| panic!("{reason}"))
     };
     let (staged, film) = at(here, (&begin, Neighbour::None));
@@ -310,11 +245,8 @@ fn column(
     per_time: f64,
 ) -> [f64; 2] {
     let along = [0, 1].map(|d| if d == k { 1.0 } else { 0.0 });
-    let change = JournalChange {
-        offset: along,
-        velocity: along.map(|part| per_time * part),
-        ..JournalChange::default()
-    };
+    let change =
+        JournalChange { offset: along, velocity: along.map(|part| per_time * part), ..JournalChange::default() };
     let changed = carried_changes(problem, system, film, &[change], EXACT);
     changed.expect("a tangent")[0].by_film.force
 }

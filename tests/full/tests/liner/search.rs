@@ -27,14 +27,8 @@ fn a_search_takes_the_wall_along() {
         let found =
             find(&problem, &coarse, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
         let eccentricity = found.problem.journal.eccentricity() / CLEARANCE;
-        let begun = FilmProblem {
-            journal: found.problem.journal,
-            ..problem.deflected(found.problem.deflection())
-        };
-        let options = SearchOptions {
-            guess: InitialGuess::NearlyBalanced,
-            ..SearchOptions::default()
-        };
+        let begun = FilmProblem { journal: found.problem.journal, ..problem.deflected(found.problem.deflection()) };
+        let options = SearchOptions { guess: InitialGuess::NearlyBalanced, ..SearchOptions::default() };
         let finer = find(&begun, &fine, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         assert!(found.residual < 1e-10 && finer.residual < 1e-10);
         assert!(eccentricity > 1.0, "{eccentricity}");
@@ -89,11 +83,7 @@ fn balance(number: u64, carrier: Carrier) -> (FilmProblem, usize) {
     let mut bearing = TiltedBearing::with_walls(number);
     bearing.text += "[mesh]\nsize = \"30 mm\"\n";
     let film = compile(&bearing.scene()).unwrap_or_else(|error| panic!("{error}"));
-    let options = SearchOptions {
-        carrier,
-        observer: Some(&FILMS),
-        ..SearchOptions::default()
-    };
+    let options = SearchOptions { carrier, observer: Some(&FILMS), ..SearchOptions::default() };
     let found = find(&film.problem, &film.system, film.load.expect("a load"), &options);
     let found = found.unwrap_or_else(|reason| panic!("{number}: {reason}"));
     assert!(found.residual < 1e-10, "{number}: {:e}", found.residual);
@@ -109,9 +99,5 @@ fn few_films_lead_to_the_cubic_balance(number: u64, quadratic: &FilmProblem) {
     let films = cubic.outer - quadratic.outer;
     assert!(films <= 10, "{number}: {films} films");
     let most = quadratic.inner + 8 * films;
-    assert!(
-        cubic.inner <= most,
-        "{number}: {} products, {most} at most",
-        cubic.inner
-    );
+    assert!(cubic.inner <= most, "{number}: {} products, {most} at most", cubic.inner);
 }

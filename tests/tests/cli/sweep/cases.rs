@@ -14,10 +14,7 @@ fn cases_come_in_the_order_of_the_grid_with_units_in_the_headings() {
     let report = done(&bench.run(&["sweep", "scene.toml", "--json", "--bars", "none"]));
     let text = table(&bench, "out/scene");
     let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!(
-        lines[0][..5],
-        ["case", "speed [rpm]", "oil.viscosity [Pa.s]", "eccentricity", "status"]
-    );
+    assert_eq!(lines[0][..5], ["case", "speed [rpm]", "oil.viscosity [Pa.s]", "eccentricity", "status"]);
     assert!(lines[0].contains(&"load [N]") && !text.contains("error") && !text.contains("eccentricity [1]"));
     let speeds = ["90.0", "60.0"];
     let wanted = speeds.iter().flat_map(|speed| {
@@ -27,10 +24,7 @@ fn cases_come_in_the_order_of_the_grid_with_units_in_the_headings() {
     let inputs = lines[1..].iter().map(|line| [line[1], line[2], line[3]]);
     assert!(inputs.eq(wanted), "{text}");
     assert!(lines.iter().all(|line| line.len() == lines[0].len()));
-    let place = lines[0]
-        .iter()
-        .position(|heading| *heading == "load [N]")
-        .expect("a load");
+    let place = lines[0].iter().position(|heading| *heading == "load [N]").expect("a load");
     for (line, row) in lines[1..].iter().zip(report["rows"].as_array().expect("rows")) {
         // The reader of JSON here is good to the last digit but one.
         let (told, load) = (line[place].parse::<f64>().expect("a number"), value(row, "load"));
@@ -38,25 +32,15 @@ fn cases_come_in_the_order_of_the_grid_with_units_in_the_headings() {
         assert_eq!(row["quantities"]["load"]["error"], Value::Null);
     }
     let told = bench.run(&["sweep", "scene.toml", "--bars", "none"]);
-    for part in [
-        "12 cases, 12 converged",
-        "speed [rpm]",
-        "kept      12 cases",
-        "nothing was left to compute",
-    ] {
+    for part in ["12 cases, 12 converged", "speed [rpm]", "kept      12 cases", "nothing was left to compute"] {
         assert!(told.stdout.contains(part), "no {part:?} in\n{}", told.stdout);
     }
     let told = bench.run(&["check", "scene.toml"]);
     assert!(
-        told.stdout
-            .contains("sweep     12 cases: 2 of speed [rpm] by 2 of oil.viscosity [Pa.s] by 3 of eccentricity")
+        told.stdout.contains("sweep     12 cases: 2 of speed [rpm] by 2 of oil.viscosity [Pa.s] by 3 of eccentricity")
     );
     let told = bench.run(&["solve", "scene.toml"]);
-    assert!(
-        told.status == 0 && told.stderr.contains("[sweep]") && told.stderr.contains("12 cases"),
-        "{}",
-        told.stderr
-    );
+    assert!(told.status == 0 && told.stderr.contains("[sweep]") && told.stderr.contains("12 cases"), "{}", told.stderr);
 }
 
 /// Every key that changes the physics but not the mesh, one after the other: a case that follows others is the same as
@@ -64,44 +48,14 @@ fn cases_come_in_the_order_of_the_grid_with_units_in_the_headings() {
 #[test]
 fn a_case_is_the_scene_by_itself() {
     let axes = [
-        (
-            "clearance",
-            "[\"37.5 um\", \"40 um\"]",
-            "clearance = \"37.5 um\"",
-            "clearance = \"40 um\"",
-        ),
+        ("clearance", "[\"37.5 um\", \"40 um\"]", "clearance = \"37.5 um\"", "clearance = \"40 um\""),
         ("speed", "[\"10 rad/s\", \"11 rad/s\"]", "\"10 rad/s\"", "\"11 rad/s\""),
-        (
-            "viscosity",
-            "[\"0.4 Pa.s\", \"0.3 Pa.s\"]",
-            "\"0.4 Pa.s\"",
-            "\"0.3 Pa.s\"",
-        ),
+        ("viscosity", "[\"0.4 Pa.s\", \"0.3 Pa.s\"]", "\"0.4 Pa.s\"", "\"0.3 Pa.s\""),
         ("oil.barus.alpha", "[\"2.5e-8 1/Pa\", \"1e-8 1/Pa\"]", "2.5e-8", "1e-8"),
-        (
-            "ends.pressure",
-            "[\"0.98 bar\", \"0.5 bar\"]",
-            "\"0.98 bar\"",
-            "\"0.5 bar\"",
-        ),
-        (
-            "feed.feed_hole.pressure",
-            "[\"1.96 bar\", \"3 bar\"]",
-            "\"1.96 bar\"",
-            "\"3 bar\"",
-        ),
-        (
-            "cavitation.model",
-            "[\"reynolds\", \"guembel\"]",
-            "\"reynolds\"",
-            "\"guembel\"",
-        ),
-        (
-            "cavitation.pressure",
-            "[\"0 bar\", \"-0.3 bar\"]",
-            "\"0 bar\"",
-            "\"-0.3 bar\"",
-        ),
+        ("ends.pressure", "[\"0.98 bar\", \"0.5 bar\"]", "\"0.98 bar\"", "\"0.5 bar\""),
+        ("feed.feed_hole.pressure", "[\"1.96 bar\", \"3 bar\"]", "\"1.96 bar\"", "\"3 bar\""),
+        ("cavitation.model", "[\"reynolds\", \"guembel\"]", "\"reynolds\"", "\"guembel\""),
+        ("cavitation.pressure", "[\"0 bar\", \"-0.3 bar\"]", "\"0 bar\"", "\"-0.3 bar\""),
     ];
     let cavity = "[cavitation]\nmodel = \"reynolds\"\npressure = \"0 bar\"\n";
     for under_load in [false, true] {
@@ -154,10 +108,7 @@ fn each_case_has_the_heat_of_its_own() {
         let bench = Bench::new();
         let text = format!("{base}\n{heat}");
         assert!(text.contains(from), "{text}");
-        bench.write(
-            "scene.toml",
-            format!("{text}[sweep]\n\"{axis}\" = [\"{from}\", \"{to}\"]\n"),
-        );
+        bench.write("scene.toml", format!("{text}[sweep]\n\"{axis}\" = [\"{from}\", \"{to}\"]\n"));
         bench.write("alone.toml", text.replace(from, to));
         let report = done(&bench.run(&["sweep", "scene.toml", "--json", "--bars", "none"]));
         let alone = object(&bench.run(&["solve", "alone.toml", "--json", "--bars", "none"]).stdout);
@@ -182,11 +133,7 @@ fn drawn_meshes_follow_the_journal() {
     assert!(unknowns[0] == unknowns[1] && unknowns[1] < unknowns[3], "{unknowns:?}");
     bench.write(
         "alone.toml",
-        sized
-            .split("[sweep]")
-            .next()
-            .expect("a scene")
-            .replace("eccentricity = 0.6", "eccentricity = 0.9"),
+        sized.split("[sweep]").next().expect("a scene").replace("eccentricity = 0.6", "eccentricity = 0.9"),
     );
     let alone = object(&bench.run(&["solve", "alone.toml", "--json"]).stdout);
     let eccentricity = alone["quantities"]["eccentricity"]["value"].as_f64();
@@ -203,32 +150,17 @@ fn a_case_without_a_film_is_a_row_with_its_reason() {
     let bench = Bench::new();
     sweep(&bench, "speed = [\"10 rad/s\", \"200 rad/s\", \"20 rad/s\"]", &[]);
     let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
-    let status: Vec<_> = report["rows"]
-        .as_array()
-        .expect("rows")
-        .iter()
-        .map(|row| row["status"].clone())
-        .collect();
+    let status: Vec<_> = report["rows"].as_array().expect("rows").iter().map(|row| row["status"].clone()).collect();
     assert_eq!(status, ["converged", "no_solution", "converged"]);
     let failed = &report["rows"][1];
-    assert!(
-        failed["reason"].as_str().is_some_and(|reason| reason.contains("rad/s")),
-        "{failed}"
-    );
-    assert_eq!(
-        failed["quantities"].as_object().map(|quantities| quantities.len()),
-        Some(0)
-    );
+    assert!(failed["reason"].as_str().is_some_and(|reason| reason.contains("rad/s")), "{failed}");
+    assert_eq!(failed["quantities"].as_object().map(|quantities| quantities.len()), Some(0));
     assert_eq!(table(&bench, "out/scene").lines().count(), 4);
     let none = Bench::new();
     sweep(&none, "speed = [\"200 rad/s\", \"300 rad/s\"]", &[]);
     let told = none.run(&["sweep", "scene.toml"]);
     assert_eq!(told.status, 1, "{}", told.stderr);
-    assert!(
-        told.stdout.contains("2 without a solution") && told.stdout.contains("case 1: "),
-        "{}",
-        told.stdout
-    );
+    assert!(told.stdout.contains("2 without a solution") && told.stdout.contains("case 1: "), "{}", told.stdout);
 }
 
 #[test]
@@ -242,20 +174,9 @@ fn a_tolerance_is_met_by_each_case() {
         let (value, bar) = (load["value"].as_f64(), load["error"].as_f64());
         assert!(bar.expect("a bar") <= 1e-3 * value.expect("a value"), "{row}");
     }
-    bench.refuses(
-        &["sweep", "scene.toml", "--bars", "none"],
-        &["--bars none conflicts with the mesh.tolerance"],
-    );
+    bench.refuses(&["sweep", "scene.toml", "--bars", "none"], &["--bars none conflicts with the mesh.tolerance"]);
     bench.write("narrow.toml", drawn("tolerance = \"0.001 %\"") + "[sweep]\n" + axes);
-    let told = bench.run(&[
-        "sweep",
-        "narrow.toml",
-        "--max-unknowns",
-        "1",
-        "--json",
-        "--out",
-        "limited",
-    ]);
+    let told = bench.run(&["sweep", "narrow.toml", "--max-unknowns", "1", "--json", "--out", "limited"]);
     let report = object(&told.stdout);
     let row = &report["rows"][1];
     assert!(
@@ -271,78 +192,32 @@ fn bad_axes_are_refused_at_once() {
         ("", &["sweep: names no axis"][..]),
         (
             "ecentricity = [0.1]",
-            &[
-                "sweep.ecentricity: this key is not known as an axis",
-                "did you mean \"eccentricity\"",
-            ],
+            &["sweep.ecentricity: this key is not known as an axis", "did you mean \"eccentricity\""],
         ),
-        (
-            "\"oli.viscosity\" = [\"1 Pa.s\"]",
-            &["begins with \"oli\"", "did you mean \"oil\""],
-        ),
+        ("\"oli.viscosity\" = [\"1 Pa.s\"]", &["begins with \"oli\"", "did you mean \"oil\""]),
         (
             "\"oil.viscossity\" = [\"1 Pa.s\"]",
-            &[
-                "sweep.oil.viscossity: with",
-                "this key is not known",
-                "did you mean \"viscosity\"",
-            ],
+            &["sweep.oil.viscossity: with", "this key is not known", "did you mean \"viscosity\""],
         ),
         ("\"feed.hole.pressure\" = [\"1 bar\"]", &["names no [[feed]]"]),
-        (
-            "eccentricity = [0.5, 1.2]",
-            &["sweep.eccentricity: with eccentricity = 1.2", "journal.eccentricity"],
-        ),
-        (
-            "speed = [\"1 rpm\", \"1 rad/s\"]",
-            &["has values in rpm and in rad/s", "in one unit"],
-        ),
-        (
-            "speed = [10]",
-            &["sweep.speed: with speed = 10", "a bare number has no unit"],
-        ),
+        ("eccentricity = [0.5, 1.2]", &["sweep.eccentricity: with eccentricity = 1.2", "journal.eccentricity"]),
+        ("speed = [\"1 rpm\", \"1 rad/s\"]", &["has values in rpm and in rad/s", "in one unit"]),
+        ("speed = [10]", &["sweep.speed: with speed = 10", "a bare number has no unit"]),
         ("speed = [\"10 mm\"]", &["\"mm\" is a unit of length"]),
         ("speed = []", &["has no values"]),
-        (
-            "speed = \"10 rpm\"",
-            &["a list or a range of values is wanted, not a text"],
-        ),
-        (
-            "speed = { from = \"1 rpm\", to = \"9 rpm\" }",
-            &["sweep.speed.steps: is missing"],
-        ),
-        (
-            "speed = { from = \"1 rpm\", to = \"9 rpm\", steps = 2.5 }",
-            &["is not a whole number from 2"],
-        ),
-        (
-            "speed = { from = \"1 rpm\", to = \"9 rpm\", steps = 1 }",
-            &["is not a whole number from 2"],
-        ),
-        (
-            "speed = { from = \"1 rpm\", to = \"9 Hz\", steps = 3 }",
-            &["is in Hz, but from in rpm"],
-        ),
-        (
-            "speed = { from = \"0 rpm\", to = \"9 rpm\", steps = 3, spacing = \"log\" }",
-            &["goes through zero"],
-        ),
-        (
-            "speed = { from = \"1 rpm\", to = \"9 rpm\", step = 3 }",
-            &["did you mean \"steps\""],
-        ),
-        (
-            "speed = [\"1 rpm\"]\njournal.speed = [\"2 rpm\"]",
-            &["is the same key of the scene as"],
-        ),
+        ("speed = \"10 rpm\"", &["a list or a range of values is wanted, not a text"]),
+        ("speed = { from = \"1 rpm\", to = \"9 rpm\" }", &["sweep.speed.steps: is missing"]),
+        ("speed = { from = \"1 rpm\", to = \"9 rpm\", steps = 2.5 }", &["is not a whole number from 2"]),
+        ("speed = { from = \"1 rpm\", to = \"9 rpm\", steps = 1 }", &["is not a whole number from 2"]),
+        ("speed = { from = \"1 rpm\", to = \"9 Hz\", steps = 3 }", &["is in Hz, but from in rpm"]),
+        ("speed = { from = \"0 rpm\", to = \"9 rpm\", steps = 3, spacing = \"log\" }", &["goes through zero"]),
+        ("speed = { from = \"1 rpm\", to = \"9 rpm\", step = 3 }", &["did you mean \"steps\""]),
+        ("speed = [\"1 rpm\"]\njournal.speed = [\"2 rpm\"]", &["is the same key of the scene as"]),
         (
             "speed = { from = \"1 rpm\", to = \"9 rpm\", steps = 1000 }\nviscosity = { from = \"1 Pa.s\", to = \"9 Pa.s\", steps = 1000 }",
             &["makes 1000000 cases, more than 100000"],
         ),
-        (
-            "\"feed.feed_hole.hole.diameter\" = [\"17 mm\", \"90 mm\"]",
-            &["is wider than the liner"],
-        ),
+        ("\"feed.feed_hole.hole.diameter\" = [\"17 mm\", \"90 mm\"]", &["is wider than the liner"]),
         ("\"mesh.file\" = [\"nowhere.msh\"]", &["there is no file"]),
         ("force = [\"1 kN\"]", &["sweep", "load"]),
     ];
@@ -352,8 +227,5 @@ fn bad_axes_are_refused_at_once() {
         bench.refuses(&["check", "scene.toml"], words);
     }
     bench.scene("08_flexpde_study_size", &[]);
-    bench.refuses(
-        &["sweep", "scene.toml"],
-        &["has no [sweep]", "eccentricity = { from = 0.1"],
-    );
+    bench.refuses(&["sweep", "scene.toml"], &["has no [sweep]", "eccentricity = { from = 0.1"]);
 }

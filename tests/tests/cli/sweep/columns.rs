@@ -16,11 +16,7 @@ fn columns_of_choice_are_in_their_units() {
     sweep(&bench, axes, &[]);
     let usual = done(&bench.run(&["sweep", "scene.toml", "--json"]));
     assert!(headings(&bench).contains(&"load_x [N]".to_owned()));
-    sweep(
-        &bench,
-        &format!("columns = [\"h_min um\", \"load kN\", \"min_film_angle rad\", \"C_w\"]\n{axes}"),
-        &[],
-    );
+    sweep(&bench, &format!("columns = [\"h_min um\", \"load kN\", \"min_film_angle rad\", \"C_w\"]\n{axes}"), &[]);
     let told = bench.run(&["sweep", "scene.toml", "--fresh"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let wanted = [
@@ -84,18 +80,10 @@ fn bad_columns_are_refused() {
     ] {
         sweep(&bench, &format!("columns = {columns}\neccentricity = [0.4, 0.6]"), &[]);
         let told = bench.run(&["sweep", "scene.toml"]);
-        assert!(
-            told.status == 2 && told.stderr.contains(words),
-            "{columns}: {}",
-            told.stderr
-        );
+        assert!(told.status == 2 && told.stderr.contains(words), "{columns}: {}", told.stderr);
         assert!(told.stderr.contains("sweep.columns") && !bench.path().join("out").exists());
     }
     sweep(&bench, "columns = [\"load\"]", &[]);
     let told = bench.run(&["sweep", "scene.toml"]);
-    assert!(
-        told.status == 2 && told.stderr.contains("names no axis"),
-        "{}",
-        told.stderr
-    );
+    assert!(told.status == 2 && told.stderr.contains("names no axis"), "{}", told.stderr);
 }

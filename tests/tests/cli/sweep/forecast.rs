@@ -12,10 +12,7 @@ fn forecast(told: &Told) -> (usize, f64) {
         "min" => 60.0,
         other => panic!("{other}"),
     };
-    (
-        words[0].parse().expect("a number"),
-        unit * words[3].parse::<f64>().expect("a number"),
-    )
+    (words[0].parse().expect("a number"), unit * words[3].parse::<f64>().expect("a number"))
 }
 
 /// Within a factor of two, in a sweep whose cases differ. Other programs on the machine may slow a part of a run, so it has three.
@@ -32,10 +29,7 @@ fn the_time_is_forecast() {
         let (cases, about) = forecast(&told);
         assert_eq!(cases, 240);
         // It is told in whole seconds.
-        (
-            about - 1.0 < 2.0 * seconds && about + 1.0 > 0.5 * seconds,
-            [about, seconds],
-        )
+        (about - 1.0 < 2.0 * seconds && about + 1.0 > 0.5 * seconds, [about, seconds])
     };
     let mut attempts = Vec::new();
     while attempts.len() < 3 && !attempts.last().is_some_and(|(is_near, _)| *is_near) {
@@ -52,9 +46,5 @@ fn repeated_values_are_reported() {
     let told = bench.run(&["sweep", "scene.toml"]);
     let warning = "warning: [sweep] eccentricity = 0.4 stands there 2 times";
     assert!(told.status == 0 && told.stderr.contains(warning), "{}", told.stderr);
-    assert!(
-        !told.stderr.contains("0.6") && told.stdout.contains("3 cases"),
-        "{}",
-        told.stdout
-    );
+    assert!(!told.stderr.contains("0.6") && told.stdout.contains("3 cases"), "{}", told.stdout);
 }

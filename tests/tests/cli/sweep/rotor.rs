@@ -21,20 +21,12 @@ fn rotor_3(bench: &Bench) -> Option<String> {
 #[test]
 fn a_sweep_of_speed_and_whirl_writes_a_table_of_both() {
     let bench = Bench::new();
-    whirl(
-        &bench,
-        "\"dynamics.whirl\" = [1, 0.5]\nspeed = [\"400 rad/s\", \"200 rad/s\"]",
-    );
+    whirl(&bench, "\"dynamics.whirl\" = [1, 0.5]\nspeed = [\"400 rad/s\", \"200 rad/s\"]");
     done(&bench.run(&["sweep", "scene.toml", "--json"]));
     let table = rotor_3(&bench).expect("a table");
     let keys: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').take(2).collect()).collect();
-    let wanted = [
-        ["speed", "frequency"],
-        ["200.0", "100.0"],
-        ["200.0", "200.0"],
-        ["400.0", "200.0"],
-        ["400.0", "400.0"],
-    ];
+    let wanted =
+        [["speed", "frequency"], ["200.0", "100.0"], ["200.0", "200.0"], ["400.0", "200.0"], ["400.0", "400.0"]];
     assert_eq!((keys, rotor(&bench)), (wanted.map(|keys| keys.to_vec()).to_vec(), None));
 }
 
@@ -60,12 +52,7 @@ fn a_sweep_of_the_speed_writes_a_table_for_rotors() {
     let of_version_3 = rotor_3(&bench).expect("a table");
     assert_eq!(of_version_3, table.replace("frequency", "speed"));
     let told = bench.run(&["sweep", "scene.toml"]);
-    assert!(
-        told.stdout
-            .contains("sweep.csv, sweep.json, rotor_bearing.csv, rotor_bearing_3.csv"),
-        "{}",
-        told.stdout
-    );
+    assert!(told.stdout.contains("sweep.csv, sweep.json, rotor_bearing.csv, rotor_bearing_3.csv"), "{}", told.stdout);
 }
 
 /// Columns in other units are written in SI; without all of them, or with another axis, there is no table, and an old one goes.
@@ -78,11 +65,7 @@ fn the_table_needs_all_coefficients_over_the_speed_alone() {
     whirl(&bench, &format!("{columns}\n{speed}"));
     let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
     let table = rotor(&bench).expect("a table");
-    let first = table
-        .lines()
-        .nth(1)
-        .and_then(|line| line.split(',').nth(1))
-        .expect("kxx");
+    let first = table.lines().nth(1).and_then(|line| line.split(',').nth(1)).expect("kxx");
     let own = 1e6 * value(&report["rows"][0], "K_xx");
     assert!((first.parse::<f64>().expect("a number") / own - 1.0).abs() < 1e-12);
     for sweep in [
@@ -103,8 +86,5 @@ fn the_decrement_falls_with_the_mass() {
     whirl(&bench, "\"dynamics.mass\" = [\"100 kg\", \"1000 kg\", \"2000 kg\"]");
     let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
     let [light, middle, heavy] = [0, 1, 2].map(|case| value(&report["rows"][case], "logarithmic_decrement"));
-    assert!(
-        light > middle && middle > 0.0 && heavy < 0.0,
-        "{light} {middle} {heavy}"
-    );
+    assert!(light > middle && middle > 0.0 && heavy < 0.0, "{light} {middle} {heavy}");
 }

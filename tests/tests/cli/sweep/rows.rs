@@ -10,18 +10,11 @@ fn the_sweep_of_the_study_meets_its_rows() {
     let bench = Bench::new();
     bench.scene("18_sweep_eccentricity", &[]);
     let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
-    assert_eq!(
-        (report["cases"].as_u64(), report["complete"].as_bool()),
-        (Some(16), Some(true))
-    );
+    assert_eq!((report["cases"].as_u64(), report["complete"].as_bool()), (Some(16), Some(true)));
     let study = rows();
     for row in report["rows"].as_array().expect("rows") {
         let number = |name: &str| row["inputs"][name].as_f64().expect("an input");
-        let viscosity = if number("oil.barus.alpha") == 0.0 {
-            "constant"
-        } else {
-            "conservative"
-        };
+        let viscosity = if number("oil.barus.alpha") == 0.0 { "constant" } else { "conservative" };
         let reference = study.iter().find(|reference| {
             (reference.liner.as_str(), reference.cavitation.as_str()) == ("shell", "none")
                 && reference.viscosity == viscosity
@@ -30,10 +23,7 @@ fn the_sweep_of_the_study_meets_its_rows() {
         let reference = reference.unwrap_or_else(|| panic!("no reference for {row}"));
         // As in literature/flexpde_2016.rs; bars are there, so the numbers are those of the cubic film.
         let c_w = reference.reference("C_w").expect("C_w");
-        assert!(
-            (value(row, "load_coefficient") - c_w).abs() < 1e-4 * c_w + 6e-5,
-            "{row}"
-        );
+        assert!((value(row, "load_coefficient") - c_w).abs() < 1e-4 * c_w + 6e-5, "{row}");
         let attitude = reference.reference("attitude_deg").expect("an angle");
         assert!((value(row, "attitude_angle") - attitude).abs() < 0.01, "{row}");
         let bar = row["quantities"]["load"]["error"].as_f64().expect("a bar");
@@ -46,10 +36,7 @@ fn the_sweep_of_the_study_meets_its_rows() {
 #[test]
 fn the_sweeps_of_the_crankshaft_bearing_meet_their_rows() {
     let wanted = printed::rows("source000/finite_length.csv");
-    for (name, squeeze) in [
-        ("21_short_crankshaft_bearing", 0.0),
-        ("22_squeezed_crankshaft_bearing", 0.4),
-    ] {
+    for (name, squeeze) in [("21_short_crankshaft_bearing", 0.0), ("22_squeezed_crankshaft_bearing", 0.4)] {
         let bench = Bench::new();
         bench.scene(name, &[]);
         let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
@@ -74,10 +61,7 @@ fn the_sweeps_of_the_crankshaft_bearing_meet_their_rows() {
                 let off = scale * value(row, quantity) / wanted.number(column) - 1.0;
                 assert!(off.abs() < tolerance, "{quantity} is {off:.1e} off: {row}");
             }
-            assert!(
-                (value(row, "attitude_angle") - wanted.number("theta")).abs() < 0.2,
-                "{row}"
-            );
+            assert!((value(row, "attitude_angle") - wanted.number("theta")).abs() < 0.2, "{row}");
         }
     }
 }

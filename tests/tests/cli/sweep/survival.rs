@@ -12,17 +12,7 @@ fn any_number_of_threads_gives_the_same_rows() {
     let bench = Bench::new();
     loaded(&bench, 9);
     let run = |threads: &str, folder: &str, bars: &str| {
-        let told = bench.run(&[
-            "sweep",
-            "scene.toml",
-            "--json",
-            "--threads",
-            threads,
-            "--out",
-            folder,
-            "--bars",
-            bars,
-        ]);
+        let told = bench.run(&["sweep", "scene.toml", "--json", "--threads", threads, "--out", folder, "--bars", bars]);
         done(&told);
         timeless(&table(&bench, folder))
     };
@@ -44,26 +34,12 @@ fn a_table_that_was_cut_off_anywhere_is_completed() {
     let about = std::fs::read_to_string(folder.join("sweep.json")).expect("a report");
     let begun = about.replacen("\"complete\": true", "\"complete\": false", 1);
     let line = whole.lines().next().expect("headings").len() + 1;
-    for cut in [
-        0,
-        5,
-        line - 1,
-        line,
-        line + 1,
-        whole.len() / 2,
-        whole.len() * 2 / 3,
-        whole.len() - 1,
-        whole.len(),
-    ] {
+    for cut in [0, 5, line - 1, line, line + 1, whole.len() / 2, whole.len() * 2 / 3, whole.len() - 1, whole.len()] {
         std::fs::write(folder.join("sweep.csv"), &whole.as_bytes()[..cut]).expect("a table");
         std::fs::write(folder.join("sweep.json"), &begun).expect("a report");
         done(&again());
         assert_eq!(timeless(&table(&bench, "out/scene")), timeless(&whole), "cut at {cut}");
-        assert!(
-            std::fs::read_to_string(folder.join("sweep.json"))
-                .expect("a report")
-                .contains("\"complete\": true")
-        );
+        assert!(std::fs::read_to_string(folder.join("sweep.json")).expect("a report").contains("\"complete\": true"));
     }
     // Rows that stand there are believed: one that is marked stays.
     let marked = whole.replacen(",converged,", ",marked,", 1);
@@ -77,21 +53,12 @@ fn another_sweep_in_the_folder_is_left_alone() {
     let bench = Bench::new();
     sweep(&bench, "eccentricity = [0.3, 0.4]", &[]);
     done(&bench.run(&["sweep", "scene.toml", "--json"]));
-    bench.refuses(
-        &["sweep", "scene.toml", "--bars", "none"],
-        &["holds a sweep with error bars", "--out", "--fresh"],
-    );
+    bench.refuses(&["sweep", "scene.toml", "--bars", "none"], &["holds a sweep with error bars", "--out", "--fresh"]);
     sweep(&bench, "eccentricity = [0.3, 0.5]", &[]);
-    bench.refuses(
-        &["sweep", "scene.toml"],
-        &["of another scene, or of this one before it was changed"],
-    );
+    bench.refuses(&["sweep", "scene.toml"], &["of another scene, or of this one before it was changed"]);
     done(&bench.run(&["sweep", "scene.toml", "--json", "--fresh"]));
     std::fs::remove_file(bench.path().join("out/scene/sweep.json")).expect("a report");
-    bench.refuses(
-        &["sweep", "scene.toml"],
-        &["without the record of what it was computed from"],
-    );
+    bench.refuses(&["sweep", "scene.toml"], &["without the record of what it was computed from"]);
 }
 
 #[test]

@@ -8,11 +8,7 @@ use oilwedge_tests::sweeps::*;
 #[test]
 fn every_warning_is_in_the_table() {
     let bench = Bench::new();
-    sweep(
-        &bench,
-        "speed = [\"10 rad/s\", \"4000 rad/s\"]\neccentricity = [0.3, 0.6]",
-        &[],
-    );
+    sweep(&bench, "speed = [\"10 rad/s\", \"4000 rad/s\"]\neccentricity = [0.3, 0.6]", &[]);
     let told = bench.run(&["sweep", "scene.toml"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let text = std::fs::read_to_string(bench.path().join("out/scene/sweep.json")).expect("a report");
@@ -20,30 +16,18 @@ fn every_warning_is_in_the_table() {
     let rows = report["rows"].as_array().expect("rows");
     let codes = |row: &Value| -> Vec<String> {
         let list = row["warnings"].as_array().expect("a list");
-        list.iter()
-            .map(|code| code.as_str().expect("a code").to_owned())
-            .collect()
+        list.iter().map(|code| code.as_str().expect("a code").to_owned()).collect()
     };
     let mut count = 0;
     for (line, row) in table(&bench, "out/scene").lines().skip(1).zip(rows) {
         let codes = codes(row);
         assert!(line.contains(&format!(",{},", codes.join(";"))), "{line}");
-        assert!(
-            codes.iter().all(|code| KINDS.iter().any(|kind| kind.code == code)),
-            "{codes:?}"
-        );
+        assert!(codes.iter().all(|code| KINDS.iter().any(|kind| kind.code == code)), "{codes:?}");
         count += usize::from(codes.contains(&"tension".to_owned()));
     }
-    assert!(
-        count > 0 && told.stdout.contains(&format!("tension: {count} case")),
-        "{}",
-        told.stdout
-    );
+    assert!(count > 0 && told.stdout.contains(&format!("tension: {count} case")), "{}", told.stdout);
     // One case by itself.
-    let text = edited(
-        "08_flexpde_study_size",
-        &[("eccentricity   = 0.6", "eccentricity = 0.3")],
-    );
+    let text = edited("08_flexpde_study_size", &[("eccentricity   = 0.6", "eccentricity = 0.3")]);
     bench.write("one.toml", text);
     let alone = object(&bench.run(&["solve", "one.toml", "--json"]).stdout);
     let alone = alone["warnings"].as_array().expect("a list").len();
@@ -83,11 +67,7 @@ force = ["0.3 kN", "5 kN", "6 kN"]
     bench.write("scene.toml", scene);
     let told = bench.run(&["sweep", "scene.toml", "--bars", "none"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
-    assert!(
-        told.stdout.contains("limits    least film below 6 um: 2 cases\n"),
-        "{}",
-        told.stdout
-    );
+    assert!(told.stdout.contains("limits    least film below 6 um: 2 cases\n"), "{}", told.stdout);
     let table = table(&bench, "out/scene");
     assert_eq!(table.matches("least film below 6 um").count(), 2, "{table}");
 }

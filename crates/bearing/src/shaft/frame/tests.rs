@@ -2,18 +2,11 @@ use super::super::beam::Material;
 use super::super::crankshaft::{CrankThrow, Crankshaft, Piece, Round};
 use super::*;
 
-const STEEL: Material = Material {
-    youngs_modulus: 206e9,
-    shear_modulus: None,
-};
+const STEEL: Material = Material { youngs_modulus: 206e9, shear_modulus: None };
 const DIAMETER: f64 = 0.06;
 
 fn straight(length: f64) -> Piece {
-    Piece::Straight(Round {
-        length,
-        diameter: DIAMETER,
-        bore: 0.0,
-    })
+    Piece::Straight(Round { length, diameter: DIAMETER, bore: 0.0 })
 }
 
 fn bending(material: Material) -> f64 {
@@ -21,18 +14,12 @@ fn bending(material: Material) -> f64 {
 }
 
 fn place(node: usize, order: usize) -> Place {
-    Place {
-        node,
-        coordinates: Coordinates { order, arm: 0.015 },
-    }
+    Place { node, coordinates: Coordinates { order, arm: 0.015 } }
 }
 
 /// A straight shaft on places at these z without tilt, loaded at others.
 fn beam(material: Material, length: f64, bearings: &[f64], loads: &[f64]) -> Shaft {
-    let shaft = Crankshaft {
-        material,
-        pieces: vec![straight(length)],
-    };
+    let shaft = Crankshaft { material, pieces: vec![straight(length)] };
     let laid = shaft.laid(&[bearings, loads].concat());
     let (bearings, loads) = laid.places.split_at(bearings.len());
     let places: Vec<Place> = bearings.iter().map(|&node| place(node, 2)).collect();
@@ -57,10 +44,7 @@ fn knife_edges_carry_what_handbooks_say() {
 #[test]
 fn a_sunk_support_is_unloaded_by_the_beam() {
     // Force at the middle of a beam on two supports: 48 E I/L^3, with shear P L/(4 k G A) more deflection.
-    let sheared = Material {
-        shear_modulus: Some(79e9),
-        ..STEEL
-    };
+    let sheared = Material { shear_modulus: Some(79e9), ..STEEL };
     for material in [STEEL, sheared] {
         let shaft = beam(material, 0.4, &[0.0, 0.2, 0.4], &[]);
         let section = material.round(DIAMETER, 0.0);
@@ -76,10 +60,7 @@ fn a_sunk_support_is_unloaded_by_the_beam() {
 
 #[test]
 fn slopes_and_moments_are_those_of_a_clamped_beam() {
-    let shaft = Crankshaft {
-        material: STEEL,
-        pieces: vec![straight(0.4)],
-    };
+    let shaft = Crankshaft { material: STEEL, pieces: vec![straight(0.4)] };
     let laid = shaft.laid(&[0.0, 0.4, 0.2]);
     let places = [place(laid.places[0], 4), place(laid.places[1], 4)];
     let shaft = laid.frame.on(&places, &[laid.places[2]]).expect("a shaft");
@@ -102,28 +83,15 @@ fn rigid_motions_are_free_and_loads_keep_sum_and_moment() {
         Piece::Throw(CrankThrow {
             angle,
             radius: 0.05,
-            pin: Round {
-                length: 0.03,
-                diameter: 0.05,
-                bore: 0.0,
-            },
+            pin: Round { length: 0.03, diameter: 0.05, bore: 0.0 },
             web_thickness: 0.02,
             web_width,
         })
     };
     for width in [None, Some(0.08)] {
         let shaft = Crankshaft {
-            material: Material {
-                youngs_modulus: 206e13,
-                shear_modulus: Some(79e13),
-            },
-            pieces: vec![
-                straight(0.03),
-                throw(0.3, width),
-                straight(0.03),
-                throw(2.0, width),
-                straight(0.03),
-            ],
+            material: Material { youngs_modulus: 206e13, shear_modulus: Some(79e13) },
+            pieces: vec![straight(0.03), throw(0.3, width), straight(0.03), throw(2.0, width), straight(0.03)],
         };
         let bearings = [0.015, 0.115, 0.215];
         let laid = shaft.laid(&bearings);
@@ -136,13 +104,7 @@ fn rigid_motions_are_free_and_loads_keep_sum_and_moment() {
         for force in shaft.forces(&rigid, 0.4).iter().flatten() {
             assert!(force.abs() < 1e-13 * most, "{force:e} of {most:e}");
         }
-        let loads = [
-            pushed(0, 1e3),
-            NodeForce {
-                place: 1,
-                force: [2e3, 0.0],
-            },
-        ];
+        let loads = [pushed(0, 1e3), NodeForce { place: 1, force: [2e3, 0.0] }];
         let forces = shaft.loads(&loads, 0.9);
         let sum = |k: usize| forces.iter().map(|force| force[k]).sum::<f64>();
         assert!((sum(0) - 2e3).abs() < 1e-10 && (sum(1) - 1e3).abs() < 1e-10);
@@ -161,11 +123,7 @@ fn rigid_motions_are_free_and_loads_keep_sum_and_moment() {
 fn webs_bend_from_axis_to_axis() {
     let (pin, journal) = (0.072, 0.085);
     let (radius, arm, half_pin, thickness, width) = (0.0625, 0.033, 0.034, 0.026, 0.11);
-    let round = |length: f64, diameter: f64| Round {
-        length,
-        diameter,
-        bore: 0.0,
-    };
+    let round = |length: f64, diameter: f64| Round { length, diameter, bore: 0.0 };
     let softness = |web_width| {
         let outer = Piece::Straight(round(arm - 0.5 * thickness, journal));
         let throw = CrankThrow {
@@ -175,10 +133,7 @@ fn webs_bend_from_axis_to_axis() {
             web_thickness: thickness,
             web_width,
         };
-        let shaft = Crankshaft {
-            material: STEEL,
-            pieces: vec![outer, Piece::Throw(throw), outer],
-        };
+        let shaft = Crankshaft { material: STEEL, pieces: vec![outer, Piece::Throw(throw), outer] };
         let laid = shaft.laid(&[0.0, 2.0 * (arm + half_pin)]);
         let nodes = [laid.places[0], laid.throws[0].pin, laid.places[1]];
         let places = nodes.map(|node| place(node, 2));
@@ -194,11 +149,7 @@ fn webs_bend_from_axis_to_axis() {
         let found = softness(web_width);
         assert!((found / wanted - 1.0).abs() < 1e-9, "{found:e} {wanted:e}");
     }
-    assert!(
-        ((rigid + webs) / rigid - 7.2).abs() < 0.05,
-        "{}",
-        (rigid + webs) / rigid
-    );
+    assert!(((rigid + webs) / rigid - 7.2).abs() < 0.05, "{}", (rigid + webs) / rigid);
 }
 
 #[test]
@@ -206,25 +157,14 @@ fn a_shaft_that_turns_keeps_its_stiffness_in_its_own_axes() {
     let throw = CrankThrow {
         angle: 0.0,
         radius: 0.05,
-        pin: Round {
-            length: 0.03,
-            diameter: 0.05,
-            bore: 0.0,
-        },
+        pin: Round { length: 0.03, diameter: 0.05, bore: 0.0 },
         web_thickness: 0.02,
         web_width: Some(0.08),
     };
     let of = |angle: f64| {
         let shaft = Crankshaft {
-            material: Material {
-                shear_modulus: Some(79e9),
-                ..STEEL
-            },
-            pieces: vec![
-                straight(0.03),
-                Piece::Throw(CrankThrow { angle, ..throw }),
-                straight(0.03),
-            ],
+            material: Material { shear_modulus: Some(79e9), ..STEEL },
+            pieces: vec![straight(0.03), Piece::Throw(CrankThrow { angle, ..throw }), straight(0.03)],
         };
         let laid = shaft.laid(&[0.015, 0.115]);
         let places: Vec<Place> = laid.places.iter().map(|&node| place(node, 4)).collect();
@@ -243,10 +183,7 @@ fn a_shaft_that_turns_keeps_its_stiffness_in_its_own_axes() {
 
 #[test]
 fn one_support_without_tilt_leaves_a_shaft_free() {
-    let shaft = Crankshaft {
-        material: STEEL,
-        pieces: vec![straight(0.4)],
-    };
+    let shaft = Crankshaft { material: STEEL, pieces: vec![straight(0.4)] };
     let laid = shaft.laid(&[0.1]);
     let on = |order| laid.frame.on(&[place(laid.places[0], order)], &[]);
     assert!(matches!(on(2), Err(NoShaft::Free | NoShaft::Singular)));

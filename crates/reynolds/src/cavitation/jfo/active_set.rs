@@ -264,9 +264,7 @@ impl<'a> Search<'a> {
             self.state.turn(self.film, &turned);
             self.state.relax(self.film, &self.balance, &turned);
         }
-        Err(Failure::TooManySteps {
-            history: std::mem::take(&mut self.history),
-        })
+        Err(Failure::TooManySteps { history: std::mem::take(&mut self.history) })
     }
 
     /// A step's entry in the history.
@@ -274,11 +272,7 @@ impl<'a> Search<'a> {
         let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
         let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
         let active = self.state.cavity.iter().filter(|cavity| **cavity).count();
-        self.history.push(HistoryStep {
-            residual: violation / first,
-            damping: 1.0,
-            active,
-        });
+        self.history.push(HistoryStep { residual: violation / first, damping: 1.0, active });
     }
 
     /// The balance of all nodes for the present cavity: it is linear.
@@ -319,9 +313,7 @@ impl<'a> Search<'a> {
         }
         self.is_carried = self.film.history.is_some() && time.is_none();
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
-        let Balance {
-            transport, constant, ..
-        } = &mut self.balance;
+        let Balance { transport, constant, .. } = &mut self.balance;
         transport.values.fill(0.0);
         for (block, (scheme, addresses)) in self.film.blocks.iter().zip(self.schemes.iter().zip(&volumes.addresses)) {
             add(transport, addresses, &block.transport(*scheme, block));
@@ -366,9 +358,7 @@ impl<'a> Search<'a> {
             (false, Condition::Given) => 0.0,
         };
         let sizes = (0..self.state.p.len()).map(|dof| (dof, size(dof)));
-        sizes
-            .filter(|(_, size)| *size > SIGN_TOLERANCE || size.is_nan())
-            .collect()
+        sizes.filter(|(_, size)| *size > SIGN_TOLERANCE || size.is_nan()).collect()
     }
 
     /// Backward Euler in the film fraction with growing steps, towards the steady film.

@@ -155,18 +155,8 @@ impl Points {
         };
         let (film, flows) = change.unwrap_or(at);
         let velocity = at.0[corners[0]].velocity;
-        let (x, middles) = (
-            corners.map(|point| self.positions[point]),
-            middles.map(|point| self.positions[point]),
-        );
-        Block::new(
-            velocity,
-            x,
-            middles,
-            corners.map(|point| film[point]),
-            corners.map(|point| flows[point]),
-            flow,
-        )
+        let (x, middles) = (corners.map(|point| self.positions[point]), middles.map(|point| self.positions[point]));
+        Block::new(velocity, x, middles, corners.map(|point| film[point]), corners.map(|point| flows[point]), flow)
     }
 }
 
@@ -182,18 +172,13 @@ impl Flow {
     fn mean(points: &[FilmFlow]) -> Self {
         let resistance: f64 = points.iter().map(|flow| 1.0 / flow.conductance).sum();
         let drive = |d: usize| points.iter().map(|flow| flow.flux[d] / flow.conductance).sum::<f64>();
-        Self {
-            conductance: points.len() as f64 / resistance,
-            flux: [drive(0) / resistance, drive(1) / resistance],
-        }
+        Self { conductance: points.len() as f64 / resistance, flux: [drive(0) / resistance, drive(1) / resistance] }
     }
 
     /// First-order change of [`Flow::mean`].
     fn change(points: &[FilmFlow], changes: &[FilmFlow]) -> Self {
         let mean = Self::mean(points);
-        let weights = points
-            .iter()
-            .map(|flow| mean.conductance / flow.conductance / points.len() as f64);
+        let weights = points.iter().map(|flow| mean.conductance / flow.conductance / points.len() as f64);
         let mut change = Self::default();
         for ((weight, flow), by) in weights.zip(points).zip(changes) {
             let relative = by.conductance / flow.conductance;
@@ -346,9 +331,7 @@ impl Block {
 
     /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
     pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
-        let sum: f64 = (0..3)
-            .map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i])
-            .sum();
+        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i]).sum();
         sum / self.inflow()
     }
 

@@ -104,12 +104,7 @@ impl<'a> PointChanges<'a> {
 
     /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, the triangle of the piece and where it is [m], and the change [m3/s].
     pub(crate) fn of_boundary(&self) -> Vec<(usize, (usize, [f64; 2]), f64)> {
-        let Self {
-            problem,
-            system,
-            volumes,
-            ..
-        } = self;
+        let Self { problem, system, volumes, .. } = self;
         let rows = Rows::new(problem, system, volumes, &self.law, cavity_floor(problem));
         let changed = FilmLaw::changed(problem, self.change);
         let mut changes = Vec::new();
@@ -130,9 +125,7 @@ impl<'a> PointChanges<'a> {
         let nodes = self.volumes.triangles[t].map(|node| node as usize);
         [0, 1, 2].map(|i| {
             let parts = nodes.iter().enumerate();
-            parts
-                .map(|(j, &node)| k[i][j] * self.film.unknown[node] + b[i][j] * self.fraction.values[node])
-                .sum()
+            parts.map(|(j, &node)| k[i][j] * self.film.unknown[node] + b[i][j] * self.fraction.values[node]).sum()
         })
     }
 }

@@ -136,10 +136,7 @@ pub(crate) fn solve(
         inflow: film.rows.boundary_inflow(&found.residual, &theta),
         unknown: p,
         cavity,
-        film_fraction: Some(FilmFraction {
-            values: theta,
-            schemes: found.schemes,
-        }),
+        film_fraction: Some(FilmFraction { values: theta, schemes: found.schemes }),
         linearisation: std::sync::Arc::new(found.linearisation),
         gap_tangent: std::sync::OnceLock::new(),
         history: found.history,
@@ -237,15 +234,11 @@ impl<'a> Film<'a> {
 
     /// Couplings of neighbours that are positive: the scheme is monotone without them.
     fn wrong_couplings(&self) -> usize {
-        let oilwedge_fem::Matrix {
-            pattern,
-            values: couplings,
-        } = Balance::of_pressure(self).pressure;
+        let oilwedge_fem::Matrix { pattern, values: couplings } = Balance::of_pressure(self).pressure;
         let wrong = |i: usize| {
             let row = pattern.row(i);
             let largest = couplings[row.clone()].iter().fold(0.0f64, |m, k| m.max(k.abs()));
-            row.filter(|&k| pattern.columns[k] as usize > i && couplings[k] > 1e-9 * largest)
-                .count()
+            row.filter(|&k| pattern.columns[k] as usize > i && couplings[k] > 1e-9 * largest).count()
         };
         (0..pattern.dimension()).map(wrong).sum()
     }

@@ -109,17 +109,13 @@ impl Downstream {
             }
             None => x * direction[0],
         };
-        let way: Vec<[f64; 2]> = (space.positions().into_iter())
-            .map(|[x, z]| [along(x) + z * direction[1], z])
-            .collect();
-        let extent = way
-            .iter()
-            .fold(f64::MIN_POSITIVE, |most, [s, z]| most.max(s.abs()).max(z.abs()));
+        let way: Vec<[f64; 2]> =
+            (space.positions().into_iter()).map(|[x, z]| [along(x) + z * direction[1], z]).collect();
+        let extent = way.iter().fold(f64::MIN_POSITIVE, |most, [s, z]| most.max(s.abs()).max(z.abs()));
         // Between -1/APART and 1/APART: 32 bits each, the way first.
         let steps = |length: f64| ((length / extent + 1.0) / APART).round() as u64;
-        let mut keys: Vec<(u64, u32)> = (way.iter().zip(0..))
-            .map(|([s, z], dof)| ((steps(*s) << 32) | steps(*z), dof))
-            .collect();
+        let mut keys: Vec<(u64, u32)> =
+            (way.iter().zip(0..)).map(|([s, z], dof)| ((steps(*s) << 32) | steps(*z), dof)).collect();
         keys.sort_unstable();
         let order: Vec<u32> = keys.into_iter().map(|(_, dof)| dof).collect();
         let mut places = vec![0; order.len()];
@@ -159,9 +155,7 @@ impl<'a> Front<'a> {
     fn advance(&mut self) -> Vec<usize> {
         let mut now = std::mem::take(&mut self.next);
         now.sort_unstable();
-        let nodes = now
-            .iter()
-            .map(|&place| self.film.downstream.order[place as usize] as usize);
+        let nodes = now.iter().map(|&place| self.film.downstream.order[place as usize] as usize);
         let nodes: Vec<usize> = nodes.collect();
         nodes.iter().for_each(|&dof| self.waits[dof] = false);
         nodes

@@ -60,12 +60,7 @@ impl Rows {
             carried[face.dof] += flux[0] * face.normal[0] + flux[1] * face.normal[1];
         }
         let mut on_end = vec![false; dofs];
-        for region in system
-            .supply
-            .regions()
-            .iter()
-            .filter(|region| region.kind == BoundaryKind::End)
-        {
+        for region in system.supply.regions().iter().filter(|region| region.kind == BoundaryKind::End) {
             for dof in region.edges.iter().flat_map(|&edge| system.space().dofs_on_edge(edge)) {
                 on_end[dof] = true;
             }
@@ -103,9 +98,7 @@ impl Rows {
     /// Volume flow [m3/s] into the film through the boundary near each node, given the residual of its balance: what
     /// starved inlets bring and the journal carries out at edges are in the balance already.
     pub(super) fn boundary_inflow(&self, residual: &[f64], theta: &[f64]) -> Vec<f64> {
-        (0..residual.len())
-            .map(|dof| residual[dof] + self.inflow[dof] - self.outflow[dof] * theta[dof])
-            .collect()
+        (0..residual.len()).map(|dof| residual[dof] + self.inflow[dof] - self.outflow[dof] * theta[dof]).collect()
     }
 
     /// The part of a full film that is carried through the boundary near a node, where that is in its balance.
@@ -135,11 +128,7 @@ impl Rows {
                 open.for_each(|node| parts.join(first, node));
             }
         }
-        for nodes in volumes
-            .triangles
-            .iter()
-            .filter(|nodes| nodes.iter().any(|&node| given(node)))
-        {
+        for nodes in volumes.triangles.iter().filter(|nodes| nodes.iter().any(|&node| given(node))) {
             nodes.iter().for_each(|&node| supplied[node as usize] = true);
         }
         let mut reached = vec![false; supplied.len()];

@@ -58,26 +58,15 @@ pub(crate) fn spread(
         let [n, lda] = [block.n_scheme(), block.low_diffusion()];
         let to_cavity = (0..3).filter(|&i| film.cavity[corners[i]]);
         let spread = 0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag;
-        if spread > ROUNDING * width(block, speed) {
-            spread
-        } else {
-            0.0
-        }
+        if spread > ROUNDING * width(block, speed) { spread } else { 0.0 }
     };
     let pieces: Vec<f64> = blocks.iter().zip(&volumes.triangles).map(of).collect();
     let mut patches = Patches::new(film.unknown.len());
     let spreading = || (0..pieces.len()).filter(|&s| pieces[s] > 0.0);
     spreading().for_each(|s| patches.join(volumes.triangles[s]));
     spreading().for_each(|s| patches.add(volumes.triangles[s], &blocks[s], width(&blocks[s], speed)));
-    let weight = |s: usize| {
-        (patches.length(volumes.triangles[s]) / problem.bearing.radius)
-            .min(1.0)
-            .sqrt()
-    };
-    let mut spread = Spread {
-        shares: vec![0.0; blocks.len() / volumes.per_triangle],
-        times: 0.0,
-    };
+    let weight = |s: usize| (patches.length(volumes.triangles[s]) / problem.bearing.radius).min(1.0).sqrt();
+    let mut spread = Spread { shares: vec![0.0; blocks.len() / volumes.per_triangle], times: 0.0 };
     for s in spreading() {
         let piece = weight(s) * pieces[s];
         spread.shares[s / volumes.per_triangle] += piece / problem.bearing.length;

@@ -56,21 +56,10 @@ fn ring(columns: u32, rows: u32) -> FilmSystem {
 fn problem(eccentricity: f64) -> FilmProblem {
     FilmProblem {
         theory: crate::Theory::Full,
-        bearing: Bearing {
-            radius: RADIUS,
-            length: LENGTH,
-            clearance: CLEARANCE,
-            end_pressure: AMBIENT,
-        },
+        bearing: Bearing { radius: RADIUS, length: LENGTH, clearance: CLEARANCE, end_pressure: AMBIENT },
         journal: JournalState::at_eccentricity(eccentricity, 1.0, CLEARANCE, 100.0),
-        film_thickness: vec![Arc::new(Eccentricity {
-            radius: RADIUS,
-            clearance: CLEARANCE,
-        })],
-        lubricant: Lubricant {
-            viscosity: 0.02,
-            pressure_law: PressureLaw::Constant,
-        },
+        film_thickness: vec![Arc::new(Eccentricity { radius: RADIUS, clearance: CLEARANCE })],
+        lubricant: Lubricant { viscosity: 0.02, pressure_law: PressureLaw::Constant },
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::Jfo { pressure: 0.0 },
@@ -99,10 +88,8 @@ fn pseudo_time_arrives_at_the_film_of_the_two_passes() {
             let found = found.run_in_time(&expected.schemes).expect("a film");
             assert_eq!(found.state.cavity, expected.state.cavity);
             let off = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
-            let (p, theta) = (
-                off(&found.state.p, &expected.state.p) / film.scale,
-                off(&found.state.theta, &expected.state.theta),
-            );
+            let (p, theta) =
+                (off(&found.state.p, &expected.state.p) / film.scale, off(&found.state.theta, &expected.state.theta));
             assert!(p < 1e-10 && theta < 1e-10, "{p:e} {theta:e}");
         }
     }

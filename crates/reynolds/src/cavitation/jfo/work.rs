@@ -42,20 +42,11 @@ impl<'a> Carriage<'a> {
         let mut blocks = blocks(&law, system.space(), volumes);
         let taken_up = problem.storage.as_deref().map_or(Vec::new(), |before| {
             let volume = volumes_of(volumes, &blocks, fraction.values.len());
-            let held: Vec<f64> = volume
-                .iter()
-                .zip(&fraction.values)
-                .map(|(v, theta)| v * theta)
-                .collect();
+            let held: Vec<f64> = volume.iter().zip(&fraction.values).map(|(v, theta)| v * theta).collect();
             blocks.iter_mut().for_each(|block| block.storage = [0.0; 3]);
             before.taken_up(&held)
         });
-        Ok(Self {
-            blocks,
-            taken_up,
-            volumes,
-            fraction,
-        })
+        Ok(Self { blocks, taken_up, volumes, fraction })
     }
 
     /// Thickness u [m] of the oil carried into each sub-triangle of triangle `t`; infinite where it is full.
@@ -74,10 +65,7 @@ impl<'a> Carriage<'a> {
 
 /// Powers [W] of a mass-conserving film with the pressures `excess` [Pa] above that of the ends; that of shear, `shear`, is given.
 pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], shear: f64) -> Work {
-    let mut sum = Work {
-        shear,
-        ..Work::default()
-    };
+    let mut sum = Work { shear, ..Work::default() };
     for (excess, taken_up) in excess.iter().zip(&carriage.taken_up) {
         sum.motion -= excess * taken_up;
     }
@@ -86,14 +74,7 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
         let (p, q, theta) = (at(excess), at(&film.unknown), at(&carriage.fraction.values));
         let block = &carriage.blocks[t];
         let (pressure, motion) = carried(block, carriage.fraction, t, p, theta);
-        sum += Work {
-            cavity_shear: 0.0,
-            shear: 0.0,
-            pressure,
-            dragged: pressure,
-            motion,
-            driven: driven(block, p, q),
-        };
+        sum += Work { cavity_shear: 0.0, shear: 0.0, pressure, dragged: pressure, motion, driven: driven(block, p, q) };
     }
     sum
 }
@@ -101,9 +82,7 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
 /// What dragging oil along and taking it up works, in one sub-triangle.
 fn carried(block: &Block, fraction: &FilmFraction, t: usize, p: [f64; 3], theta: [f64; 3]) -> (f64, f64) {
     let transport = block.transport(fraction.schemes[t], block);
-    let outflow: f64 = (0..3)
-        .map(|i| p[i] * (0..3).map(|j| transport[i][j] * theta[j]).sum::<f64>())
-        .sum();
+    let outflow: f64 = (0..3).map(|i| p[i] * (0..3).map(|j| transport[i][j] * theta[j]).sum::<f64>()).sum();
     let stored: f64 = (0..3).map(|i| p[i] * block.storage[i] * theta[i]).sum();
     (stored - outflow, -stored)
 }
