@@ -11,7 +11,8 @@
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-use crate::film_lines::Piece;
+/// A piece of a line on the unrolled liner `(R phi, z)` [m].
+pub(crate) type Piece = [[f64; 2]; 2];
 
 /// Ends that are closer than this part of the radius are one.
 const CLOSE: f64 = 1e-9;

@@ -11,7 +11,7 @@ use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::supply::BoundaryKind;
 
-use crate::cavity_line::{CavityPiece, place, smoothed};
+use crate::cavity_line::{CavityPiece, Piece, place, smoothed};
 use crate::film::Film;
 
 /// Name of the line where the film breaks.
@@ -23,9 +23,6 @@ pub const RIM: &str = "rim.";
 
 /// How often the directions of neighbouring pieces are averaged.
 const ROUNDS: usize = 12;
-
-/// A piece of a line on the unrolled liner `(R phi, z)` [m].
-pub(crate) type Piece = [[f64; 2]; 2];
 
 /// The lines of a film by name; those without a piece are left out.
 pub(crate) fn film_lines(film: &Film, solution: &FilmSolution) -> Vec<(String, Vec<Piece>)> {

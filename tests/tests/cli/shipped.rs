@@ -9,6 +9,7 @@ const HEATED: &str = "an assumption does not hold: a film as warm as its oil is 
 /// Orbits: they take long as they are shipped.
 const COARSE: [&str; 4] =
     ["27_big_end_orbit", "28_big_end_orbit_conserving", "34_elastic_big_end_orbit", "35_squeeze_film_damper"];
+const COARSELY: &str = "the film is not resolved where it is thin";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
@@ -46,11 +47,11 @@ const SCENES: [(&str, &[&str]); 34] = [
     ("24_load_off_the_middle", &[]),
     ("25_whirl", &[]),
     ("26_tilting_crankshaft_journal", &[]),
-    ("27_big_end_orbit", &[HEATED]),
-    // On the coarse mesh on which it is solved here.
+    // On the coarse mesh on which orbits are solved here.
+    ("27_big_end_orbit", &[COARSELY, HEATED]),
     (
         "28_big_end_orbit_conserving",
-        &["the film is not resolved where it is thin", "an assumption does not hold: rigid surfaces", HEATED],
+        &[COARSELY, "an assumption does not hold: rigid surfaces", HEATED],
     ),
     (
         "29_mixed_lubrication",
@@ -63,7 +64,7 @@ const SCENES: [(&str, &[&str]); 34] = [
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
     ("33_polymer_liner", &[]),
-    ("34_elastic_big_end_orbit", &["an assumption does not hold: slices of the wall that move by themselves", HEATED]),
+    ("34_elastic_big_end_orbit", &[COARSELY, "an assumption does not hold: slices of the wall that move by themselves", HEATED]),
     ("35_squeeze_film_damper", &[]),
 ];
 
