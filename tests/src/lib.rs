@@ -17,6 +17,7 @@ pub mod rough_surfaces;
 pub mod scenes;
 pub mod shaped_bearings;
 pub mod short_crankshaft;
+pub mod short_orbits;
 pub mod sweeps;
 pub mod tilted_bearings;
 pub mod two_scenes;

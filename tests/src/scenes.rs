@@ -1,9 +1,9 @@
 //! The shipped scenes and variants of them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use oilwedge_reynolds::{FilmSolution, NoFilm};
-use oilwedge_scene::Scene;
+use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
 use oilwedge_study::measure::{Measured, measure};
@@ -84,4 +84,15 @@ pub fn solve(scene: &Scene) -> Result<Solved, NoFilm> {
     let film = study.problem.solve(&study.system)?;
     let measured = measure(&study.problem, &study.system, &film);
     Ok(Solved { study, film, measured })
+}
+
+/// The scene of a text, or its complaints one behind the other.
+///
+/// # Errors
+/// The complaints.
+pub fn parsed(text: &str) -> Result<Scene, String> {
+    oilwedge_study::parse(text, Path::new("a.toml")).map_err(|error| match error {
+        SceneError::Complaints { complaints, .. } => complaints.iter().map(ToString::to_string).collect(),
+        other => other.to_string(),
+    })
 }

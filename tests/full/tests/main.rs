@@ -18,6 +18,8 @@ mod fuzzing;
 mod hard_cases;
 mod liner;
 mod mesh_readers;
+mod no_orbit;
+mod orbits_of_scenes;
 mod pages;
 mod parts;
 mod performance;
@@ -26,5 +28,8 @@ mod random_tilted;
 mod reference;
 #[cfg(unix)]
 mod release;
+mod shaft_cycle;
 mod shipped_scenes;
 mod short_crankshaft_page;
+mod standstill;
+mod twenty_turns;

@@ -49,10 +49,7 @@ const SCENES: [(&str, &[&str]); 34] = [
     ("26_tilting_crankshaft_journal", &[]),
     // On the coarse mesh on which orbits are solved here.
     ("27_big_end_orbit", &[COARSELY, HEATED]),
-    (
-        "28_big_end_orbit_conserving",
-        &[COARSELY, "an assumption does not hold: rigid surfaces", HEATED],
-    ),
+    ("28_big_end_orbit_conserving", &[COARSELY, "an assumption does not hold: rigid surfaces", HEATED]),
     (
         "29_mixed_lubrication",
         &[
@@ -64,7 +61,10 @@ const SCENES: [(&str, &[&str]); 34] = [
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
     ("33_polymer_liner", &[]),
-    ("34_elastic_big_end_orbit", &[COARSELY, "an assumption does not hold: slices of the wall that move by themselves", HEATED]),
+    (
+        "34_elastic_big_end_orbit",
+        &[COARSELY, "an assumption does not hold: slices of the wall that move by themselves", HEATED],
+    ),
     ("35_squeeze_film_damper", &[]),
 ];
 

@@ -3,8 +3,5 @@
 mod finite;
 mod loads;
 mod mobility;
-mod no_orbit;
-mod scene;
 mod short;
-mod standstill;
 mod storage;

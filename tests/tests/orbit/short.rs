@@ -1,57 +1,14 @@
 //! Orbits of short films, whose equation of motion has closed solutions.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
 
-use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
-use oilwedge_bearing::orbit::{Motion, NoOrbit, Orbit, OrbitOptions, Span};
+use oilwedge_bearing::orbit::{Motion, NoOrbit, OrbitOptions, Span};
 use oilwedge_bearing::{Deadline, Duty, DutyCycle, SearchOptions, find};
-use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, Theory};
+use oilwedge_reynolds::{Cavitation, Gap};
+use oilwedge_tests::short_orbits::*;
 use oilwedge_tests::*;
 
 const HALF: Cavitation = Cavitation::Guembel { pressure: 0.0 };
-
-/// A short ring of the slenderness B/D = b; triangles couple its lines, so that rows count too.
-fn short(b: f64, cavitation: Cavitation, [columns, rows]: [u32; 2]) -> (FilmProblem, FilmSystem) {
-    let length = 2.0 * RADIUS * b;
-    let mut problem = plain_film(length, 0.0, 0.0, SPEED);
-    problem.terms.push(Arc::new(Squeeze));
-    problem.theory = Theory::Short;
-    problem.cavitation = cavitation;
-    (problem, ring_system(columns, rows, length, None))
-}
-
-/// Unit of force `mu omega R^2/psi^2` [N].
-fn unit_of_force() -> f64 {
-    pressure_scale() * RADIUS * RADIUS
-}
-
-fn orbit(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, start: [f64; 2], tolerance: f64, cycles: usize) -> Orbit {
-    let motion =
-        Motion { problem: &film.0, system: &film.1, gap: Gap::of(&film.0, &film.1), cycle, support: None, mass: 0.0 };
-    let options = OrbitOptions { tolerance, closure: 0.0, cycles, deadline: Deadline::default(), observer: None };
-    let [x, y] = start.map(|part| part * CLEARANCE);
-    motion.orbit([x, y, 0.0, 0.0], &options).expect("an orbit")
-}
-
-/// Where the last cycle ends, over the clearance.
-fn end(orbit: &Orbit) -> [f64; 2] {
-    let at = orbit.steps.last().expect("steps").at;
-    [at[0] / CLEARANCE, at[1] / CLEARANCE]
-}
-
-/// Harmonics of order, cosine and sine towards x and y, in units of the force.
-fn harmonics(orders: &[(f64, [f64; 2], [f64; 2])], period: f64) -> DutyCycle {
-    let force = |[x, y]: [f64; 2]| [x * unit_of_force(), y * unit_of_force(), 0.0, 0.0];
-    let orders = orders.iter().map(|&(order, cos, sin)| Harmonic { order, cos: force(cos), sin: force(sin) });
-    let turning = Turning { speed: SPEED, rod: None };
-    DutyCycle::of_harmonics(orders.collect(), period, Frame::Shell, turning)
-}
-
-/// `F = (0.02 + 0.01 cos tau, 0.005 sin 2 tau) mu omega R^2/psi^2`.
-const TWO_HARMONICS: [(f64, [f64; 2], [f64; 2]); 3] =
-    [(0.0, [0.02, 0.0], [0.0; 2]), (1.0, [0.01, 0.0], [0.0; 2]), (2.0, [0.0; 2], [0.0, 0.005])];
 
 /// `q = e/(1 - eps^2)^(3/2)` obeys `q' = (i/2) q + F/(8 pi b^3)` for any load: where the journal is after one turn.
 #[test]
@@ -64,16 +21,6 @@ fn a_full_short_film_whirls_as_the_closed_solution() {
     let [x, y] = end(&orbit(&rough, &harmonics(&TWO_HARMONICS, TAU), [0.2, 0.3], 1e-5, 1));
     let off = (x + 0.21670557).hypot(y + 0.187731447);
     assert!(off > 1e-5 && off < 1e-4, "{off}");
-}
-
-/// After twenty turns, ten of the whirl, the journal is where it began, to 1e-6: on two meshes, whose difference shows what the finer one is still off by, with its order four.
-#[test]
-fn a_full_short_film_returns_after_twenty_turns() {
-    let cycle = harmonics(&TWO_HARMONICS, 20.0 * TAU);
-    let on = |mesh: [u32; 2]| end(&orbit(&short(0.25, Cavitation::None, mesh), &cycle, [0.2, 0.3], 1e-8, 1));
-    let [rough, fine] = [[32, 2], [64, 4]].map(on);
-    let [x, y] = [0, 1].map(|d| fine[d] + (fine[d] - rough[d]) / 15.0);
-    assert!((x - 0.2).hypot(y - 0.3) < 1e-6, "{x} {y} {rough:?} {fine:?}");
 }
 
 /// Steps of a cycle of eight turns are as long as the tolerance allows: a hundredth of the tolerance leaves a twentieth of the error.

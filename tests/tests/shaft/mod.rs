@@ -1,7 +1,6 @@
 //! Shafts on the films of all their bearings.
 
 mod bearings;
-mod cycle;
 mod report;
 mod statics;
 mod sweep;

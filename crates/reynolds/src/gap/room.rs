@@ -51,9 +51,7 @@ impl Gap {
             }
         }
         for _ in 0..MOST {
-            let Some((offset, bound)) = highest(&bounds, EXACT * clearance) else {
-                return None;
-            };
+            let (offset, bound) = highest(&bounds, EXACT * clearance)?;
             let greatest = look(offset, &mut bounds);
             if greatest > 0.0 {
                 return None;

@@ -8,6 +8,7 @@ use oilwedge_study::quantities::*;
 use oilwedge_study::result::{RunResult, Status, Verdict};
 use oilwedge_study::run_options::EarlierOrbit;
 use oilwedge_study::{RunOptions, parse, read, run, warning};
+use oilwedge_tests::scenes::parsed;
 use oilwedge_tests::scenes::path;
 
 /// One land of a big end, Swift-Stieber: least film 5.7389 um, greatest pressure 43.739 MPa, losses of both lands 1140.17 + 102.81 W by structured finite
@@ -62,13 +63,6 @@ cavitation.model = "guembel"
 load = { harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { y = "3 kN" } }], frame = "shell", period = "360 deg" }
 orbit = { cycles = 5 }
 "#;
-
-pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
-    parse(text, Path::new("a.toml")).map_err(|error| match error {
-        SceneError::Complaints { complaints, .. } => complaints.iter().map(ToString::to_string).collect(),
-        other => other.to_string(),
-    })
-}
 
 /// The usual options but for bars.
 fn without_bars(scene: &Scene) -> RunOptions {

@@ -5,7 +5,7 @@ use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::scenes::path;
 
-use super::scene::parsed;
+use oilwedge_tests::scenes::parsed;
 
 fn solved(text: &str, bars: bool) -> (RunResult, Option<[f64; 4]>) {
     let scene = parsed(text).unwrap_or_else(|reason| panic!("{reason}"));

@@ -3,7 +3,9 @@
 use oilwedge_study::result::Status;
 use oilwedge_study::{RunOptions, run};
 
-use super::scene::{SCENE, parsed};
+use oilwedge_tests::scenes::parsed;
+
+use crate::orbits_of_scenes::SCENE;
 
 /// Without bars, and with time enough on a busy machine.
 fn options() -> RunOptions {
