@@ -23,9 +23,10 @@ impl Grading {
     /// (`at_rim` 0.15 to 0.6 and `growth` 0.15 to 0.45 were tried).
     pub const RESOLVED: Self = Self { growth: 0.2, at_rim: 0.3, of_half: 0.5, of_radius: 0.25, per_corner: 10.0 };
     /// The wanted size counts, and rims get few edges of their own: four corners of a narrow groove are given 1900 triangles by
-    /// [`Self::RESOLVED`], however large the wanted size is, and some 40 here.
+    /// [`Self::RESOLVED`], however large the wanted size is, and some 40 here. Round rims are resolved: with edges of half the radius the least
+    /// angle of meshed discs was 11 degrees.
     pub const BY_SIZE: Self =
-        Self { growth: 0.5, at_rim: 0.5, of_half: f64::INFINITY, of_radius: 0.5, per_corner: 1.0 };
+        Self { growth: 0.5, at_rim: 0.5, of_half: f64::INFINITY, of_radius: 0.25, per_corner: 1.0 };
 }
 
 /// Edge length wanted at a point.
