@@ -1,13 +1,11 @@
 //! Scenes with an orbit.
 
-use std::path::Path;
-
-use oilwedge_scene::{Scene, SceneError};
+use oilwedge_scene::Scene;
 use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::{RunResult, Status, Verdict};
 use oilwedge_study::run_options::EarlierOrbit;
-use oilwedge_study::{RunOptions, parse, read, run, warning};
+use oilwedge_study::{RunOptions, read, run, warning};
 use oilwedge_tests::scenes::parsed;
 use oilwedge_tests::scenes::path;
 
