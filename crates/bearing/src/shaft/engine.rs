@@ -15,7 +15,7 @@
 //! A shaft cut at its main bearings bears each load as a beam on the two mains beside it ([`shares`]); beyond the last main, as a lever on the last two.
 //!
 //! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8. **Range.** One row of cylinders; constant speed. **Verified by** the
-//! tests below and `tests/tests/shaft/cycle.rs`.
+//! tests below and `tests/full/tests/shaft_cycle.rs`.
 
 use super::cut::shares;
 use super::frame::NodeForce;

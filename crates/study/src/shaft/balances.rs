@@ -16,7 +16,7 @@
 //! | T omega, dissipated | W | [`oilwedge_reynolds::quantities::power::Power`] |
 //!
 //! **Source.** The balance of the journals (`bearing::shaft::films`) times e', and the energy integral of each film (`reynolds::quantities::power`). **Range.** Steps of a shaft that is not
-//! cut. **Verified by** `tests/tests/shaft/cycle.rs`.
+//! cut. **Verified by** `tests/full/tests/shaft_cycle.rs`.
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::Instant;
