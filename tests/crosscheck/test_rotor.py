@@ -137,7 +137,7 @@ def test_version_3_gets_speed_and_whirl(with_whirl, swept, tmp_path, monkeypatch
         text = (SCENES / "25_whirl.toml").read_text()
         head, columns = text[: text.index("[sweep]")], text[text.index("columns =") :]
         axes = '[sweep]\nspeed = ["400 rad/s", "800 rad/s"]\n"dynamics.whirl" = [0, 0.5, 1]\n'
-        sweep(tmp_path, head.replace('"reynolds"', '"jfo"') + '[mesh]\nsize = "8 mm"\n' + axes + columns)
+        sweep(tmp_path, head.replace('"reynolds"', '"jfo"') + '[ends]\npressure = "1 bar"\n[mesh]\nsize = "8 mm"\n' + axes + columns)
         out = tmp_path
         assert not (out / "rotor_bearing.csv").exists()
     stand_in = types.SimpleNamespace(BearingElement=lambda **given: types.SimpleNamespace(**given))
