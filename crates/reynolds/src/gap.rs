@@ -32,11 +32,11 @@ use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 const SEARCHED: usize = 8;
 /// of so many whose films may be least, where it is nearly even along a line.
 const LOOKED_AT: usize = 64;
-/// Smaller triangles in one of them, each at most three quarters of the one before: to see which ones are least,
+/// Smaller triangles in one of them, each at most three quarters of the one before, by which the least of them are told.
 const FEW_SHRINKS: usize = 8;
-/// and in those that are searched,
+/// Smaller triangles in one that is searched.
 const SHRINKS: usize = 96;
-/// until the film in it is even to this part,
+/// A search ends when the film in its triangle is even to this part.
 const EVEN: f64 = 1e-14;
 /// and halvings of the part of a line.
 const HALVINGS: usize = 32;

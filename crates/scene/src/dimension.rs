@@ -67,9 +67,9 @@ pub enum Dimension {
     PointCompliance,
 }
 
-/// A quantity is at least so many times the example of its kind, or zero,
+/// A quantity is zero, or at least so many times the example of its kind.
 const LEAST: f64 = 1e-25;
-/// and at most so many times.
+/// A quantity is at most so many times the example of its kind.
 const MOST: f64 = 1e15;
 /// Temperature [K] of the ice point.
 pub const ZERO_CELSIUS: f64 = 273.15;

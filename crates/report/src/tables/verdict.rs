@@ -13,7 +13,7 @@ pub(crate) fn verdict(result: &RunResult) -> String {
     line(ending(result), &result.criteria, result.warnings.len())
 }
 
-/// The same of a crankshaft, by the criteria of all its bearings.
+/// The line of the verdict of a crankshaft, by the criteria of all its bearings.
 pub(crate) fn of_shaft(result: &ShaftResult) -> String {
     line(status(result.status).to_owned(), &criteria::of_shaft(result), result.warnings.len())
 }

@@ -25,9 +25,9 @@ use crate::Bearing;
 
 /// Sectors in which positions are selected.
 const SECTORS: usize = 180;
-/// Second derivatives are differences over so many radians,
+/// Second derivatives around are differences over so many radians.
 const BEND_OVER: f64 = 0.15;
-/// and over this part of the length.
+/// Second derivatives along the axis are differences over this part of the length.
 const BEND_ALONG: f64 = 0.125;
 
 /// A journal that wears its bore.

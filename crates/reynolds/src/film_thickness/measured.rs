@@ -21,9 +21,9 @@
 use super::measured_axis::PointAxis;
 use super::profile::{Profile, Relief};
 
-/// Second derivatives are differences over so many radians,
+/// Second derivatives around are differences over so many radians.
 const BEND_OVER: f64 = 0.15;
-/// and over this part of the length.
+/// Second derivatives along the axis are differences over this part of the length.
 const BEND_ALONG: f64 = 0.125;
 
 /// Part of the range of the corners of a cell by which rounding may leave it.

@@ -6,9 +6,9 @@
 use super::Gap;
 use crate::JournalState;
 
-/// The greatest least gap is known to this part of the clearance,
+/// The greatest least gap is known to this part of the clearance.
 const EXACT: f64 = 1e-6;
-/// or after so many journals.
+/// Most journals that are looked at.
 const MOST: usize = 60;
 /// Offset of the first journals, over the clearance.
 const FAR: f64 = 4.0;

@@ -8,9 +8,9 @@ use super::{TableReader, kind};
 use crate::keys::Form;
 use crate::unit::{self, Dimension};
 
-/// A number without a unit is zero, or at least this,
+/// A number without a unit is zero, or at least this.
 const LEAST: f64 = 1e-25;
-/// and at most this, so that products and powers of such numbers are numbers.
+/// A number without a unit is at most this, so that products and powers of such numbers are numbers.
 const MOST: f64 = 1e15;
 /// Angles beyond so many turns have lost their digits.
 const MOST_TURNS: f64 = 1e6;
