@@ -38,7 +38,7 @@ const FEW_SHRINKS: usize = 8;
 const SHRINKS: usize = 96;
 /// A search ends when the film in its triangle is even to this part.
 const EVEN: f64 = 1e-14;
-/// and halvings of the part of a line.
+/// Halvings of the part of a line in which the film is least.
 const HALVINGS: usize = 32;
 /// The reach of a journal is known to this part of the clearance,
 const EXACT: f64 = 1e-13;
