@@ -7,7 +7,7 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::load::{Resultant, load};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::wall::Wall;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, SolvedFilm};
 use serde_json::Value;
 
 use crate::program::repository;
@@ -50,13 +50,13 @@ pub fn with_wall(mut problem: FilmProblem, wall: Wall) -> FilmProblem {
 ///
 /// # Panics
 /// If there is none.
-pub fn closed(problem: FilmProblem, system: &FilmSystem) -> (FilmProblem, FilmSolution) {
+pub fn closed(problem: FilmProblem, system: &Arc<FilmSystem>) -> SolvedFilm {
     closed_film(problem, system, Neighbour::None).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
 /// Force and moment of a film.
-pub fn carried(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Resultant {
-    load(problem, system, film).total.resultant()
+pub fn carried(film: &SolvedFilm) -> Resultant {
+    load(film).total.resultant()
 }
 
 /// Unit of force `mu omega R^2/psi^2` [N].

@@ -149,7 +149,12 @@ pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegi
 }
 
 /// The system of quadratic elements on a ring with film start at `film_start` [rad] or without one.
-pub fn ring_system(columns: u32, rows: u32, length: f64, film_start: Option<f64>) -> FilmSystem {
+pub fn ring_system(columns: u32, rows: u32, length: f64, film_start: Option<f64>) -> Arc<FilmSystem> {
+    Arc::new(ring_alone(columns, rows, length, film_start))
+}
+
+/// The same system, to have coarser ones put behind it.
+pub fn ring_alone(columns: u32, rows: u32, length: f64, film_start: Option<f64>) -> FilmSystem {
     let mesh = ring(columns, rows, length, film_start.unwrap_or(0.0));
     let regions = ends(&mesh, length, film_start);
     FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring")

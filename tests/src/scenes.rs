@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use oilwedge_reynolds::{FilmSolution, NoFilm};
+use oilwedge_reynolds::{NoFilm, SolvedFilm};
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
@@ -61,7 +61,7 @@ pub struct Solved {
     /// The compiled scene.
     pub study: Film,
     /// Its film.
-    pub film: FilmSolution,
+    pub film: SolvedFilm,
     /// What was measured.
     pub measured: Measured,
 }
@@ -82,7 +82,7 @@ impl Solved {
 pub fn solve(scene: &Scene) -> Result<Solved, NoFilm> {
     let study = compile(scene).unwrap_or_else(|error| panic!("{error}"));
     let film = study.problem.solve(&study.system)?;
-    let measured = measure(&study.problem, &study.system, &film);
+    let measured = measure(&film);
     Ok(Solved { study, film, measured })
 }
 

@@ -11,7 +11,7 @@ use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, Theory};
 use crate::{CLEARANCE, RADIUS, SPEED, plain_film, pressure_scale, ring_system};
 
 /// A short ring of the slenderness B/D = b; triangles couple its lines, so that rows count too.
-pub fn short(b: f64, cavitation: Cavitation, [columns, rows]: [u32; 2]) -> (FilmProblem, FilmSystem) {
+pub fn short(b: f64, cavitation: Cavitation, [columns, rows]: [u32; 2]) -> (FilmProblem, Arc<FilmSystem>) {
     let length = 2.0 * RADIUS * b;
     let mut problem = plain_film(length, 0.0, 0.0, SPEED);
     problem.terms.push(Arc::new(Squeeze));
@@ -30,7 +30,7 @@ pub fn unit_of_force() -> f64 {
 /// # Panics
 /// If it leaves the bearing.
 pub fn orbit(
-    film: &(FilmProblem, FilmSystem),
+    film: &(FilmProblem, Arc<FilmSystem>),
     cycle: &DutyCycle,
     start: [f64; 2],
     tolerance: f64,

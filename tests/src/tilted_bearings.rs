@@ -86,7 +86,7 @@ pub fn slope(gamma: [f64; 2]) -> [f64; 2] {
 ///
 /// # Panics
 /// If there is no film.
-pub fn carried(problem: &FilmProblem, system: &FilmSystem) -> Resultant {
+pub fn carried(problem: &FilmProblem, system: &Arc<FilmSystem>) -> Resultant {
     let film = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
-    load(problem, system, &film).total.resultant()
+    load(&film).total.resultant()
 }

@@ -21,19 +21,19 @@ const MODELS: [Cavitation; 4] = [
 ];
 
 /// A ring with a film start at 160 degrees, and the film at eccentricity `eps` towards `angle` [rad].
-fn bearing(cavitation: Cavitation, eps: f64, angle: f64, speed: f64) -> (FilmProblem, FilmSystem) {
-    let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+fn bearing(cavitation: Cavitation, eps: f64, angle: f64, speed: f64) -> (FilmProblem, Arc<FilmSystem>) {
+    let system = ring_alone(72, 12, LENGTH, Some(160f64.to_radians()));
     let mut problem = plain_film(LENGTH, eps, angle, speed);
     problem.cavitation = cavitation;
-    let system = match problem.needs_start() {
+    let system = Arc::new(match problem.needs_start() {
         true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
         false => system,
-    };
+    });
     (problem, system)
 }
 
 /// Half a shell about angle zero, starved if its inlet has a film fraction.
-fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProblem, FilmSystem) {
+fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProblem, Arc<FilmSystem>) {
     let mesh = oilwedge_mesh::generate::generate(
         &oilwedge_mesh::generate::Blueprint {
             liner: oilwedge_mesh::developed::Liner { radius: RADIUS, length: LENGTH, arc: Some((-1.5, 1.5)) },
@@ -59,13 +59,13 @@ fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProble
     let mut problem = plain_film(LENGTH, 0.5, 0.3, SPEED);
     problem.cavitation = cavitation;
     let system = FilmSystem::new(Arc::new(mesh), 2, regions.into()).expect("it fits");
-    let system = system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows);
+    let system = Arc::new(system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows));
     (problem, system)
 }
 
-fn force(problem: &FilmProblem, system: &FilmSystem) -> [f64; 2] {
+fn force(problem: &FilmProblem, system: &Arc<FilmSystem>) -> [f64; 2] {
     let film = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
-    load(problem, system, &film).total.force
+    load(&film).total.force
 }
 
 fn started_at(problem: &FilmProblem, eps: f64, angle: f64) -> FilmProblem {
@@ -91,13 +91,13 @@ fn tangent_matches_differences() {
         let step = 1e-4 * CLEARANCE;
         for k in 0..2 {
             let at = |sign: f64| {
-                let mut offset = found.problem.journal.offset;
+                let mut offset = found.film.problem.journal.offset;
                 offset[k] += sign * step;
-                let moved = JournalState { offset, ..found.problem.journal };
+                let moved = JournalState { offset, ..found.film.problem.journal };
                 let moved = moved.with_centre_velocity(squeeze, offset[1].atan2(offset[0]));
-                let problem = FilmProblem { journal: moved, ..found.problem.clone() };
+                let problem = FilmProblem { journal: moved, ..found.film.problem.clone() };
                 let film = problem.solve_from(&system, Neighbour::Kept(&found.film)).expect("a film");
-                load(&problem, &system, &film).total.force
+                load(&film).total.force
             };
             let (ahead, behind) = (at(1.0), at(-1.0));
             for d in 0..2 {
@@ -146,7 +146,7 @@ fn any_start_leads_to_the_same_position() {
             let found = find(&start, &system, [0.0, -so * unit], &SearchOptions::default());
             let found = found.unwrap_or_else(|reason| panic!("So {so} from {eps}, {angle}: {reason}"));
             assert!(found.residual < 1e-10);
-            positions.push(found.problem.journal.offset);
+            positions.push(found.film.problem.journal.offset);
         }
         for offset in &positions {
             let apart = (offset[0] - positions[0][0]).hypot(offset[1] - positions[0][1]);
@@ -167,7 +167,7 @@ fn loads_out_of_reach_are_told() {
             assert_eq!((asked, towards), (500.0, 180.0));
             assert!(!reason.is_unreached() && reason.to_string().contains("out of the shell"), "{reason}");
         }
-        other => panic!("{:?}", other.map(|found| found.problem.journal)),
+        other => panic!("{:?}", other.map(|found| found.film.problem.journal)),
     }
     // Where a cavity may suck, a load that is not carried there is not shown to be carried nowhere.
     let (problem, system) = half_shell(Cavitation::Reynolds { pressure: -1.0 }, None);

@@ -18,7 +18,7 @@ use oilwedge_tests::*;
 
 const LENGTH: f64 = 0.08;
 
-fn system(film_start: bool) -> FilmSystem {
+fn system(film_start: bool) -> Arc<FilmSystem> {
     ring_system(60, 12, LENGTH, film_start.then_some(0.0))
 }
 
@@ -33,9 +33,9 @@ struct Measured {
     friction: Friction,
 }
 
-fn measured(problem: &FilmProblem, system: &FilmSystem) -> Measured {
+fn measured(problem: &FilmProblem, system: &Arc<FilmSystem>) -> Measured {
     let film = problem.solve(system).expect("a film");
-    let power = power(problem, system, &film);
+    let power = power(&film);
     Measured { power, friction: friction(&problem.journal, &power).expect("a turning journal"), film }
 }
 
@@ -75,7 +75,7 @@ fn moments_of_the_two_surfaces_and_of_the_load_balance() {
             let errors = [60, 120].map(|columns| {
                 let system = ring_system(columns, columns / 5, LENGTH, Some(0.0));
                 let found = measured(&problem, &system);
-                let [w_x, w_y] = load(&problem, &system, &found.film).total.force;
+                let [w_x, w_y] = load(&found.film).total.force;
                 let [e_x, e_y] = problem.journal.offset;
                 // The load pushes the journal on: its moment has the sense of the rotation.
                 let moment = sense * (w_x * e_y - w_y * e_x);
@@ -172,10 +172,10 @@ fn a_spoiled_film_does_not_balance() {
         let problem = film(0.7, cavitation);
         let system = system(true);
         let mut film = problem.solve(&system).expect("a film");
-        assert!(power(&problem, &system, &film).imbalance < 1e-10, "{cavitation:?}");
+        assert!(power(&film).imbalance < 1e-10, "{cavitation:?}");
         let top = (0..film.unknown.len()).max_by(|&a, &b| film.unknown[a].total_cmp(&film.unknown[b]));
         film.unknown[top.expect("dofs")] *= 1.001;
-        let spoiled = power(&problem, &system, &film).imbalance;
+        let spoiled = power(&film).imbalance;
         assert!(spoiled > 1e-8, "{cavitation:?}, a pressure: {spoiled:e}");
         let film = problem.solve(&system).expect("a film");
         let mut other = problem.clone();
@@ -190,7 +190,7 @@ fn a_spoiled_film_does_not_balance() {
     let mut film = solved(&scene("none", "", TURNS, "", &pressed(GROOVE)));
     let flow = film.film.inflow.iter_mut().zip(0..).filter(|(_, dof)| film.study.system.supply.owner(*dof).is_some());
     flow.for_each(|(inflow, _)| *inflow *= 1.001);
-    let spoiled = power(&film.study.problem, &film.study.system, &film.film).imbalance;
+    let spoiled = power(&film.film).imbalance;
     assert!(spoiled > 1e-6, "flows: {spoiled:e}");
 }
 
@@ -270,7 +270,7 @@ fn flows_of_the_ends_and_the_inlet() {
     let problem = film(0.6, Cavitation::Reynolds { pressure: 0.0 });
     let system = system(true);
     let film = problem.solve(&system).expect("a film");
-    let inlet = inlet_flow(&problem, &system, &film).expect("it turns");
+    let inlet = inlet_flow(&film).expect("it turns");
     let mut backwards = problem.clone();
     backwards.journal.speed *= -1.0;
     let mirrored = backwards.solve(&system).expect("a film");
@@ -297,7 +297,7 @@ fn inlet_of_a_full_ring() {
     let system = ring_system(90, 20, 0.04, None);
     let film = problem.solve(&system).expect("a film");
     // A short film carries U c/2 everywhere but for what pressure drives: none in the limit of no length.
-    let inlet = inlet_flow(&problem, &system, &film).expect("it turns");
+    let inlet = inlet_flow(&film).expect("it turns");
     let dragged = 0.5 * SPEED * RADIUS * CLEARANCE * 1.5 * 0.04;
     assert!(inlet < dragged && inlet > 0.8 * dragged, "{}", inlet / dragged);
 }
@@ -310,7 +310,7 @@ fn shear_in_the_cavity_is_told() {
         let problem = film(0.6, cavitation);
         let system = ring_system(120, 20, 0.04, None);
         let film = problem.solve(&system).expect("a film");
-        let power = power(&problem, &system, &film);
+        let power = power(&film);
         power.cavity_shear / power.shear
     };
     let guembel = told(Cavitation::Guembel { pressure: 0.0 });

@@ -3,6 +3,8 @@
 //! On the way to a balance the schemes are kept, so that Newton's method has a film that changes smoothly; chosen anew at the balance they may differ, and with them the balance. So both are found in turn,
 //! until a choice leaves the balance as it is, or comes back.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::cavitation::AdvectionScheme;
 use oilwedge_reynolds::solve::Neighbour;
@@ -27,10 +29,10 @@ impl Search<'_> {
         let deadline = self.options.deadline;
         let mut tried = 1;
         // A position on a coarser mesh is only a start.
-        let has_schemes = first.film.film_fraction.is_some();
+        let has_schemes = first.film.solution.film_fraction.is_some();
         let must_settle = has_schemes && !self.options.keeps_schemes() && self.options.balanced() <= BALANCED_ENOUGH;
         let at_rest = |trial: &Trial| !must_settle || trial.schemes_chosen_at < SETTLED;
-        let takes_long = self.is_costly(&first) || first.problem.deflection().is_some();
+        let takes_long = self.is_costly(&first) || first.film.problem.deflection().is_some();
         let part = match must_settle && takes_long {
             true => RECHOSEN,
             false => 0.0,
@@ -60,7 +62,7 @@ impl Search<'_> {
         let at_rest = at_rest(&trial);
         if !at_rest && !deadline.is_over() {
             let note = "the advection schemes did not settle at the balanced position: those chosen near it are kept";
-            trial.film.fallbacks.push(note.to_owned());
+            Arc::make_mut(&mut trial.film.solution).fallbacks.push(note.to_owned());
         }
         let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
         let is_balanced = at_rest && is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);
@@ -69,15 +71,15 @@ impl Search<'_> {
 
     /// The film at the place of a trial, and under its wall where that is bent, with advection schemes chosen anew.
     fn chosen_anew(&self, trial: &Trial) -> Result<Trial, NoFilm> {
-        let here = self.coordinates.at(&trial.problem.journal);
-        match self.opened(&trial.problem, here, Neighbour::None, self.left_at_balance()) {
+        let here = self.coordinates.at(&trial.film.problem.journal);
+        match self.opened(&trial.film.problem, here, Neighbour::None, self.left_at_balance()) {
             Some(opened) => Ok(opened),
-            None => self.trial_within(&trial.problem, here, Neighbour::None, OF_BALANCE * SETTLED),
+            None => self.trial_within(&trial.film.problem, here, Neighbour::None, OF_BALANCE * SETTLED),
         }
     }
 }
 
 /// How the oil of each sub-triangle of a film that conserves it is carried; nothing in other films.
 fn schemes(trial: &Trial) -> &[AdvectionScheme] {
-    trial.film.film_fraction.as_ref().map_or(&[], |film| &film.schemes)
+    trial.film.solution.film_fraction.as_ref().map_or(&[], |film| &film.schemes)
 }

@@ -35,7 +35,6 @@ impl Search<'_> {
             is_ended,
             stiffness: tangent.stiffness,
             wall: tangent.wall,
-            problem: trial.problem,
             film: trial.film,
             cubic: trial.cubic,
         })

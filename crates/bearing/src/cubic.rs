@@ -35,9 +35,9 @@ pub(crate) fn balance_cubic(found: Balance, search: &Search) -> Result<Equilibri
 
 /// Journal and wall moved together; none where the wall is rigid, or the balance is not near.
 fn moved_with_wall(found: &Trial, search: &Search, tried: &mut usize) -> Option<Trial> {
-    found.problem.deflection()?;
-    let place = search.coordinates.at(&found.problem.journal);
-    let first = search.open_cubic(&found.problem, place, (&found.film, None)).ok()?;
+    found.film.problem.deflection()?;
+    let place = search.coordinates.at(&found.film.problem.journal);
+    let first = search.open_cubic(&found.film.problem, place, (&found.film, None)).ok()?;
     search.with_wall(first, (BALANCED, BALANCED), tried).ok()
 }
 
@@ -46,11 +46,11 @@ fn place_by_place(found: Balance, search: &Search) -> Result<Balance, NoEquilibr
     let deadline = search.options.deadline;
     let Balance { trial: found, mut tried, .. } = found;
     let near = Neighbour::Start(&found.film);
-    let place = search.coordinates.at(&found.problem.journal);
+    let place = search.coordinates.at(&found.film.problem.journal);
     // What may be left of the deflection at the trial; at a rigid wall nothing is.
-    let may_leave = |part: f64| found.problem.deflection().map_or(CLOSED, |_| CLOSED.max(part));
+    let may_leave = |part: f64| found.film.problem.deflection().map_or(CLOSED, |_| CLOSED.max(part));
     let mut closed = may_leave(FIRST_CLOSED);
-    let mut trial = search.cubic_trial(&found.problem, place, (near, None), closed)?;
+    let mut trial = search.cubic_trial(&found.film.problem, place, (near, None), closed)?;
     let mut residual = search.residual(&trial);
     let mut tangent = search.tangent(&trial)?;
     let mut is_exact = true;
@@ -59,9 +59,9 @@ fn place_by_place(found: Balance, search: &Search) -> Result<Balance, NoEquilibr
             break;
         }
         let step = tangent.stiffness.solve(search.excess(&trial).map(|excess| -excess));
-        let place = moved(search.coordinates.at(&trial.problem.journal), 1.0, step);
+        let place = moved(search.coordinates.at(&trial.film.problem.journal), 1.0, step);
         let near = Neighbour::Start(&trial.film);
-        let bent = tangent.bent(&trial.problem, step);
+        let bent = tangent.bent(&trial.film.problem, step);
         let next_closed = may_leave(OF_RESIDUAL * residual);
         let next = search.cubic_trial(&bent, place, (near, trial.cubic.as_ref()), next_closed)?;
         tried += 1;
@@ -83,7 +83,7 @@ fn place_by_place(found: Balance, search: &Search) -> Result<Balance, NoEquilibr
         return Err(search.confirmed(NoEquilibrium::NotConverged {
             asked: search.load.magnitude(),
             residual,
-            journal: Box::new(trial.problem.journal),
+            journal: Box::new(trial.film.problem.journal),
             history: search.tried.take(),
         }));
     }

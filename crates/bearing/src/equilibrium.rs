@@ -20,7 +20,7 @@
 //! the velocity of a moving centre turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities recovered from their loads.
 
-use oilwedge_reynolds::{FilmProblem, FilmSolution};
+use oilwedge_reynolds::SolvedFilm;
 
 use crate::{Coordinates, Stiffness, WallByPlace};
 
@@ -34,12 +34,10 @@ pub const NEAR: f64 = 0.1;
 /// A journal in balance.
 #[derive(Debug)]
 pub struct Equilibrium {
-    /// The film's problem with the journal in the position found.
-    pub problem: FilmProblem,
-    /// The film there.
-    pub film: FilmSolution,
+    /// The film with the journal in the position found.
+    pub film: SolvedFilm,
     /// The film there in cubic elements, where that carries the load.
-    pub cubic: Option<FilmSolution>,
+    pub cubic: Option<SolvedFilm>,
     /// Load less force of the film, relative to the load (to the reference force if there is none).
     pub residual: f64,
     /// Load less force of the film [N].

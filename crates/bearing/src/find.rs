@@ -1,6 +1,8 @@
 //! The search for the position in which the film carries the load: from coarser meshes to the mesh asked for, step by step.
 
 use oilwedge_reynolds::solve::Neighbour;
+use std::sync::Arc;
+
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
 use crate::at_rest::{BALANCED_ENOUGH, SETTLED};
@@ -35,7 +37,7 @@ const NEARLY_CONTACT: f64 = 1e-2;
 /// [`NoEquilibrium`]: the reason why there is none. A search from a neighbouring point may fail where a cold one finds a position.
 pub fn find(
     problem: &FilmProblem,
-    system: &FilmSystem,
+    system: &Arc<FilmSystem>,
     load: impl Into<Load>,
     options: &SearchOptions,
 ) -> Result<Equilibrium, NoEquilibrium> {
@@ -54,7 +56,7 @@ pub fn find(
 /// [`NoEquilibrium`]: the reason why there is none.
 pub fn find_after(
     problem: &FilmProblem,
-    system: &FilmSystem,
+    system: &Arc<FilmSystem>,
     load: impl Into<Load>,
     options: &SearchOptions,
     reason: NoEquilibrium,
@@ -114,7 +116,7 @@ impl Search<'_> {
     ) -> Result<Balance, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
         match self.load.tilting.is_some() && self.is_in_contact(&found.trial) {
-            true => Err(self.in_contact(&found.trial.problem, (1.0, None), way.cloned())),
+            true => Err(self.in_contact(&found.trial.film.problem, (1.0, None), way.cloned())),
             false => Ok(found),
         }
     }
@@ -147,8 +149,8 @@ impl Search<'_> {
         };
         let reason = match known.map_or_else(on_coarser, Err) {
             Ok(found) => {
-                let bent = problem.clone().deflected(found.trial.problem.deflection());
-                return self.run(&bent, found.trial.problem.journal);
+                let bent = problem.clone().deflected(found.trial.film.problem.deflection());
+                return self.run(&bent, found.trial.film.problem.journal);
             }
             Err(reason) => reason,
         };
@@ -215,7 +217,7 @@ impl Search<'_> {
         tried: &mut usize,
     ) -> Result<(Trial, Option<Tangent>), NoEquilibrium> {
         let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
-            && trial.problem.cavitation.depends_smoothly_on_position();
+            && trial.film.problem.cavitation.depends_smoothly_on_position();
         let mut last = *tried + MOST_STEPS;
         let mut within = WITHIN;
         while *tried < last {
@@ -230,7 +232,7 @@ impl Search<'_> {
             if is_balanced && is_closed || self.options.deadline.is_over() {
                 return Ok((trial, kept));
             }
-            if trial.problem.has_bent_wall() && self.left(&trial) < within {
+            if trial.film.problem.has_bent_wall() && self.left(&trial) < within {
                 within = OF_FAILED * self.left(&trial);
                 let before = *tried;
                 trial = match self.with_wall(trial, (self.options.balanced().max(enough), closed), tried) {
@@ -260,7 +262,7 @@ impl Search<'_> {
                     trial = next;
                 }
             }
-            if self.least_film(&trial) < self.contact(&trial) * trial.problem.bearing.clearance {
+            if self.least_film(&trial) < self.contact(&trial) * trial.film.problem.bearing.clearance {
                 return Err(self.unreachable(&trial, "the journal touches the bearing"));
             }
         }
@@ -268,7 +270,7 @@ impl Search<'_> {
             residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
                 asked: self.load.magnitude(),
                 residual,
-                journal: Box::new(trial.problem.journal),
+                journal: Box::new(trial.film.problem.journal),
                 history: self.tried.borrow().clone(),
             }),
             _ => Err(self.unreachable(&trial, "the force does not approach the load")),
@@ -278,21 +280,21 @@ impl Search<'_> {
     /// The trial at this place with its wall closed roughly.
     fn closed_here(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
         *tried += 1;
-        let here = self.coordinates.at(&trial.problem.journal);
+        let here = self.coordinates.at(&trial.film.problem.journal);
         Ok(Trial {
             schemes_chosen_at: trial.schemes_chosen_at,
-            ..self.trial_within(&trial.problem, here, Neighbour::Kept(&trial.film), OF_BALANCE * NEAR)?
+            ..self.trial_within(&trial.film.problem, here, Neighbour::Kept(&trial.film), OF_BALANCE * NEAR)?
         })
     }
 
     /// A trial whose wall is closed as far as a balance asks for.
     fn closed_further(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
         *tried += 1;
-        let here = self.coordinates.at(&trial.problem.journal);
+        let here = self.coordinates.at(&trial.film.problem.journal);
         Ok(Trial {
             schemes_chosen_at: trial.schemes_chosen_at,
             is_continued: true,
-            ..self.trial(&trial.problem, here, Neighbour::Kept(&trial.film))?
+            ..self.trial(&trial.film.problem, here, Neighbour::Kept(&trial.film))?
         })
     }
 

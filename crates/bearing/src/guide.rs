@@ -7,6 +7,8 @@
 //! unlikely, but the inequality holds at one position and is no proof for all of them. **Range.** Constant viscosity, Barus' and Roelands' laws.
 //! **Verified by** `tests/full/tests/cavitation/guide.rs`.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
 use crate::balance::Balance;
@@ -47,7 +49,7 @@ impl Search<'_> {
     }
 
     /// A problem on the coarsest mesh.
-    fn coarsest(&self, problem: &FilmProblem) -> (FilmProblem, &FilmSystem) {
+    fn coarsest(&self, problem: &FilmProblem) -> (FilmProblem, &Arc<FilmSystem>) {
         let (mut coarse, mut system) = (problem.clone(), self.system);
         while let Some(coarser) = &system.coarser {
             (coarse, system) = (coarser.problem(&coarse), &coarser.system);
@@ -72,13 +74,13 @@ impl Search<'_> {
     fn on_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
         let (coarse, system) = self.coarsest(problem);
         let reason = match Search::new(&coarse, system, self.load, self.options).found(&coarse) {
-            Ok(found) => return Some(Ok(found.trial.problem.journal)),
+            Ok(found) => return Some(Ok(found.trial.film.problem.journal)),
             Err(reason) => reason,
         };
         match &reason {
             NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } => {
                 match self.taken_up(problem, way) {
-                    Ok(found) => Some(Ok(found.trial.problem.journal)),
+                    Ok(found) => Some(Ok(found.trial.film.problem.journal)),
                     Err(reason) => reason.is_beyond().then_some(Err(reason)),
                 }
             }

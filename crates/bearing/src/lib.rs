@@ -13,7 +13,7 @@
 //! [`shaft`]: a shaft on the films of all its bearings, and its loads.
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
-//! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
+//! The film knows its own tangent ([`oilwedge_reynolds::SolvedFilm::unknown_change`]); a balance borders it.
 
 mod at_rest;
 mod balance;

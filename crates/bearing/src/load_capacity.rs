@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, JournalState};
+use oilwedge_reynolds::{FilmProblem, JournalState, SolvedFilm};
 
 use crate::coordinates::{Vector, moved};
 use crate::estimate::GREATEST_ECCENTRICITY;
@@ -75,9 +75,9 @@ impl Search<'_> {
     /// The reason if the film of a journal in contact, whose force points towards the load, carries less than that, and more than before contact.
     fn beyond(&self, trial: &Trial) -> Option<NoEquilibrium> {
         let (asked, greatest) = (self.load.magnitude(), size(trial));
-        let FilmProblem { bearing, journal, .. } = &trial.problem;
+        let FilmProblem { bearing, journal, .. } = &trial.film.problem;
         let is_beyond = greatest + DISTINCT * self.error(trial)? < asked
-            && self.grows(&trial.problem, journal.min_film_angle(), greatest);
+            && self.grows(&trial.film.problem, journal.min_film_angle(), greatest);
         let towards = self.load.force[1].atan2(self.load.force[0]);
         is_beyond.then(|| NoEquilibrium::BeyondCapacity {
             asked,
@@ -95,26 +95,21 @@ impl Search<'_> {
         if size(trial) < FAR_BELOW * self.load.magnitude() || self.options.purpose == Purpose::Start {
             return Some(0.0);
         }
-        let [x, y, ..] = self.missed(&trial.problem, &trial.film)?;
+        let [x, y, ..] = self.missed(&trial.film)?;
         Some(x.hypot(y))
     }
 
     /// By how much forces [N] of another film under the same wall differ from those of a film: the one in cubic elements or, of a film that conserves oil, the one on the coarser mesh, which is
     /// further from the limit of fine meshes. None where there is no such film.
-    pub(crate) fn missed(&self, problem: &FilmProblem, film: &FilmSolution) -> Option<Vector> {
-        let other = match problem.cavitation.conserves_oil() {
-            false => {
-                let cubic = problem.cubic_film(self.system, film, None).ok()?;
-                load(problem, &self.system.cubic().system, &cubic)
-            }
+    pub(crate) fn missed(&self, film: &SolvedFilm) -> Option<Vector> {
+        let other = match film.problem.cavitation.conserves_oil() {
+            false => film.cubic_film(None).ok()?,
             true => {
                 let coarser = self.system.coarser.as_ref()?;
-                let problem = coarser.problem(problem);
-                load(&problem, &coarser.system, &problem.solve(&coarser.system).ok()?)
+                coarser.problem(&film.problem).solve(&coarser.system).ok()?
             }
         };
-        let of_film = load(problem, self.system, film);
-        let [other, of_film] = [other, of_film].map(|load| self.coordinates.forces(&load.total.resultant()));
+        let [other, of_film] = [&other, film].map(|film| self.coordinates.forces(&load(film).total.resultant()));
         Some(moved(other, -1.0, of_film))
     }
 
@@ -135,7 +130,7 @@ impl Search<'_> {
         }
         let mut reach = first;
         for _ in 0..MOST_YIELDS {
-            let further = self.gap_under(&trial.problem).reach(&problem.journal, angle);
+            let further = self.gap_under(&trial.film.problem).reach(&problem.journal, angle);
             if further - reach < YIELDED * clearance {
                 return Some(trial);
             }
@@ -143,7 +138,7 @@ impl Search<'_> {
                 return None;
             }
             reach = further;
-            trial = (self.trial(&trial.problem, place(reach), Neighbour::Start(&trial.film))).ok()?;
+            trial = (self.trial(&trial.film.problem, place(reach), Neighbour::Start(&trial.film))).ok()?;
         }
         None
     }
@@ -157,7 +152,7 @@ impl Search<'_> {
         let off = |angle: f64| {
             let trial = search.at_contact(asked, angle)?;
             let [x, y] = trial.carried.force;
-            Some((wrapped(towards - y.atan2(x)), x.hypot(y), trial.problem.journal))
+            Some((wrapped(towards - y.atan2(x)), x.hypot(y), trial.film.problem.journal))
         };
         let angles = (0..AROUND).map(|k| TAU * f64::from(k) / f64::from(AROUND));
         let mut around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();

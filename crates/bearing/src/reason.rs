@@ -69,7 +69,7 @@ impl Search<'_> {
     /// The reason with the nearest of all trials, where the search ended with this one.
     pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
         self.unreachable_from(
-            Nearest { distance: self.distance(trial), force: trial.carried.force, journal: trial.problem.journal },
+            Nearest { distance: self.distance(trial), force: trial.carried.force, journal: trial.film.problem.journal },
             why,
         )
     }

@@ -8,7 +8,7 @@ use oilwedge_reynolds::contact::Fineness;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Left, Pair, closed_near, closed_pair, closed_within};
@@ -25,7 +25,7 @@ const OF_CONTACT: f64 = 1e-6;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
-    pub(crate) system: &'a FilmSystem,
+    pub(crate) system: &'a Arc<FilmSystem>,
     pub(crate) load: Load,
     /// Where the film is least in a wall that is not bent; see [`Self::gap_under`].
     pub(crate) gap: Gap,
@@ -56,10 +56,9 @@ pub(crate) struct Nearest {
 
 /// A position, its film and its force.
 pub(crate) struct Trial {
-    pub(crate) problem: FilmProblem,
-    pub(crate) film: FilmSolution,
+    pub(crate) film: SolvedFilm,
     /// The film in cubic elements, where the force is that of it.
-    pub(crate) cubic: Option<FilmSolution>,
+    pub(crate) cubic: Option<SolvedFilm>,
     /// What the film carries.
     pub(crate) carried: Resultant,
     /// Where surfaces touch, if that was asked.
@@ -79,9 +78,8 @@ pub(crate) struct Trial {
 
 impl Trial {
     /// A trial by what is `carried`, with advection schemes of a neighbouring film, if any.
-    pub(crate) fn of(problem: FilmProblem, film: FilmSolution, carried: Resultant) -> Self {
+    pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
         Self {
-            problem,
             film,
             cubic: None,
             carried,
@@ -97,7 +95,12 @@ impl Trial {
 
 impl<'a> Search<'a> {
     /// A search for `load` on `system`.
-    pub(crate) fn new(problem: &FilmProblem, system: &'a FilmSystem, load: Load, options: SearchOptions<'a>) -> Self {
+    pub(crate) fn new(
+        problem: &FilmProblem,
+        system: &'a Arc<FilmSystem>,
+        load: Load,
+        options: SearchOptions<'a>,
+    ) -> Self {
         let reference_force = reference_force(problem, system, options.centre_velocity);
         Self {
             system,
@@ -127,7 +130,7 @@ impl<'a> Search<'a> {
 
     /// Least film of a trial [m].
     pub(crate) fn least_film(&self, trial: &Trial) -> f64 {
-        let least = || self.least_under(&trial.problem, &trial.problem.journal);
+        let least = || self.least_under(&trial.film.problem, &trial.film.problem.journal);
         *trial.least_film.get_or_init(least)
     }
 
@@ -141,7 +144,7 @@ impl<'a> Search<'a> {
 
     /// Whether the journal of a trial is in contact; see [`is_contact`](crate::is_contact).
     pub(crate) fn is_in_contact(&self, trial: &Trial) -> bool {
-        is_film_of_contact(self.least_film(trial), trial.problem.bearing.clearance)
+        is_film_of_contact(self.least_film(trial), trial.film.problem.bearing.clearance)
     }
 
     /// Positions all over the bearing, those with the force nearest to the load first.
@@ -157,7 +160,7 @@ impl<'a> Search<'a> {
                 let e = eps * self.gap.reach(&problem.journal, angle);
                 let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
                 if let Ok(trial) = self.trial(problem, at, Neighbour::None) {
-                    starts.push((self.distance(&trial), trial.problem.journal));
+                    starts.push((self.distance(&trial), trial.film.problem.journal));
                 }
             }
         }
@@ -226,11 +229,11 @@ impl<'a> Search<'a> {
         let close = if problem.has_bent_wall() { closed_near } else { closed_within };
         let left = part.max(self.left_at_balance());
         let placed = self.placed(problem, at).with_contact(fineness(left));
-        let (problem, film, contact) = close(placed, self.system, near, left)?;
-        let carried = load_touching(&problem, self.system, &film, contact.as_deref());
-        let is_exact = problem.deflection().is_none() && problem.contact.is_none();
+        let (film, contact) = close(placed, self.system, near, left)?;
+        let carried = load_touching(&film, contact.as_deref());
+        let is_exact = film.problem.deflection().is_none() && film.problem.contact.is_none();
         let may_leave = if is_exact { 0.0 } else { left };
-        let trial = self.recorded(Trial { contact, may_leave, ..Trial::of(problem, film, carried.total.resultant()) });
+        let trial = self.recorded(Trial { contact, may_leave, ..Trial::of(film, carried.total.resultant()) });
         Ok(match near {
             Neighbour::None => Trial { schemes_chosen_at: self.residual(&trial), ..trial },
             Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
@@ -243,14 +246,13 @@ impl<'a> Search<'a> {
         &self,
         problem: &FilmProblem,
         at: Vector,
-        (near, cubic): (Neighbour, Option<&FilmSolution>),
+        (near, cubic): (Neighbour, Option<&SolvedFilm>),
         closed: f64,
     ) -> Result<Trial, NoFilm> {
-        let problem = self.placed(problem, at);
-        let film = problem.solve_from(self.system, near)?;
-        let Pair { problem, film, cubic } = closed_pair(problem, self.system, film, cubic, closed)?;
-        let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
-        Ok(self.recorded(Trial { cubic: Some(cubic), ..Trial::of(problem, film, carried) }))
+        let film = self.placed(problem, at).solve_from(self.system, near)?;
+        let Pair { film, cubic } = closed_pair(film, cubic, closed)?;
+        let carried = load(&cubic).total.resultant();
+        Ok(self.recorded(Trial { cubic: Some(cubic), ..Trial::of(film, carried) }))
     }
 
     /// Part of a deflection that may be left where the load is balanced.
@@ -279,7 +281,11 @@ impl<'a> Search<'a> {
             observer.position(self.tried.borrow().len(), residual);
         }
         if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
-            self.nearest.set(Some(Nearest { distance, force: trial.carried.force, journal: trial.problem.journal }));
+            self.nearest.set(Some(Nearest {
+                distance,
+                force: trial.carried.force,
+                journal: trial.film.problem.journal,
+            }));
         }
         trial
     }
@@ -303,7 +309,7 @@ impl<'a> Search<'a> {
     /// Forces of the film and, against its tilt, of the support [N].
     pub(crate) fn response(&self, trial: &Trial) -> Vector {
         let [x, y, z_x, z_y] = self.coordinates.forces(&trial.carried);
-        let [_, _, tilt_x, tilt_y] = self.coordinates.at(&trial.problem.journal);
+        let [_, _, tilt_x, tilt_y] = self.coordinates.at(&trial.film.problem.journal);
         let per_arm = self.support_stiffness();
         [x, y, z_x + per_arm * tilt_x, z_y + per_arm * tilt_y]
     }

@@ -47,7 +47,7 @@ impl Search<'_> {
         let steps = (self.residual(from) > NEAR).then(|| self.logarithmic_steps(from, tangent)).flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
         let from_tangent = (from, tangent);
-        if self.is_costly(from) || from.problem.deflection().is_some() {
+        if self.is_costly(from) || from.film.problem.deflection().is_some() {
             return self.damped(from_tangent, [longest, shortest], tried);
         }
         self.damped(from_tangent, [longest; 2], tried).or_else(|| {
@@ -61,11 +61,11 @@ impl Search<'_> {
     /// the load, and the direction in which it begins: where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to the first leads
     /// nearer to the load. None for a centred journal, without a load, and where the force points away from the load.
     fn logarithmic_steps(&self, trial: &Trial, tangent: &Tangent) -> Option<[Vector; 2]> {
-        let [e_x, e_y] = trial.problem.journal.offset;
+        let [e_x, e_y] = trial.film.problem.journal.offset;
         let e = e_x.hypot(e_y);
-        let (held, follows) = (self.gap_under(&trial.problem), self.following(trial, tangent));
+        let (held, follows) = (self.gap_under(&trial.film.problem), self.following(trial, tangent));
         let reach = |angle: f64| {
-            let reach = held.reach(&trial.problem.journal, angle);
+            let reach = held.reach(&trial.film.problem.journal, angle);
             follows.map_or(reach, |part| e + (reach - e) / (1.0 - part))
         };
         let eps = e / reach(e_y.atan2(e_x));
@@ -81,7 +81,7 @@ impl Search<'_> {
         // Columns: change of (ln |W|, angle of W, arms of the moments) by s, by the angle of the line of centres, and by the tilt.
         let radial = [e_x / e, e_y / e];
         let by_s = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * reach(e_y.atan2(e_x));
-        let by_tilt = trial.problem.bearing.clearance;
+        let by_tilt = trial.film.problem.bearing.clearance;
         let moves = [
             [radial[0] * by_s, radial[1] * by_s, 0.0, 0.0],
             [-e_y, e_x, 0.0, 0.0],
@@ -116,7 +116,7 @@ impl Search<'_> {
 
     /// How far the wall follows a journal that moves along the line of centres, as a part of that way [1]; none of a rigid wall.
     fn following(&self, trial: &Trial, tangent: &Tangent) -> Option<f64> {
-        let (problem, journal) = (&trial.problem, &trial.problem.journal);
+        let (problem, journal) = (&trial.film.problem, &trial.film.problem.journal);
         problem.deflection()?;
         let gap = self.least_film(trial);
         let [sin, cos] = [journal.min_film_angle().sin(), journal.min_film_angle().cos()];
@@ -129,14 +129,14 @@ impl Search<'_> {
 
     /// Whether the tilt is free in a film that conserves oil: each trial takes long, many lead into contact, and the branch of balances leads on from there.
     pub(crate) fn is_costly(&self, trial: &Trial) -> bool {
-        self.load.tilting.is_some() && trial.film.film_fraction.is_some()
+        self.load.tilting.is_some() && trial.film.solution.film_fraction.is_some()
     }
 
     /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
     fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
         let distance = self.distance(from);
-        let (has_schemes, is_far) = (from.film.film_fraction.is_some(), self.residual(from) > NEAR);
-        let takes_long = has_schemes || from.problem.deflection().is_some();
+        let (has_schemes, is_far) = (from.film.solution.film_fraction.is_some(), self.residual(from) > NEAR);
+        let takes_long = has_schemes || from.film.problem.deflection().is_some();
         match is_far {
             true if self.is_costly(from) => ((1.0 - LEAST_GAIN_TILTING) * distance, [MOST_HALVINGS_TILTING, 0]),
             true if takes_long => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
@@ -154,18 +154,18 @@ impl Search<'_> {
         [end, beginning]: [Vector; 2],
         tried: &mut usize,
     ) -> Option<Trial> {
-        let journal = from.problem.journal;
+        let journal = from.film.problem.journal;
         let gap = self.least_film(from);
         let here = self.coordinates.at(&journal);
         let least = gap
             * match self.load.tilting {
-                _ if from.problem.contact.is_some() => LEAST_SHRINK_TOUCHING,
+                _ if from.film.problem.contact.is_some() => LEAST_SHRINK_TOUCHING,
                 None => LEAST_SHRINK,
                 Some(_) => LEAST_SHRINK_TILTING,
             };
         let curve = moved(end, -1.0, beginning);
         let step = |part: f64| moved(beginning, part, curve).map(|along| part * along);
-        let bent = |part: f64| tangent.bent(&from.problem, step(part));
+        let bent = |part: f64| tangent.bent(&from.film.problem, step(part));
         let there = |part: f64| moved(here, 1.0, step(part));
         let thin = |part: f64| {
             let journal = self.coordinates.placed(&journal, there(part));

@@ -62,13 +62,12 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn tangent(&self, trial: &Trial) -> Result<Tangent, NoFilm> {
-        let journal = &trial.problem.journal;
+        let journal = &trial.film.problem.journal;
         let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
         let changes: Vec<_> = (0..self.coordinates.order).map(change).collect();
         let contact = trial.contact.clone();
-        let contact = contact.or_else(|| contact_on_wall(&trial.problem, self.system));
-        let parts = (&trial.problem, self.system);
-        let followed = carried_touching(parts, &trial.film, contact, &changes, FOLLOWED);
+        let contact = contact.or_else(|| contact_on_wall(&trial.film.problem, self.system));
+        let followed = carried_touching(&trial.film, contact, &changes, FOLLOWED);
         let followed: Vec<Carried> = followed.map_err(Failure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {
             let mut column = self.coordinates.forces(&followed[k].by_film);
@@ -84,7 +83,7 @@ impl Search<'_> {
     /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.
     pub(crate) fn corrected(&self, tangent: Tangent, from: &Trial, to: &Trial) -> Tangent {
         let difference = |to: Vector, from: Vector| [0, 1, 2, 3].map(|k| to[k] - from[k]);
-        let place = |trial: &Trial| self.coordinates.at(&trial.problem.journal);
+        let place = |trial: &Trial| self.coordinates.at(&trial.film.problem.journal);
         let step = difference(place(to), place(from));
         let change = difference(self.response(to), self.response(from));
         let missed = difference(change, tangent.stiffness.times(step));

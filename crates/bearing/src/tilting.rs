@@ -108,7 +108,8 @@ impl Search<'_> {
 
     /// Follows the branch that begins with this trial.
     pub(crate) fn along_branch(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
-        let branch = Branch { search: self, first: self.excess(&trial), clearance: trial.problem.bearing.clearance };
+        let branch =
+            Branch { search: self, first: self.excess(&trial), clearance: trial.film.problem.bearing.clearance };
         branch.followed(branch.point(trial, 0.0)?)
     }
 
@@ -187,7 +188,7 @@ impl Branch<'_, '_> {
                 Next::Point(next) => here = Rc::from(next),
             }
             if search.options.deadline.is_over() {
-                return search.run(&here.trial.problem, here.trial.problem.journal);
+                return search.run(&here.trial.film.problem, here.trial.film.problem.journal);
             }
             if search.is_in_contact(&here.trial) || self.is_left(&here) {
                 break;
@@ -202,14 +203,14 @@ impl Branch<'_, '_> {
     /// Whether a finer mesh is to show what follows a point.
     fn is_left(&self, here: &Point) -> bool {
         let is_start = self.search.options.purpose == Purpose::Start;
-        is_start && here.trial.problem.deflection().is_some() && self.gap(&here.trial) < LEFT_TO_FINER
+        is_start && here.trial.film.problem.deflection().is_some() && self.gap(&here.trial) < LEFT_TO_FINER
     }
 
     /// A point as one that a finer mesh begins at.
     fn waypoint(&self, at: &Point) -> Waypoint {
         Waypoint {
-            journal: at.trial.problem.journal,
-            deflection: at.trial.problem.deflection().cloned(),
+            journal: at.trial.film.problem.journal,
+            deflection: at.trial.film.problem.deflection().cloned(),
             part: at.part,
             first: self.first,
         }
@@ -231,7 +232,7 @@ impl Branch<'_, '_> {
         match has_turned {
             true => {
                 let (carried, error) = carried(greatest);
-                let problem = &greatest.trial.problem;
+                let problem = &greatest.trial.film.problem;
                 NoEquilibrium::TiltLimit {
                     asked: search.load.magnitude(),
                     carried,
@@ -243,12 +244,12 @@ impl Branch<'_, '_> {
                 }
             }
             false if self.gap(&here.trial) < NEAR_CONTACT => {
-                search.in_contact(&here.trial.problem, carried(here), Some(waypoint))
+                search.in_contact(&here.trial.film.problem, carried(here), Some(waypoint))
             }
             false => NoEquilibrium::NotConverged {
                 asked: search.load.magnitude(),
                 residual: search.residual(&here.trial),
-                journal: Box::new(here.trial.problem.journal),
+                journal: Box::new(here.trial.film.problem.journal),
                 history: search.tried.borrow().clone(),
             },
         }
@@ -310,7 +311,7 @@ impl Branch<'_, '_> {
                     .map(|(bent, _)| search.run(&bent, bent.journal));
                 match found {
                     Some(Ok(found)) if search.is_in_contact(&found.trial) => {
-                        return Some(Next::Contact(Box::new(found.trial.problem)));
+                        return Some(Next::Contact(Box::new(found.trial.film.problem)));
                     }
                     Some(Ok(found)) => return Some(Next::End(Box::new(found))),
                     Some(Err(_)) | None => {}
@@ -365,7 +366,7 @@ impl Branch<'_, '_> {
         let ahead = self.ahead(&tangents).ok()?;
         let left = moved(search.excess(trial), -(1.0 - part), self.first);
         // Under a rigid wall a correction costs little.
-        let near = match trial.problem.deflection() {
+        let near = match trial.film.problem.deflection() {
             None => ROUGHLY_BALANCED * search.scale,
             Some(_) => ON_BRANCH * length(self.first).min(search.scale),
         };
@@ -380,7 +381,7 @@ impl Branch<'_, '_> {
 
 /// How many corrections of a step are quick, and how many it has at most.
 fn corrections(trial: &Trial) -> [usize; 2] {
-    match trial.problem.deflection() {
+    match trial.film.problem.deflection() {
         None => CORRECTIONS,
         Some(_) => CORRECTIONS_WITH_WALL,
     }

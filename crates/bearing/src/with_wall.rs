@@ -14,7 +14,7 @@ use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::Closing;
 use oilwedge_reynolds::quantities::load::{load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, NoFilm};
+use oilwedge_reynolds::{FilmProblem, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Vector, moved, unit};
 use crate::deflection::{Bordered, Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
@@ -78,14 +78,14 @@ impl Search<'_> {
     pub(crate) fn open(&self, problem: &FilmProblem, at: Vector, near: Neighbour, part: f64) -> Result<Trial, NoFilm> {
         let problem = self.placed(problem, at).with_contact(fineness(part));
         let film = problem.solve_from(self.system, near)?;
-        let left = Left::of(&problem, self.system, &film, contact_points(&problem, self.system));
-        let carried = load_touching(&problem, self.system, &film, left.contact.as_deref());
-        let problem = counted(problem, (1, 0), left.residual);
+        let left = Left::of(&film, contact_points(&problem, self.system));
+        let carried = load_touching(&film, left.contact.as_deref());
+        let film = SolvedFilm { problem: counted(problem, (1, 0), left.residual), ..film };
         let trial = self.recorded(Trial {
             contact: left.contact.clone(),
             may_leave: left.residual,
             left: Some(left),
-            ..Trial::of(problem, film, carried.total.resultant())
+            ..Trial::of(film, carried.total.resultant())
         });
         Ok(match near {
             Neighbour::None => Trial { schemes_chosen_at: self.left(&trial), ..trial },
@@ -98,21 +98,21 @@ impl Search<'_> {
         &self,
         problem: &FilmProblem,
         at: Vector,
-        (film, cubic): (&FilmSolution, Option<&FilmSolution>),
+        (film, cubic): (&SolvedFilm, Option<&SolvedFilm>),
     ) -> Result<Trial, NoFilm> {
         let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, Neighbour::Start(film))?;
-        let cubic = problem.cubic_film(self.system, &film, cubic)?;
-        let system = &self.system.cubic().system;
-        let left = Left::of(&problem, system, &cubic, contact_points(&problem, self.system));
+        let cubic = film.cubic_film(cubic)?;
+        let left = Left::of(&cubic, contact_points(&problem, self.system));
         let problem = counted(problem, (1, 0), left.residual);
-        let carried = load(&problem, system, &cubic).total.resultant();
+        let (film, cubic) = (SolvedFilm { problem: problem.clone(), ..film }, SolvedFilm { problem, ..cubic });
+        let carried = load(&cubic).total.resultant();
         Ok(self.recorded(Trial {
             cubic: Some(cubic),
             contact: left.contact.clone(),
             may_leave: left.residual,
             left: Some(left),
-            ..Trial::of(problem, film, carried)
+            ..Trial::of(film, carried)
         }))
     }
 
@@ -130,7 +130,7 @@ impl Search<'_> {
 
     /// What a trial leaves of the balance of its wall.
     pub(crate) fn left_of_wall<'t>(&self, trial: &'t Trial) -> Cow<'t, Left> {
-        let of = || Left::of(&trial.problem, self.system, &trial.film, contact_points(&trial.problem, self.system));
+        let of = || Left::of(&trial.film, contact_points(&trial.film.problem, self.system));
         trial.left.as_ref().map_or_else(|| Cow::Owned(of()), Cow::Borrowed)
     }
 
@@ -139,18 +139,18 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn tangents<'t>(&'t self, trial: &'t Trial, left: &Left, accuracy: f64) -> Result<Tangents<'t>, NoFilm> {
-        let problem = &trial.problem;
-        let of = |system, film| Follower::touching(problem, system, film, left.contact.clone()).map_err(Failure::from);
-        let Some(follower) = of(self.system, &trial.film)? else {
+        let of = |film| Follower::touching(film, left.contact.clone()).map_err(Failure::from);
+        let Some(follower) = of(&trial.film)? else {
             return Ok(Tangents::Rigid(self.tangent(trial)?.stiffness));
         };
-        let (journal, velocity, support) = (&problem.journal, self.options.centre_velocity, self.support_stiffness());
+        let (journal, velocity, support) =
+            (&trial.film.problem.journal, self.options.centre_velocity, self.support_stiffness());
         let held = [0.0, 0.0, support, support];
         let change = |k: usize| self.coordinates.change(journal, &velocity, unit(k));
         let joint = |accuracy| Joint::of(follower, self.coordinates, change, held, accuracy).map_err(Failure::from);
         let cubic = match &trial.cubic {
             None => None,
-            Some(cubic) => of(&self.system.cubic().system, cubic)?,
+            Some(cubic) => of(cubic)?,
         };
         Ok(match cubic {
             None => Tangents::Yielding(Box::new(joint(accuracy)?)),
@@ -165,8 +165,8 @@ impl Search<'_> {
 
     /// Where a part of moves leads: the problem under the wall there, and the coordinates.
     pub(crate) fn led_to(&self, trial: &Trial, moves: &Moves, part: f64) -> (FilmProblem, Vector) {
-        let (problem, at) = (trial.problem.clone(), self.coordinates.at(&trial.problem.journal));
-        match trial.problem.deflection() {
+        let (problem, at) = (trial.film.problem.clone(), self.coordinates.at(&trial.film.problem.journal));
+        match trial.film.problem.deflection() {
             None => (problem, moved(at, part, moves.place)),
             Some(wall) => {
                 let (at, bent) = moves.made(at, wall, part);
@@ -178,9 +178,9 @@ impl Search<'_> {
     /// As [`Self::led_to`], contact settled under the wall there; none where the film along the tangent is thinner than `least` [m].
     pub(crate) fn led_on(&self, trial: &Trial, moves: &Moves, part: f64, least: f64) -> Option<(FilmProblem, Vector)> {
         let (bent, at) = self.led_to(trial, moves, part);
-        let led = FilmProblem { journal: self.coordinates.placed(&trial.problem.journal, at), ..bent };
+        let led = FilmProblem { journal: self.coordinates.placed(&trial.film.problem.journal, at), ..bent };
         (self.least_under(&led, &led.journal) >= least).then_some(())?;
-        let contact = (trial.contact.clone()).or_else(|| contact_points(&trial.problem, self.system));
+        let contact = (trial.contact.clone()).or_else(|| contact_points(&trial.film.problem, self.system));
         let settled = contact.filter(|_| !moves.contact.is_empty()).and_then(|contact| {
             let along = contact.forces().into_iter().zip(&moves.contact);
             let forces: Vec<f64> = along.map(|(force, more)| force + part * more).collect();
@@ -226,12 +226,12 @@ impl Search<'_> {
     /// A trial whose contact is not integrated as finely as a balance asks for, with it so: films of one balance are compared. None where it is, or there is no such film.
     fn as_fine(&self, trial: &Trial, closed: f64, tried: &mut usize) -> Option<Trial> {
         let is_fine = |contact: Contact| contact.fineness == fineness(closed);
-        if trial.problem.contact.is_none_or(is_fine) || trial.cubic.is_some() {
+        if trial.film.problem.contact.is_none_or(is_fine) || trial.cubic.is_some() {
             return None;
         }
         *tried += 1;
-        let here = self.coordinates.at(&trial.problem.journal);
-        let fine = self.open(&trial.problem, here, Neighbour::Kept(&trial.film), closed).ok()?;
+        let here = self.coordinates.at(&trial.film.problem.journal);
+        let fine = self.open(&trial.film.problem, here, Neighbour::Kept(&trial.film), closed).ok()?;
         Some(Trial { schemes_chosen_at: trial.schemes_chosen_at, is_continued: trial.is_continued, ..fine })
     }
 

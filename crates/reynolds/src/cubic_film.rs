@@ -9,60 +9,53 @@ use oilwedge_fem::LinearSolver;
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::nested::Nested;
 
-use crate::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
+use crate::{Form, NoFilm, SolvedFilm};
 
-impl FilmProblem {
-    /// The film in cubic elements, on [`FilmSystem::cubic`], from the quadratic `film`; from the cavity of a cubic film at a `neighbour`ing
+impl SolvedFilm {
+    /// The film in cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic), from this one in quadratic elements; from the cavity of a cubic film at a `neighbour`ing
     /// operating point, if there is one. Not for models that conserve oil.
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
-    pub fn cubic_film(
-        &self,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        neighbour: Option<&FilmSolution>,
-    ) -> Result<FilmSolution, NoFilm> {
-        let cubic = match (self.cubic_film_unchecked(system, film, neighbour), self.form) {
+    pub fn cubic_film(&self, neighbour: Option<&Self>) -> Result<Self, NoFilm> {
+        let cubic = match (self.cubic_film_unchecked(neighbour), self.problem.form) {
             // Quadratic elements have a film.
             (Err(NoFilm::NotConverged(_)), Form::AsPrinted) => {
-                return Err(NoFilm::AtFold { asked: self.journal.speed.abs(), history: film.history.clone() });
+                let asked = self.problem.journal.speed.abs();
+                return Err(NoFilm::AtFold { asked, history: self.solution.history.clone() });
             }
             (cubic, _) => cubic?,
         };
-        match self.check_existence(&system.cubic().system, &cubic) {
+        match cubic.check_existence() {
             Ok(()) => Ok(cubic),
-            Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, film, limit)),
+            Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(limit)),
             Err(reason) => Err(reason),
         }
     }
 
     /// The film in cubic elements whether or not the viscosity law has a pressure for it.
-    pub(crate) fn cubic_film_unchecked(
-        &self,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        neighbour: Option<&FilmSolution>,
-    ) -> Result<FilmSolution, NoFilm> {
-        let cubic = system.cubic();
+    pub(crate) fn cubic_film_unchecked(&self, neighbour: Option<&Self>) -> Result<Self, NoFilm> {
+        let Self { problem, system, solution } = self;
+        let (cubic, neighbour) = (system.cubic(), neighbour.map(|neighbour| &neighbour.solution));
         // While a wall is closed the neighbour comes as near as the wall, and conjugate gradients end at a part of what they begin with.
-        let u = match neighbour.filter(|_| self.deflection().is_some()) {
+        let u = match neighbour.filter(|_| problem.deflection().is_some()) {
             Some(neighbour) => neighbour.unknown.clone(),
-            None => cubic.prolongation.prolong(&film.unknown),
+            None => cubic.prolongation.prolong(&solution.unknown),
         };
-        let held = match (neighbour, self.cavitation.pressure()) {
+        let held = match (neighbour, problem.cavitation.pressure()) {
             (Some(neighbour), _) => neighbour.cavity.clone(),
             (None, Some(pressure)) => {
-                let level = self.unknown_at(pressure);
+                let level = problem.unknown_at(pressure);
                 u.iter().map(|&u| u <= level).collect()
             }
             (None, None) => vec![false; u.len()],
         };
         let solver = LinearSolver::Nested(Nested {
-            quadratic: film.linearisation.clone(),
+            quadratic: solution.linearisation.clone(),
             prolongation: cubic.prolongation.clone(),
             direct: cubic.system.analysis.clone(),
         });
-        Ok(self.pressure_film(&cubic.system, &solver, 1.0, InitialGuess { u, held })?)
+        let solution = problem.pressure_film(&cubic.system, &solver, 1.0, InitialGuess { u, held })?;
+        Ok(Self::new(problem.clone(), &cubic.system, solution))
     }
 }

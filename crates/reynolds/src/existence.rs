@@ -1,11 +1,13 @@
 //! Whether there is a film: the limits of the viscosity law and of the as-printed equation.
 
+use std::sync::Arc;
+
 use oilwedge_fem::Field;
 use oilwedge_fem::newton::{Failure, HistoryStep};
 
 use crate::lubricant::LawKind;
 use crate::solve::Neighbour;
-use crate::{FilmProblem, FilmSolution, FilmSystem, Form, ReferenceFilm};
+use crate::{FilmProblem, FilmSystem, Form, ReferenceFilm, SolvedFilm};
 
 /// Reduced pressures beyond this many limits need no reference film.
 const FAR_ABOVE: f64 = 1.2;
@@ -155,19 +157,20 @@ impl NoFilm {
     }
 }
 
-impl FilmProblem {
+impl SolvedFilm {
     /// A reduced pressure at or above the limit of the viscosity law has no pressure. The unknown of the as-printed equation is the pressure itself,
     /// which may be of any size.
-    pub(crate) fn check_existence(&self, system: &FilmSystem, film: &FilmSolution) -> Result<(), NoFilm> {
-        if self.form == Form::AsPrinted {
+    pub(crate) fn check_existence(&self) -> Result<(), NoFilm> {
+        let Self { problem, system, solution } = self;
+        if problem.form == Form::AsPrinted {
             return Ok(());
         }
-        let law = &self.lubricant.pressure_law;
+        let law = &problem.lubricant.pressure_law;
         let (limit, floor) = (law.limit(), law.floor());
         if limit == f64::INFINITY && floor == f64::NEG_INFINITY {
             return Ok(());
         }
-        let reached = self.greatest_unknown(system, film).value;
+        let reached = self.greatest_unknown().value;
         if reached >= limit {
             return Err(NoFilm::AboveLimit {
                 reached,
@@ -177,10 +180,10 @@ impl FilmProblem {
                 greatest_speed: None,
             });
         }
-        let field = Field { space: system.space(), values: &film.unknown };
+        let field = Field { space: system.space(), values: &solution.unknown };
         let least = field.minimum().value;
         // Pressures that a cavitation model drops need no viscosity.
-        let dropped = (self.cavitation.pressure()).is_some_and(|p| self.unknown_at(p) > floor);
+        let dropped = (problem.cavitation.pressure()).is_some_and(|p| problem.unknown_at(p) > floor);
         if least <= floor && !dropped {
             return Err(NoFilm::BelowFloor { reached: least, floor });
         }
@@ -189,22 +192,22 @@ impl FilmProblem {
 
     /// The reason where the greatest reduced pressure of the film, or that of its reference film, exceeds the `limit` [Pa] of the viscosity
     /// law: that there is no film, or that the mesh does not resolve it.
-    pub(crate) fn beyond(&self, system: &FilmSystem, film: &FilmSolution, limit: f64) -> NoFilm {
-        let reached = self.greatest_unknown(system, film).value;
+    pub(crate) fn beyond(&self, limit: f64) -> NoFilm {
+        let reached = self.greatest_unknown().value;
         let plainly = NoFilm::AboveLimit {
             reached,
             limit,
             ratio: reached / limit,
-            law: self.lubricant.pressure_law.kind(),
+            law: self.problem.lubricant.pressure_law.kind(),
             greatest_speed: None,
         };
         if reached > FAR_ABOVE * limit {
             return plainly;
         }
-        let Ok(reference) = self.reference_film_unchecked(system, film) else {
+        let Ok(reference) = self.reference_film_unchecked() else {
             return plainly;
         };
-        let other = (self.greatest_unknown(reference.system(system), reference.film())).value;
+        let other = reference.film().greatest_unknown().value;
         let (better, other) = match reference {
             ReferenceFilm::Cubic(_) => (other, reached),
             ReferenceFilm::Coarse { .. } => (reached, other),
@@ -212,37 +215,36 @@ impl FilmProblem {
         let known_to = SAFETY * (better - other).abs() / limit;
         match better / limit - 1.0 > known_to {
             true => plainly,
-            false => NoFilm::NearLimit { limit, ratio: better / limit, known_to, history: film.history.clone() },
+            false => {
+                NoFilm::NearLimit { limit, ratio: better / limit, known_to, history: self.solution.history.clone() }
+            }
         }
     }
 
     /// Checks that a film is below the limit of the viscosity law by more than its `coarse` comparison differs from it.
-    pub(crate) fn check_resolved(
-        &self,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        coarse: &FilmSolution,
-    ) -> Result<(), NoFilm> {
-        let limit = self.lubricant.pressure_law.limit();
-        let reached = self.greatest_unknown(system, film).value;
-        let other = self.greatest_unknown(system.vertices_only(), coarse).value;
+    pub(crate) fn check_resolved(&self, coarse: &Self) -> Result<(), NoFilm> {
+        let limit = self.problem.lubricant.pressure_law.limit();
+        let reached = self.greatest_unknown().value;
+        let other = coarse.greatest_unknown().value;
         let (ratio, known_to) = (reached / limit, SAFETY * (reached - other).abs() / limit);
         match limit.is_finite() && ratio + known_to > 1.0 {
-            true => Err(NoFilm::NearLimit { limit, ratio, known_to, history: film.history.clone() }),
+            true => Err(NoFilm::NearLimit { limit, ratio, known_to, history: self.solution.history.clone() }),
             false => Ok(()),
         }
     }
+}
 
+impl FilmProblem {
     /// The greatest speed [rad/s] with a film, by regula falsi (Illinois) between a speed that has one and this one.
-    pub(crate) fn greatest_speed(&self, system: &FilmSystem, limit: f64) -> Option<f64> {
+    pub(crate) fn greatest_speed(&self, system: &Arc<FilmSystem>, limit: f64) -> Option<f64> {
         const HALVINGS: usize = 40;
         const STEPS: usize = 60;
         if !self.journal.is_still() {
             return None;
         }
         let above = |motion: f64| {
-            let film = self.closed_film(system, motion, Neighbour::None).ok()?;
-            Some(self.greatest_unknown(system, &film).value / limit - 1.0)
+            let solution = self.closed_film(system, motion, Neighbour::None).ok()?;
+            Some(SolvedFilm::new(self.clone(), system, solution).greatest_unknown().value / limit - 1.0)
         };
         let (mut low, mut high) = (0.5, 1.0);
         let (mut at_low, mut at_high) = (above(low)?, above(high)?);

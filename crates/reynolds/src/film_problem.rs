@@ -99,14 +99,14 @@ pub struct FilmSystem {
     /// Made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
     /// Made when the error of a mass-conserving film is first judged.
-    pub(crate) vertices: OnceLock<Box<FilmSystem>>,
+    pub(crate) vertices: OnceLock<Arc<FilmSystem>>,
 }
 
 /// The mesh and supply of this system with cubic elements.
 #[derive(Debug)]
 pub struct CubicSystem {
     /// Assembles cubic elements; never factorised.
-    pub system: FilmSystem,
+    pub system: Arc<FilmSystem>,
     /// From quadratic elements.
     pub prolongation: Arc<Prolongation>,
 }
@@ -178,7 +178,8 @@ impl FilmSystem {
             let prolongation = Prolongation::new(self.space());
             let cubic = prolongation.cubic().clone();
             let supply = self.supply.on_space(&cubic);
-            Box::new(CubicSystem { system: Self::with_supply(cubic, supply), prolongation: Arc::new(prolongation) })
+            let system = Arc::new(Self::with_supply(cubic, supply));
+            Box::new(CubicSystem { system, prolongation: Arc::new(prolongation) })
         })
     }
 
@@ -222,8 +223,8 @@ impl FilmSystem {
     }
 }
 
-/// The solved film.
-#[derive(Debug)]
+/// What a solve has found; with its problem and system it is a [`SolvedFilm`](crate::SolvedFilm).
+#[derive(Debug, Clone)]
 pub struct FilmSolution {
     /// The unknown at each dof [Pa]: reduced pressure q, or p of an as-printed film.
     pub unknown: Vec<f64>,

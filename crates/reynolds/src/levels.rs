@@ -35,7 +35,7 @@ pub enum Layout {
 #[derive(Debug)]
 pub struct Coarser {
     /// Unknowns and given pressures there.
-    pub system: FilmSystem,
+    pub system: Arc<FilmSystem>,
     pub(crate) film_thickness: Vec<Arc<dyn FilmContribution>>,
     /// For each triangle the one of the finer mesh in which it lies.
     pub(crate) parents: Vec<u32>,
@@ -89,7 +89,7 @@ impl Coarser {
             .collect::<Option<_>>()?;
         let system = FilmSystem::with_supply(space, supply);
         Some(Self {
-            system: system.with_levels(problem, layout, &film_thickness),
+            system: Arc::new(system.with_levels(problem, layout, &film_thickness)),
             film_thickness,
             parents: coarse.parents,
             places,

@@ -35,7 +35,7 @@
 //! film lies at `atan2(e_y, e_x)`; `W` is the external force that the film carries.
 //!
 //! Reading order: [`terms`] (start with `poiseuille.rs`), [`film_thickness`], [`lubricant`],
-//! [`gap`] (where the film is least), [`supply`] (where pressure is given), [`film_problem`] (all of it compiled, and solved),
+//! [`gap`] (where the film is least), [`supply`] (where pressure is given), [`film_problem`] (all of it compiled), [`SolvedFilm`] (solved: what is asked about),
 //! [`sharp`] (the pressure over the cavity that finite volumes have found), [`quantities`] (what is reported), [`analytical`] (closed forms to test against).
 //! An effect is an entry in one of these places; an empty place costs nothing.
 
@@ -64,6 +64,7 @@ mod reference_film;
 mod reuse;
 pub mod sharp;
 pub mod solve;
+mod solved_film;
 mod storage;
 pub mod supply;
 pub mod terms;
@@ -80,6 +81,7 @@ pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form};
 pub use gap::{Gap, Thinnest};
 pub use journal_state::{CentreVelocity, JournalChange, JournalState};
 pub use reference_film::ReferenceFilm;
+pub use solved_film::SolvedFilm;
 pub use storage::Storage;
 pub use theory::Theory;
 pub use whirl::Whirl;

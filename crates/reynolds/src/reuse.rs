@@ -8,7 +8,7 @@ use crate::supply::SupplyRegion;
 
 impl FilmSystem {
     /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of `film_thickness`: the
-    /// system is then the one that would be made anew. False, and nothing changes, where feeds that touch would get different pressures.
+    /// system is then the one that would be made anew. False, and nothing changes, where feeds that touch would get different pressures, or a film of a coarser mesh still lives.
     pub fn renew(
         &mut self,
         pressure: &dyn Fn(&SupplyRegion) -> f64,
@@ -17,18 +17,19 @@ impl FilmSystem {
         if !self.supply.fits(self.space(), pressure) {
             return false;
         }
-        self.supply.set_pressures(pressure);
-        if let Some(cubic) = self.cubic.get_mut() {
-            cubic.system.supply.set_pressures(pressure);
-        }
-        if let Some(vertices) = self.vertices.get_mut() {
-            vertices.supply.set_pressures(pressure);
-        }
         if let Some(coarser) = &mut self.coarser {
+            let Some(system) = Arc::get_mut(&mut coarser.system) else { return false };
             let own: Vec<_> =
                 (film_thickness.iter()).map(|contribution| contribution.carried(&coarser.parents)).collect();
-            coarser.system.renew(pressure, &own);
+            system.renew(pressure, &own);
             coarser.film_thickness = own;
+        }
+        self.supply.set_pressures(pressure);
+        let more = [self.cubic.get_mut().map(|cubic| &mut cubic.system), self.vertices.get_mut()];
+        match more.into_iter().flatten().map(Arc::get_mut).collect::<Option<Vec<_>>>() {
+            Some(systems) => systems.into_iter().for_each(|system| system.supply.set_pressures(pressure)),
+            // Films that still live keep theirs; they are made anew.
+            None => (self.cubic, self.vertices) = Default::default(),
         }
         true
     }

@@ -1,13 +1,14 @@
 //! How a film is solved: cold, from coarser meshes, from a neighbouring film, and by continuation in the speed.
 
+use std::sync::Arc;
+
 use oilwedge_fem::complementarity::{self, InitialGuess, Obstacle};
-use oilwedge_fem::field::Extremum;
 use oilwedge_fem::newton::{self, Equation, Failure};
-use oilwedge_fem::{Constraints, Error, Field, LinearSolver};
+use oilwedge_fem::{Constraints, Error, LinearSolver};
 
 use crate::cavitation::Choice;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm};
+use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm, SolvedFilm};
 
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
@@ -18,9 +19,9 @@ pub enum Neighbour<'a> {
     /// None: the film is solved on coarser meshes first, if there are any.
     None,
     /// This one.
-    Start(&'a FilmSolution),
+    Start(&'a SolvedFilm),
     /// This one, and a mass-conserving film carries its oil by the same schemes, so that it changes smoothly.
-    Kept(&'a FilmSolution),
+    Kept(&'a SolvedFilm),
     /// This one, as it was found: its cavity and its advection schemes.
     Found(&'a FilmTrace),
 }
@@ -30,7 +31,7 @@ impl FilmProblem {
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
-    pub fn solve(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
+    pub fn solve(&self, system: &Arc<FilmSystem>) -> Result<SolvedFilm, NoFilm> {
         self.solve_from(system, Neighbour::None).map_err(|reason| match reason {
             NoFilm::AboveLimit { reached, limit, ratio, law, .. } => {
                 NoFilm::AboveLimit { reached, limit, ratio, law, greatest_speed: self.greatest_speed(system, limit) }
@@ -43,18 +44,17 @@ impl FilmProblem {
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none; up to which speed there is one is not sought here.
-    pub fn solve_from(&self, system: &FilmSystem, neighbour: Neighbour) -> Result<FilmSolution, NoFilm> {
-        let film = self.closed_film(system, 1.0, neighbour);
-        match self.form {
-            Form::Conservative => {
-                let film = film?;
-                match self.check_existence(system, &film) {
-                    Ok(()) => Ok(film),
-                    Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, &film, limit)),
-                    Err(reason) => Err(reason),
-                }
-            }
-            Form::AsPrinted => film.or_else(|_| self.continue_in_speed(system)),
+    pub fn solve_from(&self, system: &Arc<FilmSystem>, neighbour: Neighbour) -> Result<SolvedFilm, NoFilm> {
+        let solution = self.closed_film(system, 1.0, neighbour);
+        let solution = match self.form {
+            Form::Conservative => solution?,
+            Form::AsPrinted => solution.or_else(|_| self.continue_in_speed(system))?,
+        };
+        let film = SolvedFilm::new(self.clone(), system, solution);
+        match film.check_existence() {
+            Ok(()) => Ok(film),
+            Err(NoFilm::AboveLimit { limit, .. }) => Err(film.beyond(limit)),
+            Err(reason) => Err(reason),
         }
     }
 
@@ -82,11 +82,12 @@ impl FilmProblem {
         motion: f64,
         neighbour: Neighbour,
     ) -> Result<FilmSolution, NoFilm> {
-        let choice = match neighbour {
-            Neighbour::Kept(FilmSolution { film_fraction: Some(kept), .. }) => Choice::Kept(kept),
-            Neighbour::Found(FilmTrace { film_fraction: Some(kept), .. }) => Choice::Kept(kept),
-            _ => Choice::Anew,
+        let kept = match neighbour {
+            Neighbour::Kept(film) => film.solution.film_fraction.as_ref(),
+            Neighbour::Found(trace) => trace.film_fraction.as_ref(),
+            Neighbour::None | Neighbour::Start(_) => None,
         };
+        let choice = kept.map_or(Choice::Anew, Choice::Kept);
         self.film_by(system, motion, neighbour, choice)
     }
 
@@ -99,7 +100,7 @@ impl FilmProblem {
         choice: Choice,
     ) -> Result<FilmSolution, NoFilm> {
         let (start, levels) = match neighbour {
-            Neighbour::Start(film) | Neighbour::Kept(film) => (film.as_start(), 0),
+            Neighbour::Start(film) | Neighbour::Kept(film) => (film.solution.as_start(), 0),
             Neighbour::Found(trace) => (trace.as_start(), 0),
             // What the film held is known on its own mesh alone.
             Neighbour::None if self.storage.is_some() => (full_film(system), 0),
@@ -169,7 +170,7 @@ impl FilmProblem {
         let (mut reached, mut step) = (0.0, 0.25);
         loop {
             let next: f64 = f64::min(reached + step, 1.0);
-            match self.closed_film(system, next, Neighbour::Start(&film)) {
+            match self.cavitation.solve(self, system, next, film.as_start(), Choice::Anew) {
                 Ok(mut solution) => {
                     let mut history = film.history;
                     history.append(&mut solution.history);
@@ -200,17 +201,6 @@ impl FilmProblem {
             _ => return failure,
         };
         NoFilm::Fold { last: part * asked, asked }
-    }
-
-    /// The greatest value of the unknown, between nodes too where the film is full.
-    pub fn greatest_unknown(&self, system: &FilmSystem, film: &FilmSolution) -> Extremum {
-        let field = Field { space: system.space(), values: &film.unknown };
-        let full =
-            |t: usize| system.space().element_dofs(t)[..system.space().shapes()].iter().all(|&dof| !film.cavity[dof]);
-        match film.film_fraction {
-            Some(_) => field.maximum_where(&full),
-            None => field.maximum(),
-        }
     }
 }
 

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | 1/(gamma dt) | 1/s | `per_time` |
 //! | m | m3 | `known` |
-//! | V theta | m3 | [`FilmProblem::oil_held`] |
+//! | V theta | m3 | [`SolvedFilm::oil_held`] |
 //!
 //! **Source.** Elrod, J. Lubr. Technol. 103 (1981) 350. **Range.** Mass-conserving films; the mesh stays. **Verified by** `tests/tests/orbit/storage.rs`:
 //! plates that are squeezed, and orders in time.
@@ -16,7 +16,7 @@
 use oilwedge_fem::Error;
 
 use crate::cavitation;
-use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
+use crate::{FilmProblem, FilmSystem, NoFilm, SolvedFilm};
 
 /// What a mass-conserving film held before.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,20 +27,22 @@ pub struct Storage {
     pub known: Vec<f64>,
 }
 
-impl FilmProblem {
+impl SolvedFilm {
     /// Oil [m3] that the cell of each dof holds; none of films without a film fraction.
     ///
     /// # Errors
     /// The sub-mesh does not fit in memory.
-    pub fn oil_held(&self, system: &FilmSystem, film: &FilmSolution) -> Result<Option<Vec<f64>>, Error> {
-        let Some(fraction) = &film.film_fraction else {
+    pub fn oil_held(&self) -> Result<Option<Vec<f64>>, Error> {
+        let Some(fraction) = &self.solution.film_fraction else {
             return Ok(None);
         };
-        let mut held = cavitation::cell_volumes(self, system)?;
+        let mut held = cavitation::cell_volumes(&self.problem, &self.system)?;
         held.iter_mut().zip(&fraction.values).for_each(|(held, theta)| *held *= theta);
         Ok(Some(held))
     }
+}
 
+impl FilmProblem {
     /// Oil [m3] that the cell of each dof holds where the film is full.
     ///
     /// # Errors
@@ -48,9 +50,7 @@ impl FilmProblem {
     pub fn oil_of_full_film(&self, system: &FilmSystem) -> Result<Vec<f64>, Error> {
         cavitation::cell_volumes(self, system)
     }
-}
 
-impl FilmProblem {
     /// A place, angle [rad] and z [m], of a mass-conserving film that no feed, flooded edge or end supplies: how much oil is there follows from what was there before.
     pub fn place_without_supply(&self, system: &FilmSystem) -> Option<[f64; 2]> {
         if !self.cavitation.conserves_oil() {

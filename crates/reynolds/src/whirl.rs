@@ -21,15 +21,13 @@ use oilwedge_fem::{Error, HarmonicSystem};
 use crate::cavitation;
 use crate::film_thickness::FilmContribution;
 use crate::terms;
-use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use crate::{FilmChange, FilmProblem, JournalChange, SolvedFilm};
 
 /// A solved film, ready to be moved at one frequency.
 pub struct Whirl<'a> {
-    problem: &'a FilmProblem,
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
     /// The film whose law changes with the rates of the journal by what it takes up.
-    taking_up: FilmProblem,
+    taking_up: SolvedFilm,
     cavity: Cavity,
 }
 
@@ -48,30 +46,27 @@ impl<'a> Whirl<'a> {
     ///
     /// # Errors
     /// The linear systems do not fit in memory.
-    pub fn new(
-        problem: &'a FilmProblem,
-        system: &'a FilmSystem,
-        film: &'a FilmSolution,
-        frequency: f64,
-    ) -> Result<Self, Error> {
-        let cavity = match &film.film_fraction {
+    pub fn new(film: &'a SolvedFilm, frequency: f64) -> Result<Self, Error> {
+        let SolvedFilm { problem, system, solution } = film;
+        let cavity = match &solution.film_fraction {
             None => Cavity::Empty,
             Some(_) => {
-                let held = cavitation::held_volume(problem, system, film)?;
+                let held = cavitation::held_volume(film)?;
                 match frequency == 0.0 {
                     true => Cavity::Slow(held),
                     false => {
                         let analysis = system.volumes()?.harmonic()?;
                         let capacity: Vec<f64> = held.iter().map(|volume| frequency * volume).collect();
-                        let fixed = &film.linearisation.constraints().fixed;
-                        let system = analysis.factorise(film.linearisation.matrix(), &capacity, fixed)?;
+                        let fixed = &solution.linearisation.constraints().fixed;
+                        let system = analysis.factorise(solution.linearisation.matrix(), &capacity, fixed)?;
                         Cavity::Filling(frequency, Box::new(system))
                     }
                 }
             }
         };
-        let taking_up = FilmProblem { terms: terms::of_rates(), ..problem.clone() };
-        Ok(Self { problem, system, film, taking_up, cavity })
+        let problem = FilmProblem { terms: terms::of_rates(), ..problem.clone() };
+        let taking_up = SolvedFilm { problem, ..film.clone() };
+        Ok(Self { film, taking_up, cavity })
     }
 
     /// First-order change of the unknown at each dof with the place of the journal, `place`, and with the same motion as a rate [1/s].
@@ -93,12 +88,12 @@ impl<'a> Whirl<'a> {
     }
 
     fn response_to(&self, place: FilmChange<'_>, rate: FilmChange<'_>) -> Result<[Vec<f64>; 2], Error> {
-        let minus = |problem: &FilmProblem, change: FilmChange<'_>| -> Result<Vec<f64>, Error> {
-            let residual = problem.residual_change(self.system, self.film, change)?;
+        let minus = |film: &SolvedFilm, change: FilmChange<'_>| -> Result<Vec<f64>, Error> {
+            let residual = film.residual_change(change)?;
             Ok(residual.iter().map(|r| -r).collect())
         };
-        let (by_place, mut by_rate) = (minus(self.problem, place)?, minus(&self.taking_up, rate)?);
-        let tangent = &self.film.linearisation;
+        let (by_place, mut by_rate) = (minus(self.film, place)?, minus(&self.taking_up, rate)?);
+        let tangent = &self.film.solution.linearisation;
         let mut response = match &self.cavity {
             Cavity::Empty => [tangent.solve(&by_place)?, tangent.solve(&by_rate)?],
             Cavity::Slow(held) => {
@@ -115,10 +110,10 @@ impl<'a> Whirl<'a> {
                 [by_place, across.iter().map(|part| part / frequency).collect()]
             }
         };
-        if self.film.film_fraction.is_some() {
+        if self.film.solution.film_fraction.is_some() {
             // In the cavity it is the film fraction that changes.
             for change in &mut response {
-                let in_cavity = change.iter_mut().zip(&self.film.cavity).filter(|(_, cavity)| **cavity);
+                let in_cavity = change.iter_mut().zip(&self.film.solution.cavity).filter(|(_, cavity)| **cavity);
                 in_cavity.for_each(|(change, _)| *change = 0.0);
             }
         }

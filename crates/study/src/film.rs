@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
 use oilwedge_scene::{Dynamics, Scene};
 
 use crate::observer::Watch;
@@ -83,11 +83,16 @@ impl Film {
         film
     }
 
+    /// This film with the solution of one like it.
+    pub fn solved_by(&self, solution: Arc<FilmSolution>) -> SolvedFilm {
+        SolvedFilm { problem: self.problem.clone(), system: self.system.clone(), solution }
+    }
+
     /// This film at a time of an orbit: where the journal is, the wall that moves as it does, and what it held before.
     pub(crate) fn at_instant(&self, instant: &Instant) -> Self {
-        let mut film = self.as_found(&instant.problem);
+        let mut film = self.as_found(&instant.film.problem);
         film.problem = film.problem.with_wall_at_its_rate();
-        film.problem.storage = instant.problem.storage.clone();
+        film.problem.storage = instant.film.problem.storage.clone();
         film
     }
 
@@ -122,7 +127,7 @@ impl Film {
         };
         match system.coarser.take() {
             None => Self { system: Arc::new(system), ..self },
-            Some(coarser) => Self { problem: coarser.problem(&self.problem), system: Arc::new(coarser.system), ..self },
+            Some(coarser) => Self { problem: coarser.problem(&self.problem), system: coarser.system, ..self },
         }
     }
 

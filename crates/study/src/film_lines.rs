@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
-use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::supply::BoundaryKind;
 
 use crate::cavity_line::{CavityPiece, Piece, place, smoothed};
@@ -25,8 +25,8 @@ pub const RIM: &str = "rim.";
 const ROUNDS: usize = 12;
 
 /// The lines of a film by name; those without a piece are left out.
-pub(crate) fn film_lines(film: &Film, solution: &FilmSolution) -> Vec<(String, Vec<Piece>)> {
-    let [rupture, reformation] = cavity_edges(film, solution);
+pub(crate) fn film_lines(film: &Film, solved: &SolvedFilm) -> Vec<(String, Vec<Piece>)> {
+    let [rupture, reformation] = cavity_edges(solved);
     let edges = [(RUPTURE.to_owned(), rupture), (REFORMATION.to_owned(), reformation)];
     let lines = edges.into_iter().chain(rims(film));
     lines.filter(|(_, pieces)| !pieces.is_empty()).collect()
@@ -42,14 +42,14 @@ enum Node {
 }
 
 /// Rupture and reformation.
-fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
-    let problem = &film.problem;
+fn cavity_edges(film: &SolvedFilm) -> [Vec<Piece>; 2] {
+    let SolvedFilm { problem, system, solution } = film;
     let Some(floor) = problem.cavitation.pressure() else {
         return [Vec::new(), Vec::new()];
     };
     let mut pieces: Vec<CavityPiece> = Vec::new();
-    let nodes = nodes(film, solution, floor);
-    let space = film.system.space();
+    let nodes = nodes(film, floor);
+    let space = system.space();
     let excess = |dof: usize| problem.equation_pressure(solution.unknown[dof]) - floor;
     for t in 0..space.mesh().triangles().len() {
         let (dofs, positions) = (space.element_dofs(t), space.mesh().nodes(t));
@@ -119,8 +119,8 @@ fn with_even_normals(mut pieces: Vec<CavityPiece>, radius: f64) -> Vec<CavityPie
     pieces
 }
 
-fn nodes(film: &Film, solution: &FilmSolution, floor: f64) -> Vec<Node> {
-    let (problem, system) = (&film.problem, &film.system);
+fn nodes(film: &SolvedFilm, floor: f64) -> Vec<Node> {
+    let SolvedFilm { problem, system, solution } = film;
     let space = system.space();
     let mut is_broken = solution.cavity.clone();
     if problem.cavitation.kink().is_some() {

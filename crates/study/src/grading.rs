@@ -188,7 +188,7 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     let way = balance.as_ref().err().and_then(NoEquilibrium::way);
     let way = way.filter(|way| way.is_bent()).cloned().map(Arc::new);
     let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
-        Ok(Equilibrium { problem, .. }) => in_unbent(problem),
+        Ok(Equilibrium { film, .. }) => in_unbent(&film.problem),
         Err(
             NoEquilibrium::BeyondCapacity { .. }
             | NoEquilibrium::BelowRounding { .. }
@@ -208,9 +208,9 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     let is_possible = !is_contact(&gap, &journal);
     let suits = is_near(&gap, &in_unbent(&film.problem), &journal);
     match balance {
-        Ok(found) if is_possible && suits => Suited::To(Box::new(found.problem)),
+        Ok(found) if is_possible && suits => Suited::To(Box::new(found.film.problem)),
         Ok(found) if is_possible => {
-            Suited::Not(Position::of(&journal, gap.bearing().clearance), Known::Balance(Box::new(found.problem)))
+            Suited::Not(Position::of(&journal, gap.bearing().clearance), Known::Balance(Box::new(found.film.problem)))
         }
         Err(_) if is_possible && !suits => {
             Suited::Not(Position::of(&journal, gap.bearing().clearance), way.map_or(Known::Nothing, Known::Way))

@@ -7,7 +7,7 @@ use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchOptions, 
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
+use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use crate::film::Film;
 use crate::no_answer::NoAnswer;
@@ -32,27 +32,25 @@ fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAn
     if film.problem.deflection().is_some() {
         return with_wall(film, near, options.errors);
     }
-    let solution = match near {
+    let solved = match near {
         Neighbour::None => film.problem.solve(&film.system)?,
         near => film.problem.solve_from(&film.system, near)?,
     };
-    with_reference(film.clone(), solution, options.errors)
+    with_reference(film, solved, options.errors)
 }
 
 /// A film whose wall gives way, bent by the film that is reported.
 fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoAnswer> {
-    let (problem, solution) = closed_film(film.problem.clone(), &film.system, near)?;
-    let under = |problem| Film { problem, ..film.clone() };
-    if errors == Errors::Omitted || !problem.cavitation.is_symmetric() {
-        return with_reference(under(problem), solution, errors);
+    let closed = closed_film(film.problem.clone(), &film.system, near)?;
+    if errors == Errors::Omitted || !film.problem.cavitation.is_symmetric() {
+        return with_reference(film, closed, errors);
     }
     let clock = Instant::now();
-    let pair = closed_pair(problem, &film.system, solution, None, CLOSED)?;
-    let Pair { problem, film: solution, cubic } = pair;
+    let Pair { film: closed, cubic } = closed_pair(closed, None, CLOSED)?;
     Ok(Solved {
         reference: Some(ReferenceFilm::Cubic(cubic)),
         reference_seconds: clock.elapsed().as_secs_f64(),
-        ..with_reference(under(problem), solution, Errors::Omitted)?
+        ..with_reference(film, closed, Errors::Omitted)?
     })
 }
 
@@ -70,11 +68,12 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
     };
     let found = find(&film.problem, &film.system, load, &search)?;
     let by_film = balance(&found, load, clock);
-    let film = film.as_found(&found.problem);
     let solved = match found.cubic {
         None => with_reference(film, found.film, options.errors)?,
-        cubic => {
-            Solved { reference: cubic.map(ReferenceFilm::Cubic), ..with_reference(film, found.film, Errors::Omitted)? }
+        Some(cubic) => {
+            let solved = with_reference(film, found.film, Errors::Omitted)?;
+            let problem = solved.film.problem.clone();
+            Solved { reference: Some(ReferenceFilm::Cubic(SolvedFilm { problem, ..cubic })), ..solved }
         }
     };
     let solved = Solved { balance: Some(by_film), wall: found.wall, ..solved };
@@ -83,7 +82,7 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
 
 /// How a `load` is balanced by a search that began at `clock`.
 fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
-    let (parts, seconds) = (found.film.seconds, clock.elapsed().as_secs_f64());
+    let (parts, seconds) = (found.film.solution.seconds, clock.elapsed().as_secs_f64());
     Balance {
         unbalanced: found.unbalanced,
         residual: found.residual,
@@ -104,18 +103,19 @@ fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, cloc
     let (Some(by_film), Some(hill)) = (solved.balance, hill_with_load(&mut solved)) else {
         return solved;
     };
-    let from = (&solved.film.problem, &solved.solution, hill);
-    let Some((found, hill)) = balance_hill(from, &solved.film.system, load, by_film.stiffness, search) else {
+    let from = (&solved.primary, hill);
+    let Some((found, hill)) = balance_hill(from, load, by_film.stiffness, search) else {
         return solved;
     };
     // What the coarse comparison shows changes as little as the position.
     if let Some(ReferenceFilm::Coarse { hill: there, .. }) = &mut solved.reference {
         *there = Some(Box::new(hill));
     }
+    let film = solved.film.with_journal(found.film.problem.journal);
     Solved {
         balance: Some(Balance { steps: by_film.steps + found.steps, is_of_hill: true, ..balance(&found, load, clock) }),
-        film: solved.film.with_journal(found.problem.journal),
-        solution: found.film,
+        primary: film.solved_by(found.film.solution),
+        film,
         ..solved
     }
 }
@@ -126,18 +126,19 @@ fn hill_with_load(solved: &mut Solved) -> Option<SharpFilm> {
     let Some(ReferenceFilm::Coarse { error: Some(error), hill, .. }) = &mut solved.reference else {
         return None;
     };
-    let film = (&solved.film.problem, &*solved.film.system, &solved.solution);
-    let hill = hill.take_if(|hill| sharp::takes_load_of_hill(error, film, hill));
+    let hill = hill.take_if(|hill| sharp::takes_load_of_hill(error, &solved.primary, hill));
     hill.map(|hill| *hill)
 }
 
-/// A solved film at a given position and temperature, with its reference film if errors are estimated.
-fn with_reference(film: Film, solution: FilmSolution, errors: Errors) -> Result<Solved, NoAnswer> {
+/// A film as it was `found`, at a given position and temperature, with its reference film if errors are estimated.
+fn with_reference(film: &Film, found: SolvedFilm, errors: Errors) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
+    let film = film.as_found(&found.problem);
+    let primary = film.solved_by(found.solution);
     let mut reference = match errors {
         // Without the tangent of the wall nothing is known of errors.
-        Errors::Estimated => match following_wall(&film.problem, &film.system, &solution) {
-            Ok(following) => (film.problem).reference_film(&film.system, &solution, following.as_ref())?,
+        Errors::Estimated => match following_wall(&primary) {
+            Ok(following) => primary.reference_film(following.as_ref())?,
             Err(_) => None,
         },
         Errors::Omitted => None,
@@ -145,15 +146,15 @@ fn with_reference(film: Film, solution: FilmSolution, errors: Errors) -> Result<
     // A balance of heat is that of the film.
     if let Some(ReferenceFilm::Coarse { error: Some(error), hill, .. }) =
         reference.as_mut().filter(|_| film.thermal.is_none())
-        && sharp::is_of_use(error, (&film.problem, &film.system, &solution))
+        && sharp::is_of_use(error, &primary)
     {
         // The film stands without its hill.
-        let found = film.problem.sharp_film(&film.system, &solution, HillStart::Film);
+        let found = primary.sharp_film(HillStart::Film);
         *hill = found.ok().flatten().map(Box::new);
     }
     Ok(Solved {
         film,
-        solution,
+        primary,
         reference,
         balance: None,
         wall: WallByPlace::default(),

@@ -67,7 +67,7 @@ pub fn solve_level(
     let solved = solve(&film, &options)?;
     let clock = Instant::now();
     let estimated = estimate_errors(&solved);
-    let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.solution.seconds);
+    let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.primary.solution.seconds);
     let [bars, measure] = match options.errors {
         Errors::Estimated => [measuring, 0.0],
         Errors::Omitted => [0.0, measuring],

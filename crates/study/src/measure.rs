@@ -12,7 +12,7 @@ use oilwedge_reynolds::quantities::load::{self, Load, Share};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::sharp::HillNumbers;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, Thinnest};
+use oilwedge_reynolds::{FilmProblem, Gap, JournalState, SolvedFilm, Thinnest};
 
 use crate::film::Film;
 
@@ -75,19 +75,14 @@ impl Measured {
         product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
     }
 
-    /// With what is asked of `film` about small motions of its journal, found on the solution that was measured: at the frequencies of another film that
+    /// With what is asked of `film` about small motions of its journal, found on the `solved` one that was measured: at the frequencies of another film that
     /// stands for it too, if there is one.
-    pub fn with_dynamics(
-        self,
-        film: &Film,
-        (problem, system, solution): (&FilmProblem, &FilmSystem, &FilmSolution),
-        beside: Option<&Self>,
-    ) -> Self {
+    pub fn with_dynamics(self, film: &Film, solved: &SolvedFilm, beside: Option<&Self>) -> Self {
         let of = || {
             let asked = film.dynamics.as_ref()?;
             Some(match beside {
-                Some(other) => Dynamics::beside(problem, system, solution, other.dynamics()?),
-                None => Dynamics::of(problem, system, solution, &asked.whirl),
+                Some(other) => Dynamics::beside(solved, other.dynamics()?),
+                None => Dynamics::of(solved, &asked.whirl),
             })
         };
         Self { dynamics: of(), ..self }
@@ -113,29 +108,28 @@ impl Measured {
 }
 
 /// Measures a solved film.
-pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
-    let extremes = pressure::extremes(problem, system, film);
-    let load = load::load(problem, system, film);
+pub fn measure(film: &SolvedFilm) -> Measured {
+    let SolvedFilm { problem, system, solution } = film;
+    let extremes = pressure::extremes(film);
+    let load = load::load(film);
     let contact = load.contact.map(|share| Touching { unsure: contact::unsure(problem, system, &share), share });
     let thrust = contact.map_or(0.0, |contact| contact.share.pressure);
     Measured {
-        power: power::power(problem, system, film)
-            .with_moment(problem, load.of_oil().resultant())
-            .with_contact(problem, thrust),
+        power: power::power(film).with_moment(problem, load.of_oil().resultant()).with_contact(problem, thrust),
         contact,
         load,
-        flows: flow::flows(problem, system, film),
-        inlet_flow: inlet_flow(problem, system, film),
+        flows: flow::flows(film),
+        inlet_flow: inlet_flow(film),
         thinnest: Gap::of(problem, system).thinnest_film(problem, system),
         deflection: deflection_max(problem, system),
-        extent: extent(problem, system, film, &extremes),
-        cavity: problem.cavitation.has_free_boundary().then(|| cavity::cavity(system, film)),
+        extent: extent(film, &extremes),
+        cavity: problem.cavitation.has_free_boundary().then(|| cavity::cavity(film)),
         under_tension: match problem.cavitation.bears_tension() && has_tension(problem, &extremes) {
-            true => cavity::share_below(problem, system, film, problem.bearing.end_pressure),
+            true => cavity::share_below(film, problem.bearing.end_pressure),
             false => 0.0,
         },
         extremes,
-        fallbacks: film.fallbacks.clone(),
+        fallbacks: solution.fallbacks.clone(),
         dynamics: None,
     }
 }

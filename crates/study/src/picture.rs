@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::quantities::stream::streams;
 
 use crate::fields::{
@@ -99,7 +99,7 @@ pub enum Surface {
 /// are on both sides of it: pressure (nowhere below that of a cavity), film thickness, viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place, flow per
 /// width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is thicker on one. The indicator [N], a value for
 /// each triangle, is what each adds to the error of the load.
-pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
+pub fn picture(film: &Film, solved: &SolvedFilm, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
     let (nodes, cells) = numbered(film, surface);
     let radius = film.problem.bearing.radius;
     let place = |&[x, z]: &[f64; 2]| {
@@ -109,14 +109,14 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
         let (sin, cos) = (x / radius).sin_cos();
         [radius * cos, radius * sin, z]
     };
-    let mut point_data = pointwise(film, solution, &nodes);
+    let mut point_data = pointwise(solved, &nodes);
     point_data.extend(places(film, &nodes, surface));
-    point_data.extend(streaming(film, solution, (&nodes, &cells), surface));
+    point_data.extend(streaming(solved, (&nodes, &cells), surface));
     let indicator = indicator.map(|values| scalars(&ERROR_INDICATOR, values.to_vec()));
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),
         cells,
-        lines: (film_lines(film, solution).into_iter())
+        lines: (film_lines(film, solved).into_iter())
             .map(|(name, pieces)| (name, pieces.iter().map(|piece| [place(&piece[0]), place(&piece[1])]).collect()))
             .collect(),
         point_data,
@@ -129,8 +129,8 @@ fn scalars(row: &FieldRow, values: Vec<f64>) -> PictureField {
 }
 
 /// What the film is at each node.
-fn pointwise(film: &Film, solution: &FilmSolution, nodes: &Nodes) -> Vec<PictureField> {
-    let problem = &film.problem;
+fn pointwise(film: &SolvedFilm, nodes: &Nodes) -> Vec<PictureField> {
+    let SolvedFilm { problem, solution, .. } = film;
     let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
     let pressure = |&dof: &usize| problem.pressure_at(solution.unknown[dof]).max(floor);
     let pressure: Vec<f64> = nodes.dofs.iter().map(pressure).collect();
@@ -171,14 +171,9 @@ fn places(film: &Film, nodes: &Nodes, surface: Surface) -> [PictureField; 2] {
 }
 
 /// Flow and stresses: at each node the mean of its triangles, weighted with their areas; zero where a feed covers them all.
-fn streaming(
-    film: &Film,
-    solution: &FilmSolution,
-    (nodes, cells): (&Nodes, &[[u32; 6]]),
-    surface: Surface,
-) -> [PictureField; 3] {
+fn streaming(film: &SolvedFilm, (nodes, cells): (&Nodes, &[[u32; 6]]), surface: Surface) -> [PictureField; 3] {
     let mut sums = vec![(0.0, [[0.0; 2]; 3]); nodes.dofs.len()];
-    for (cell, found) in cells.iter().zip(streams(&film.problem, &film.system, solution)) {
+    for (cell, found) in cells.iter().zip(streams(film)) {
         let Some((area, streams)) = found else { continue };
         for (&node, at) in cell.iter().zip(streams) {
             let (whole, vectors) = &mut sums[node as usize];

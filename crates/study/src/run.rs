@@ -66,7 +66,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     let mut result = without_outcome(scene, (&answer.film, &answer.levels), options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
-            let picture = picture(&solved.film, &solved.solution, estimated.indicator.as_deref(), options.surface());
+            let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.surface());
             report(scene, (&solved, estimated), options, &mut result);
             Some(picture)
         }
@@ -105,7 +105,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     };
     let Followed { solved, facts, .. } = followed;
     let estimated = estimate_errors(&solved);
-    let picture = picture(&solved.film, &solved.solution, estimated.indicator.as_deref(), options.surface());
+    let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.surface());
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
     let (half_speed, turns) = (facts.half_speed_share, scene.journal.speed != 0.0);
     let limit = match followed.end {
@@ -256,15 +256,15 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
     result.warnings = all_warnings(scene, solved, &estimated, options.errors());
     result.regime = Some(Regime::of(scene, &solved.film, &estimated.measured));
-    result.history = history(&solved.solution.history);
+    result.history = history(&solved.primary.solution.history);
     result.counts = counts(solved);
     result.linear_solver = Some(LinearSolver {
-        route: match solved.solution.linearisation.route() {
+        route: match solved.primary.solution.linearisation.route() {
             Route::Direct => "direct",
             Route::Multigrid => "multigrid",
             Route::Switched => "switched",
         },
-        steps: solved.solution.linearisation.steps(),
+        steps: solved.primary.solution.linearisation.steps(),
     });
     result.balances = Balances {
         mass: estimated.measured.flows.imbalance,
@@ -287,7 +287,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         None => design_criteria(&solved.film, None, &estimated.quantities, options.bars),
     };
     let curve = clock.elapsed().as_secs_f64();
-    let parts = solved.solution.seconds;
+    let parts = solved.primary.solution.seconds;
     let parts = [
         Some(("assemble", parts.assemble)),
         Some(("factorise", parts.factorise)),
@@ -304,14 +304,14 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
 }
 
 fn counts(solved: &Solved) -> Counts {
-    let solves = solved.solution.history.len();
+    let solves = solved.primary.solution.history.len();
     let closing = solved.film.problem.deflection().map(|deflection| deflection.closing);
     Counts {
         linear_solves: solves,
         factorisations: solves,
         nonlinear_iterations: solves,
-        levels: solved.solution.levels,
-        bars: (solved.reference.as_ref()).map_or(0, |reference| reference.film().history.len()),
+        levels: solved.primary.solution.levels,
+        bars: (solved.reference.as_ref()).map_or(0, |reference| reference.film().solution.history.len()),
         position_steps: match &solved.temperature {
             Some(found) => found.positions,
             None => solved.balance.map_or(0, |balance| balance.steps),

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness, WallByPlace};
-use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
+use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use crate::film::Film;
 use crate::observer::{RunObserver, Watch};
@@ -46,8 +46,8 @@ pub enum Errors {
 pub struct Solved {
     /// The film, at the position and temperature found.
     pub film: Film,
-    /// Its solution.
-    pub solution: FilmSolution,
+    /// It, solved.
+    pub primary: SolvedFilm,
     /// The film by which errors are estimated; none where they are omitted, or where there is no such film.
     pub reference: Option<ReferenceFilm>,
     /// How the load is balanced, where the position was sought.
@@ -61,6 +61,14 @@ pub struct Solved {
 }
 
 impl Solved {
+    /// The film whose numbers are reported: that in cubic elements, if there is one.
+    pub fn reported(&self) -> &SolvedFilm {
+        match &self.reference {
+            Some(ReferenceFilm::Cubic(cubic)) => cubic,
+            Some(ReferenceFilm::Coarse { .. }) | None => &self.primary,
+        }
+    }
+
     /// True where the film is that of a position or temperature reached, not found: the search was ended.
     pub fn is_ended(&self) -> bool {
         let of_temperature = self.temperature.as_ref().is_some_and(|found| found.is_ended);

@@ -6,18 +6,16 @@
 use oilwedge_bearing::thermal_balance::Start;
 use oilwedge_bearing::{NoBalance, ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::existence::readable;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
 
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::grading::graded;
 use crate::liner_mesh::resized;
-use crate::measure::{Measured, measure};
 use crate::no_answer::NoAnswer;
 use crate::no_answer::NoTemperature;
 use crate::observer::Watch;
 use crate::oil::{at_temperature, first_temperature};
-use crate::solved::{SolveOptions, Solved};
+use crate::solved::SolveOptions;
 use oilwedge_scene::Scene;
 use oilwedge_scene::wording::celsius;
 
@@ -35,21 +33,6 @@ use search::{Kind, ROUGHLY, Search};
 const COARSE: f64 = 3.0;
 /// and its most nodes, if it has coarser ones.
 const COARSE_NODES: usize = 2500;
-
-/// System and solution of the film whose numbers are reported.
-fn reported(solved: &Solved) -> (&FilmProblem, &FilmSystem, &FilmSolution) {
-    let Film { problem, system, .. } = &solved.film;
-    match &solved.reference {
-        Some(ReferenceFilm::Cubic(cubic)) => (problem, &system.cubic().system, cubic),
-        _ => (problem, system, &solved.solution),
-    }
-}
-
-/// What was measured on it.
-fn measured(solved: &Solved) -> Measured {
-    let (problem, system, solution) = reported(solved);
-    measure(problem, system, solution)
-}
 
 /// Why there is no temperature, in words.
 pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {

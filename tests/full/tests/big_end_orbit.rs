@@ -86,7 +86,7 @@ fn beside_the_groove(cavitation: Cavitation, cycles: usize) -> f64 {
     let mesh = ring_of_radius(radius, 48, 4, length, 0.0);
     let mut regions = ends(&mesh, length, None);
     regions[0].pressure = 0.2e6;
-    let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("a land");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("a land"));
     let scene = read(&scenes::path("27_big_end_orbit")).expect("a scene");
     let cycle = duty_cycle(&scene).expect("a table").expect("a load");
     let motion = Motion {

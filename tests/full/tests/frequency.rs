@@ -60,7 +60,7 @@ fn slow_motions_are_the_limit_and_the_whirl_is_its_own() {
     let mut problem = plain_film(0.06, 0.5, 0.0, SPEED);
     problem.cavitation = Cavitation::Jfo { pressure: 0.0 };
     let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-    let of = |whirl: f64| Coefficients::of(&problem, &system, &film, whirl * SPEED).expect("coefficients");
+    let of = |whirl: f64| Coefficients::of(&film, whirl * SPEED).expect("coefficients");
     let (slow, limit) = (of(0.0), of(1e-5));
     let off = |a: &Coefficients, b: &Coefficients| {
         let mut most = 0.0f64;
@@ -74,7 +74,7 @@ fn slow_motions_are_the_limit_and_the_whirl_is_its_own() {
     };
     assert!(off(&slow, &limit) < 1e-6, "{:e}", off(&slow, &limit));
     assert!(off(&slow, &of(1.0)) > 1e-4, "the cavity takes no part: {:e}", off(&slow, &of(1.0)));
-    let dynamics = Dynamics::of(&problem, &system, &film, &[0.0]).expect("coefficients");
+    let dynamics = Dynamics::of(&film, &[0.0]).expect("coefficients");
     let Stability::Below(threshold) = stability(&dynamics.judged.coefficients) else {
         panic!("{:?}", dynamics.stability);
     };

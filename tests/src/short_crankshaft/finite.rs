@@ -50,7 +50,7 @@ impl Film {
         let angle = phi + study.problem.journal.min_film_angle();
         let place = [0.5 * DIAMETER * angle, 0.5 * LENGTH * zeta];
         let (triangle, point) = Locator::new(space.mesh()).nearest(place).expect("a place of the ring");
-        let values = &film.unknown;
+        let values = &film.solution.unknown;
         let unknown = Field { space, values }.value(triangle, point);
         study.problem.pressure_at(unknown).max(0.0) / Scales::right().pressure
     }
@@ -58,7 +58,7 @@ impl Film {
     /// phi [deg] at which the pressure is greatest.
     fn summit(&self) -> f64 {
         let space = self.solved.study.system.space();
-        let values = &self.solved.film.unknown;
+        let values = &self.solved.film.solution.unknown;
         let top = Field { space, values }.maximum();
         let [a, b, c] = space.mesh().corners(top.triangle);
         let x = a[0] + top.point[0] * (b[0] - a[0]) + top.point[1] * (c[0] - a[0]);

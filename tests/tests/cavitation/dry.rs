@@ -16,7 +16,7 @@ fn a_ring_without_supply_is_refused_with_a_place() {
     film.cavitation = JFO;
     let system = ring_system(24, 6, LENGTH, None);
     for system in
-        [ring_system(24, 6, LENGTH, None).with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows), system]
+        [Arc::new(ring_alone(24, 6, LENGTH, None).with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows)), system]
     {
         match film.solve(&system) {
             Err(NoFilm::NoSupply { angle, z }) => {
@@ -28,7 +28,7 @@ fn a_ring_without_supply_is_refused_with_a_place() {
 }
 
 /// A feed over all cells whose corners lie between two `z` [m].
-fn band(system: &FilmSystem, name: &str, from: f64, to: f64, pressure: f64) -> SupplyRegion {
+fn band(system: &Arc<FilmSystem>, name: &str, from: f64, to: f64, pressure: f64) -> SupplyRegion {
     let mesh = system.space().mesh();
     let inside = |t: &u32| {
         let corners = mesh.corners(*t as usize);
@@ -54,7 +54,7 @@ fn the_land_between_two_full_grooves_is_a_bearing_of_its_own() {
     let grooves = [("low", -0.02, -0.015), ("high", 0.015, 0.02)];
     let mut regions = ends(whole.space().mesh(), LENGTH, None);
     regions.extend(grooves.map(|(name, from, to)| band(&whole, name, from, to, pressure)));
-    let whole = FilmSystem::new(Arc::new(ring(columns, 12, LENGTH, 0.0)), 2, regions).unwrap();
+    let whole = Arc::new(FilmSystem::new(Arc::new(ring(columns, 12, LENGTH, 0.0)), 2, regions).unwrap());
     let mut film = plain_film(LENGTH, 0.8, 0.3, SPEED);
     film.cavitation = JFO;
     let solution = film.solve(&whole).unwrap_or_else(|reason| panic!("{reason}"));
@@ -65,7 +65,7 @@ fn the_land_between_two_full_grooves_is_a_bearing_of_its_own() {
     let mesh = ring(columns, 6, land, -RADIUS_OF_COLUMN);
     let mut regions = ends(&mesh, land, None);
     regions.iter_mut().for_each(|region| region.pressure = pressure);
-    let alone = FilmSystem::new(Arc::new(mesh), 2, regions).unwrap();
+    let alone = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).unwrap());
     let mut short = plain_film(land, 0.8, 0.3, SPEED);
     short.cavitation = JFO;
     short.bearing.end_pressure = pressure;
@@ -90,7 +90,7 @@ fn the_land_between_two_full_grooves_is_a_bearing_of_its_own() {
 const RADIUS_OF_COLUMN: f64 = std::f64::consts::TAU / 32.0;
 
 /// The dof at the vertex nearest to `(x, z)` [m], modulo a turn.
-fn nearest_on_ring(system: &FilmSystem, target: [f64; 2]) -> usize {
+fn nearest_on_ring(system: &Arc<FilmSystem>, target: [f64; 2]) -> usize {
     let turn = std::f64::consts::TAU * RADIUS;
     let mesh = system.space().mesh();
     let distance = |point: &[f64; 2]| {

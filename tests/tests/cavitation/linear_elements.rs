@@ -21,7 +21,7 @@ fn loads(scene: &Scene, times: usize) -> Vec<f64> {
         let finer = refine::uniform(&mesh).expect("a sound mesh").mesh;
         let study = linear(scene, mesh);
         let film = study.problem.solve(&study.system).expect("a film");
-        loads.push(load(&study.problem, &study.system, &film).magnitude());
+        loads.push(load(&film).magnitude());
         mesh = finer;
     }
     loads
@@ -72,9 +72,9 @@ fn companions_conserve_oil() {
         let film = study.problem.solve(&study.system).expect("a film");
         let system = study.system.vertices_only();
         assert_eq!(system.space().dofs(), study.system.space().mesh().points().len());
-        match study.problem.coarse_comparison(&study.system, &film) {
+        match film.coarse_comparison() {
             Ok(companion) => {
-                let imbalance = flows(&study.problem, system, &companion).imbalance;
+                let imbalance = flows(&companion).imbalance;
                 assert!(imbalance < 1e-10, "{number}: {imbalance:e}");
             }
             Err(_) => none += 1,
@@ -98,7 +98,7 @@ fn companion_is_the_film_of_linear_elements() {
         });
         let quadratic = compile(&scene).unwrap_or_else(|error| panic!("{}: {error}", path(name).display()));
         let film = quadratic.problem.solve(&quadratic.system).expect("a film");
-        let companion = quadratic.problem.coarse_comparison(&quadratic.system, &film).expect("a film");
+        let companion = film.coarse_comparison().expect("a film");
         let study = linear(&scene, (**quadratic.system.space().mesh()).clone());
         let cold = study.problem.solve(&study.system).expect("a film");
         let most = cold.unknown.iter().fold(0.0f64, |most, u| most.max(u.abs()));

@@ -37,7 +37,7 @@ fn film(text: &str) -> Film {
 
 fn hill(study: &Film) -> SharpFilm {
     let film = study.problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
-    let sharp = study.problem.sharp_film(&study.system, &film, HillStart::Film);
+    let sharp = film.sharp_film(HillStart::Film);
     sharp.unwrap_or_else(|failure| panic!("{failure}")).expect("a hill")
 }
 
@@ -70,11 +70,11 @@ fn a_flooded_ring_is_a_swift_stieber_film() {
         let (mut problem, system) = (study.problem.clone(), &study.system);
         problem.cavitation = Cavitation::Reynolds { pressure: 0.0 };
         let quadratic = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
-        let cubic = problem.cubic_film(system, &quadratic, None).unwrap_or_else(|reason| panic!("{reason}"));
+        let cubic = quadratic.cubic_film(None).unwrap_or_else(|reason| panic!("{reason}"));
         let system = &system.cubic().system;
-        close("load", magnitude(&sharp.cubic), load(&problem, system, &cubic).magnitude(), 2e-4);
-        close("p_max", sharp.cubic.greatest, extremes(&problem, system, &cubic).greatest, 1e-6);
-        close("power", pressure_power(&study, &sharp.cubic), power(&problem, system, &cubic).pressure, 3e-4);
+        close("load", magnitude(&sharp.cubic), load(&cubic).magnitude(), 2e-4);
+        close("p_max", sharp.cubic.greatest, extremes(&cubic).greatest, 1e-6);
+        close("power", pressure_power(&study, &sharp.cubic), power(&cubic).pressure, 3e-4);
     }
 }
 
@@ -151,7 +151,7 @@ fn the_force_over_kept_cavities_is_smooth() {
     let load = magnitude(&place.hill.cubic);
     assert!(differences.iter().all(|jump| jump.abs() < 1e-8 * load), "{differences:?} of {load}");
     let Place { problem, film, hill } = place.moved(&study, 5e-3);
-    let checked = problem.cavities_checked(&study.system, &film, hill).expect("a hill");
+    let checked = film.cavities_checked(hill).expect("a hill");
     let by_cavities = magnitude(&checked.by_cavities) / load;
     assert!((1e-10..1e-6).contains(&by_cavities), "{by_cavities:e}");
 }
@@ -167,16 +167,16 @@ impl Place {
     fn of(study: &Film) -> Self {
         let problem = study.problem.clone();
         let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
-        let hill = problem.sharp_film(&study.system, &film, HillStart::Film);
+        let hill = film.sharp_film(HillStart::Film);
         Self { hill: hill.expect("a hill").expect("a hill"), problem, film }
     }
 
     /// Moves along x by this part of the clearance over the cavities that are there.
     fn moved(self, study: &Film, part: f64) -> Self {
         let change = JournalChange { offset: [part * self.problem.bearing.clearance, 0.0], ..JournalChange::default() };
-        let there = self.problem.displaced(&study.system, &self.film, &change);
+        let there = self.film.displaced(&change);
         let (problem, film) = there.unwrap_or_else(|reason| panic!("{reason}"));
-        let hill = problem.sharp_film(&study.system, &film, HillStart::SameCavities(self.hill));
+        let hill = film.sharp_film(HillStart::SameCavities(self.hill));
         Self { hill: hill.expect("a hill").expect("a hill"), problem, film }
     }
 }

@@ -1,9 +1,11 @@
 //! Obstacles that are no zero, and an equation that is not linear, under the model of Swift and Stieber.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::{cavity::cavity, load::load};
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Form, SolvedFilm};
 use oilwedge_tests::*;
 
 const LENGTH: f64 = 0.08;
@@ -15,17 +17,17 @@ fn film(eccentricity: f64, pressure: f64) -> FilmProblem {
 }
 
 /// The system of a ring with its ends at `pressure`, with coarser ones behind it.
-fn system(film: &FilmProblem, pressure: f64) -> FilmSystem {
+fn system(film: &FilmProblem, pressure: f64) -> Arc<FilmSystem> {
     let mesh = ring(64, 16, LENGTH, 0.0);
     let mut regions = ends(&mesh, LENGTH, None);
     regions.iter_mut().for_each(|region| region.pressure = pressure);
-    let system = FilmSystem::new(std::sync::Arc::new(mesh), 2, regions).expect("the ends close the ring");
-    system.with_coarser(film, oilwedge_reynolds::levels::Layout::Rows)
+    let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring");
+    Arc::new(system.with_coarser(film, oilwedge_reynolds::levels::Layout::Rows))
 }
 
 /// Solves, and checks the signs at the middles of edges and the number of iterations.
 #[track_caller]
-fn solved(film: &FilmProblem, system: &FilmSystem, most: usize) -> FilmSolution {
+fn solved(film: &FilmProblem, system: &Arc<FilmSystem>, most: usize) -> SolvedFilm {
     let solution = film.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
     let cavity = film.unknown_at(film.cavitation.pressure().expect("a cavity"));
     let flow = solution.inflow.iter().fold(0.0f64, |most, flow| most.max(flow.abs()));
@@ -106,12 +108,12 @@ fn linear_elements_come_to_the_same_film() {
     let of_degree = |degree: usize, rows: u32| {
         let mesh = ring(4 * rows, rows, LENGTH, 0.0);
         let regions = ends(&mesh, LENGTH, None);
-        let system = FilmSystem::new(std::sync::Arc::new(mesh), degree, regions).expect("the ends close the ring");
-        let system = system.with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows);
+        let system = FilmSystem::new(Arc::new(mesh), degree, regions).expect("the ends close the ring");
+        let system = Arc::new(system.with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows));
         let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let least = solution.unknown.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(least >= -1e-10 * pressure_scale() || degree > 1, "{least}");
-        (load(&film, &system, &solution).magnitude(), cavity(&system, &solution).share)
+        (load(&solution).magnitude(), cavity(&solution).share)
     };
     let (exact, share) = of_degree(2, 64);
     let linear = [8, 16, 32].map(|rows| of_degree(1, rows));

@@ -1,5 +1,7 @@
 //! Integrals of contact that have a closed form, and scenes without contact.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::analytical::bearing_curve::force_and_moment;
 use oilwedge_reynolds::contact::greenwood_tripp::integral;
 use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness};
@@ -35,7 +37,7 @@ fn force_and_moment_of_a_bearing_curve() {
     let bearing = Bearing { radius, length, clearance, end_pressure: 0.0 };
     let mesh = ring_of_radius(radius, 96, 16, length, 0.0);
     let regions = ends(&mesh, length, None);
-    let system = FilmSystem::new(std::sync::Arc::new(mesh), 2, regions).expect("the ends close the ring");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring"));
     for row in block("zharov_contact")["rows"].as_array().expect("rows") {
         let row = numbers(row);
         let [e, tilt, force, moment, force_of_film, moment_of_film] = row[..] else {
@@ -142,8 +144,8 @@ fn neutral_values_are_absence() {
         neutral.journal.speed = SPEED;
         let values = |problem: &FilmProblem| {
             let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-            let measured = measure(problem, &system, &film);
-            let total = load(problem, &system, &film).total;
+            let measured = measure(&film);
+            let total = load(&film).total;
             let friction = friction(&problem.journal, &measured.power).expect("the journal turns");
             [total.force[0], total.force[1], friction.on_journal, friction.on_bearing]
         };
@@ -165,7 +167,7 @@ fn contact_rubs() {
             with.contact = Some(contact);
             let torques = |problem: &FilmProblem| {
                 let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-                let measured = measure(problem, &system, &film);
+                let measured = measure(&film);
                 assert!(measured.power.imbalance < 1e-8, "{:?}", measured.power);
                 let friction = friction(&problem.journal, &measured.power).expect("the journal turns");
                 let thrust = measured.contact.map_or(0.0, |contact| contact.share.pressure);

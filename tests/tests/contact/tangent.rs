@@ -15,7 +15,7 @@ use oilwedge_tests::rough_surfaces::contacts;
 const LENGTH: f64 = 0.06;
 
 /// Films whose surfaces touch at one end, smooth and rough.
-fn films() -> Vec<(String, FilmProblem, FilmSystem)> {
+fn films() -> Vec<(String, FilmProblem, Arc<FilmSystem>)> {
     let mut films = Vec::new();
     for model in [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }, Cavitation::Jfo { pressure: 0.0 }] {
         for contact in contacts() {
@@ -44,7 +44,7 @@ fn tangents_with_contact_are_differences() {
             let problem = FilmProblem { journal, ..problem.clone() };
             let film = (problem.solve_from(&system, Neighbour::Kept(&film)))
                 .unwrap_or_else(|reason| panic!("{what}: {reason}"));
-            let total = load(&problem, &system, &film).total;
+            let total = load(&film).total;
             [total.force[0], total.force[1], 2.0 / LENGTH * total.moment[0], 2.0 / LENGTH * total.moment[1]]
         };
         let change = |k: usize, by: f64| {
@@ -57,8 +57,8 @@ fn tangents_with_contact_are_differences() {
         };
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| {
             let change = change(k, 1.0);
-            let unknown = problem.unknown_change(&system, &film, &change).expect("a tangent");
-            let by = load_change(&problem, &system, &film, &[(&change).into()], &unknown);
+            let unknown = film.unknown_change(&change).expect("a tangent");
+            let by = load_change(&film, &[(&change).into()], &unknown);
             [by.force[0], by.force[1], 2.0 / LENGTH * by.moment[0], 2.0 / LENGTH * by.moment[1]]
         });
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
@@ -83,7 +83,7 @@ fn contact_stiffens_and_does_not_damp() {
     let without = FilmProblem { contact: None, ..with.clone() };
     let of = |problem: &FilmProblem| {
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        Coefficients::of(problem, &system, &film, 0.0).expect("coefficients")
+        Coefficients::of(&film, 0.0).expect("coefficients")
     };
     let (with, without) = (of(&with), of(&without));
     assert_eq!(with.damping, without.damping);

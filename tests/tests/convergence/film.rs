@@ -12,7 +12,7 @@ fn load_of_a_smooth_film_converges_at_order_four() {
         .map(|rows| {
             let system = ring_system(3 * rows, rows, 0.1, None);
             let solution = film.solve(&system).unwrap();
-            load(&film, &system, &solution).magnitude()
+            load(&solution).magnitude()
         })
         .into();
     let changes: Vec<f64> = loads.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();

@@ -21,7 +21,7 @@ const MODELS: [Cavitation; 4] = [
 ];
 
 /// A tilted journal that moves, in a ring with a film start.
-fn moving(cavitation: Cavitation) -> (FilmProblem, FilmSystem) {
+fn moving(cavitation: Cavitation) -> (FilmProblem, Arc<FilmSystem>) {
     let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
     let mut problem = tilted(plain_film(LENGTH, 0.6, 0.3, SPEED), slope([0.25, -0.15]));
     problem.cavitation = cavitation;
@@ -53,12 +53,12 @@ fn stiffness_and_damping_are_differences_of_films() {
     for model in MODELS {
         let (problem, system) = moving(model);
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let coefficients = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
+        let coefficients = Coefficients::of(&film, 0.0).expect("coefficients");
         let carried = |journal: JournalState| {
             let problem = FilmProblem { journal, ..problem.clone() };
             let film =
                 (problem.solve_from(&system, Neighbour::Kept(&film))).unwrap_or_else(|reason| panic!("{reason}"));
-            let total = load(&problem, &system, &film).total;
+            let total = load(&film).total;
             let ([x, y], [z_x, z_y]) = (total.force, total.moment);
             ([x, y, z_x, z_y], film.cavity)
         };
@@ -99,9 +99,9 @@ fn the_damping_of_a_journal_at_rest_needs_no_squeeze() {
         let (mut problem, system) = moving(model);
         problem.journal.tilt_rate = [0.0; 2];
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let with = Coefficients::of(&problem, &system, &film, 0.3 * SPEED).expect("coefficients");
+        let with = Coefficients::of(&film, 0.3 * SPEED).expect("coefficients");
         problem.terms.pop();
-        let without = Coefficients::of(&problem, &system, &film, 0.3 * SPEED).expect("coefficients");
+        let without = Coefficients::of(&film, 0.3 * SPEED).expect("coefficients");
         assert_eq!(with, without, "{model:?}");
         assert!(with.damping[0][0] > 0.0);
     }
@@ -114,7 +114,7 @@ fn damping_is_symmetric() {
         let (mut problem, system) = moving(model);
         problem.lubricant.pressure_law = PressureLaw::Constant;
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let Coefficients { damping, .. } = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
+        let Coefficients { damping, .. } = Coefficients::of(&film, 0.0).expect("coefficients");
         for i in 0..4 {
             for j in 0..i {
                 let size = (damping[i][i] * damping[j][j]).sqrt();
@@ -133,8 +133,7 @@ fn translation_and_tilt_decouple_in_a_symmetric_bearing() {
         let mut problem = tilted(plain_film(LENGTH, 0.6, 0.0, SPEED), [0.0; 2]);
         problem.cavitation = model;
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let Coefficients { stiffness, damping, .. } =
-            Coefficients::of(&problem, &system, &film, 0.5 * SPEED).expect("coefficients");
+        let Coefficients { stiffness, damping, .. } = Coefficients::of(&film, 0.5 * SPEED).expect("coefficients");
         for of in [stiffness, damping] {
             let greatest = |block: usize| {
                 let entries = [of[block][block], of[block + 1][block], of[block][block + 1], of[block + 1][block + 1]];
@@ -158,8 +157,8 @@ fn turning_the_line_of_centres_turns_the_load() {
     let mut problem = plain_film(LENGTH, 0.5, 0.0, SPEED);
     problem.cavitation = Cavitation::Reynolds { pressure: 0.0 };
     let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-    let coefficients = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
-    let [x, y] = load(&problem, &system, &film).total.force;
+    let coefficients = Coefficients::of(&film, 0.0).expect("coefficients");
+    let [x, y] = load(&film).total.force;
     let e = problem.journal.offset[0];
     let found = [0, 1].map(|d| e * coefficients.stiffness[d][1]);
     let off = (found[0] + y).hypot(found[1] - x) / x.hypot(y);

@@ -27,9 +27,9 @@ impl Judged {
     pub(crate) fn of(problem: FilmProblem, system: impl Into<Arc<FilmSystem>>) -> Self {
         let system = system.into();
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let cubic = problem.cubic_film(&system, &film, None).unwrap_or_else(|reason| panic!("{reason}"));
-        let carried = load(&problem, &system.cubic().system, &cubic).total;
-        let error = film_error(&problem, &system, &film, &cubic, &carried, None).expect("duals");
+        let cubic = film.cubic_film(None).unwrap_or_else(|reason| panic!("{reason}"));
+        let carried = load(&cubic).total;
+        let error = film_error(&film, &cubic, &carried, None).expect("duals");
         Self { problem, system, film, cubic, error }
     }
 
@@ -39,11 +39,11 @@ impl Judged {
     }
 
     pub(crate) fn quadratic_load(&self) -> Load {
-        load(&self.problem, &self.system, &self.film)
+        load(&self.film)
     }
 
     pub(crate) fn cubic_load(&self) -> Load {
-        load(&self.problem, &self.system.cubic().system, &self.cubic)
+        load(&self.cubic)
     }
 
     /// Nodes whose pressure was sought in quadratic elements.

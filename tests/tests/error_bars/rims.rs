@@ -1,5 +1,7 @@
 //! What round rims are off, and what a mesh that does not resolve a film is told.
 
+use std::sync::Arc;
+
 use oilwedge_report::write_mesh;
 use oilwedge_reynolds::FilmSystem;
 use oilwedge_reynolds::error_bar::Value;
@@ -31,7 +33,7 @@ fn chords() -> Judged {
         region.disc = (region.kind == BoundaryKind::Feed).then_some(HOLE);
         region
     });
-    let system = FilmSystem::new(mesh.clone(), 2, regions.collect()).expect("the same system");
+    let system = Arc::new(FilmSystem::new(mesh.clone(), 2, regions.collect()).expect("the same system"));
     Judged::of(study.problem, system)
 }
 

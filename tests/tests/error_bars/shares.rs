@@ -1,5 +1,7 @@
 //! The shares of the triangles are all of the difference: nothing is lost where it is told where the error comes from.
 
+use std::sync::Arc;
+
 use std::sync::OnceLock;
 
 use oilwedge_reynolds::error_bar::FlowGoal;
@@ -27,7 +29,7 @@ fn raised(judged: &Judged) -> FilmSolution {
     }
 }
 
-fn net(film: &FilmSolution, system: &FilmSystem, is_asked: impl Fn(&str, BoundaryKind) -> bool) -> f64 {
+fn net(film: &FilmSolution, system: &Arc<FilmSystem>, is_asked: impl Fn(&str, BoundaryKind) -> bool) -> f64 {
     let regions = system.supply.regions();
     let owned = |dof: usize| {
         let owner = system.supply.owner(dof);
@@ -40,8 +42,8 @@ fn net(film: &FilmSolution, system: &FilmSystem, is_asked: impl Fn(&str, Boundar
 #[track_caller]
 fn add_up(judged: &Judged) {
     let system = &judged.system.cubic().system;
-    let before = load(&judged.problem, system, &raised(judged)).total;
-    let after = load(&judged.problem, system, &judged.cubic).total;
+    let before = load(&raised(judged)).total;
+    let after = load(&judged.cubic).total;
     let wanted = [after.force[0] - before.force[0], after.force[1] - before.force[1], after.pressure - before.pressure];
     let size = wanted.iter().fold(0.0_f64, |size, eta| size.max(eta.abs()));
     assert!(size > 0.0);
@@ -50,8 +52,8 @@ fn add_up(judged: &Judged) {
         assert!((sum - wanted).abs() < 1e-10 * size, "{sum:e} is not {wanted:e}");
     }
     // The powers of shear and of pressure nearly so: their vectors are tangents where viscosity or the cavity change with the film.
-    let before = power(&judged.problem, system, &raised(judged));
-    let after = power(&judged.problem, system, &judged.cubic);
+    let before = power(&raised(judged));
+    let after = power(&judged.cubic);
     let wanted = [after.shear - before.shear, after.pressure - before.pressure];
     for (goal, wanted) in judged.error.drag.iter().zip(wanted) {
         let sum: f64 = goal.shares.iter().sum();

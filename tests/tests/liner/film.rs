@@ -1,5 +1,7 @@
 //! Films with elastic walls against films that must be equal to them, and against a second code.
 
+use std::sync::Arc;
+
 use oilwedge_bearing::deflection::{CLOSED, closed_pair};
 use oilwedge_bearing::{Deadline, InitialGuess, Interrupt, SearchOptions, find};
 use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
@@ -8,7 +10,7 @@ use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::pressure::extremes;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::wall::{Along, Around, Compliance, Dense, Grid, Wall};
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, SolvedFilm};
 use oilwedge_tests::elastic_liner::{block, carried, closed, force_scale, layer, walled, with_wall};
 use oilwedge_tests::*;
 
@@ -32,9 +34,10 @@ fn a_stiff_wall_is_none() {
         let mut rigid = stiff.clone();
         rigid.film_thickness.pop();
         let film = rigid.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let wanted = carried(&rigid, &system, &film).force;
-        let (problem, film) = closed(stiff, &system);
-        let found = carried(&problem, &system, &film).force;
+        let wanted = carried(&film).force;
+        let film = closed(stiff, &system);
+        let problem = &film.problem;
+        let found = carried(&film).force;
         let size = wanted[0].hypot(wanted[1]);
         for d in 0..2 {
             let off = (found[d] - wanted[d]).abs() / size;
@@ -53,14 +56,15 @@ fn layers_carry_what_a_second_code_has() {
         }
         let (length, eps) = (2.0 * RADIUS * number("b"), number("eps"));
         let system = ring_system(240, 12, length, None);
-        let (problem, film) = closed(walled(length, eps, SWIFT_STIEBER, |_| layer(number("lam"))), &system);
-        let force = carried(&problem, &system, &film).force.map(|part| part / force_scale());
+        let film = closed(walled(length, eps, SWIFT_STIEBER, |_| layer(number("lam"))), &system);
+        let problem = &film.problem;
+        let force = carried(&film).force.map(|part| part / force_scale());
         let wanted = [0, 1].map(|d| row["W"][d].as_f64().expect("a force"));
         let size = wanted[0].hypot(wanted[1]);
         for d in 0..2 {
             assert!((force[d] - wanted[d]).abs() < 1e-3 * size, "{row}: {force:?}");
         }
-        let greatest = extremes(&problem, &system, &film).greatest / pressure_scale();
+        let greatest = extremes(&film).greatest / pressure_scale();
         assert!((greatest / number("p_max") - 1.0).abs() < 1e-3, "{row}: {greatest}");
         let middle = least_at_middle(&problem) / CLEARANCE;
         assert!((middle / number("hmin_mid") - 1.0).abs() < 1e-3, "{row}: {middle}");
@@ -77,13 +81,14 @@ fn a_thick_wall_carries_what_a_second_code_has() {
     for row in block("elastic_ring_film")["rows"].as_array().expect("rows") {
         let number = |key: &str| row[key].as_f64().expect("a number");
         let system = ring_system(240, 12, RADIUS, None);
-        let (problem, film) = closed(walled(RADIUS, number("eps"), SWIFT_STIEBER, by_wave), &system);
-        let force = carried(&problem, &system, &film).force.map(|part| part / force_scale());
+        let film = closed(walled(RADIUS, number("eps"), SWIFT_STIEBER, by_wave), &system);
+        let problem = &film.problem;
+        let force = carried(&film).force.map(|part| part / force_scale());
         for d in 0..2 {
             let wanted = row["W"][d].as_f64().expect("a force");
             assert!((force[d] / wanted - 1.0).abs() < 3e-3, "{row}: {force:?}");
         }
-        let greatest = extremes(&problem, &system, &film).greatest / pressure_scale();
+        let greatest = extremes(&film).greatest / pressure_scale();
         assert!((greatest / number("p_max") - 1.0).abs() < 3e-3, "{row}: {greatest}");
     }
 }
@@ -134,9 +139,10 @@ fn condensed_layer(problem: &FilmProblem, angles: usize, along: usize, per_press
 #[test]
 fn a_matrix_of_a_layer_has_the_film_of_the_layer() {
     let system = ring_system(120, 8, RADIUS, Some(std::f64::consts::PI));
-    let force = |problem: FilmProblem, system: &FilmSystem| {
-        let (problem, film) = closed(problem, system);
-        carried(&problem, system, &film).force
+    let force = |problem: FilmProblem, system: &Arc<FilmSystem>| {
+        let film = closed(problem, system);
+        let problem = &film.problem;
+        carried(&film).force
     };
     let slices = walled(RADIUS, 0.8, SWIFT_STIEBER, |_| layer(0.02));
     let mut rigid = slices.clone();
@@ -162,7 +168,8 @@ fn soft_walls_close_with_every_model() {
         if alpha > 0.0 {
             problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha });
         }
-        let (problem, film) = closed(problem, &system);
+        let film = closed(problem, &system);
+        let problem = &film.problem;
         let closing = problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-8, "{}: {closing:?}", model.name());
         if model.is_symmetric() {
@@ -180,19 +187,19 @@ fn soft_walls_close_with_every_model() {
 #[test]
 fn place_and_wall_are_those_of_one_another() {
     for model in MODELS {
-        let system = ring_system(96, 8, RADIUS, Some(std::f64::consts::PI)).for_many_solves();
+        let system = Arc::new(ring_alone(96, 8, RADIUS, Some(std::f64::consts::PI)).for_many_solves());
         let (near, film) = closed(walled(RADIUS, 0.8, model, |_| layer(0.3)), &system);
-        let load = carried(&near, &system, &film).force.map(|part| 1.1 * part);
+        let load = carried(&film).force.map(|part| 1.1 * part);
         let options = SearchOptions { guess: InitialGuess::Near(Neighbour::Start(&film)), ..SearchOptions::default() };
         let found = find(&near, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         let closing = |problem: &FilmProblem| problem.deflection().expect("a wall").closing;
-        let films = closing(&found.problem).outer - closing(&near).outer;
+        let films = closing(&found.film.problem).outer - closing(&near).outer;
         // A mass-conserving film chooses its advection schemes until they settle.
         let most = if model.conserves_oil() { 30 } else { 6 };
         assert!(films <= most, "{}: {films}", model.name());
-        assert!(found.residual < 1e-10 && closing(&found.problem).residual < 1e-10);
-        let (again, film) = closed(found.problem.deflected(near.deflection()), &system);
-        let force = carried(&again, &system, &film).force;
+        assert!(found.residual < 1e-10 && closing(&found.film.problem).residual < 1e-10);
+        let (again, film) = closed(found.film.problem.deflected(near.deflection()), &system);
+        let force = carried(&film).force;
         let off = (force[0] - load[0]).hypot(force[1] - load[1]) / load[0].hypot(load[1]);
         // The film by itself chooses its advection schemes once more.
         let to = if model.conserves_oil() { 1e-3 } else { 1e-9 };
@@ -204,16 +211,16 @@ fn place_and_wall_are_those_of_one_another() {
 #[test]
 fn a_search_that_is_ended_has_no_balance_while_its_wall_is_open() {
     let (length, system) = (RADIUS, ring_system(48, 8, RADIUS, Some(std::f64::consts::PI)));
-    let (problem, _) = closed(walled(length, 0.7, SWIFT_STIEBER, |_| layer(0.05)), &system);
+    let SolvedFilm { problem, .. } = closed(walled(length, 0.7, SWIFT_STIEBER, |_| layer(0.05)), &system);
     let half: Vec<f64> = problem.deflection().expect("a wall").coefficients.iter().map(|d| 0.5 * d).collect();
     let open = problem.clone().deflected(problem.deflection().map(|bent| bent.with(half)).as_ref());
     let film = open.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-    let load = carried(&open, &system, &film).force;
+    let load = carried(&film).force;
     for guess in [InitialGuess::NearlyBalanced, InitialGuess::Cold] {
         let options =
             SearchOptions { guess, deadline: Deadline::after(0.0, Interrupt::NEVER), ..SearchOptions::default() };
         let found = find(&open, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
-        let left = found.problem.deflection().expect("a wall").closing.residual;
+        let left = found.film.problem.deflection().expect("a wall").closing.residual;
         assert!(found.residual < 1e-12 && left > 0.1, "{:e} {left:e}", found.residual);
         assert!(found.is_ended && found.steps == 1, "{} {}", found.is_ended, found.steps);
     }

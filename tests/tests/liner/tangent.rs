@@ -11,7 +11,7 @@ use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::wall::GapTangent;
-use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, Form, JournalChange, JournalState};
+use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, Form, JournalChange, JournalState, SolvedFilm};
 use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
 use oilwedge_tests::*;
 
@@ -26,14 +26,15 @@ const MODELS: [Cavitation; 4] = [
 fn stiffness_of_film_and_wall_is_differences_of_closed_films() {
     for model in MODELS {
         let system = ring_system(72, 8, RADIUS, Some(std::f64::consts::PI));
-        let (problem, film) = closed(walled(RADIUS, 0.7, model, |_| layer(0.02)), &system);
-        let coefficients = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
+        let film = closed(walled(RADIUS, 0.7, model, |_| layer(0.02)), &system);
+        let problem = &film.problem;
+        let coefficients = Coefficients::of(&film, 0.0).expect("coefficients");
         let at = |offset: [f64; 2]| {
             let journal = JournalState { offset, ..problem.journal };
             let moved = FilmProblem { journal, ..problem.clone() };
             let (moved, film) =
                 closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{reason}"));
-            carried(&moved, &system, &film).force
+            carried(&film).force
         };
         let size = coefficients.stiffness[0][0].abs().max(coefficients.stiffness[1][1].abs());
         for step in [1e-7, 1e-6] {
@@ -69,16 +70,17 @@ fn the_matrix_of_the_gap_is_the_change_of_the_law() {
     printed.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 0.02 / pressure_scale() });
     problems.extend([rough, printed]);
     for problem in problems {
-        let (problem, film) = closed(problem, &system);
+        let film = closed(problem, &system);
+        let problem = &film.problem;
         let bent = problem.deflection().expect("a wall");
         let stage = WallStage { per_time: 0.3 * SPEED, known: bent.coefficients.clone() };
         for deflection in [bent.clone(), bent.in_stage(stage)] {
             let number = deflection.coefficients.len();
             let shape: Vec<f64> = (0..number).map(|k| 1e-3 * CLEARANCE * (0.7 * k as f64).sin()).collect();
-            let matrix = GapTangent::kept(&problem, &system, &film, &deflection).expect("a matrix");
-            let by_matrix = problem.answer(&film, &matrix.times(&system, &shape), 0.0).expect("an answer");
+            let matrix = GapTangent::kept(&film, &deflection).expect("a matrix");
+            let by_matrix = film.answer(&matrix.times(&system, &shape), 0.0).expect("an answer");
             let change = deflection.change(shape);
-            let by_law = problem.unknown_change(&system, &film, FilmChange::Gap(&change)).expect("an answer");
+            let by_law = film.unknown_change(FilmChange::Gap(&change)).expect("an answer");
             let size = by_law.iter().fold(0.0f64, |most, u| most.max(u.abs()));
             let off = by_matrix.iter().zip(&by_law).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
             assert!(
@@ -95,15 +97,15 @@ fn the_matrix_of_the_gap_is_the_change_of_the_law() {
 #[test]
 fn displaced_films_are_closed_to_second_order() {
     let system = ring_system(72, 8, RADIUS, Some(std::f64::consts::PI));
-    let (problem, film) = closed(walled(RADIUS, 0.7, Cavitation::None, |_| layer(0.02)), &system);
+    let film = closed(walled(RADIUS, 0.7, Cavitation::None, |_| layer(0.02)), &system);
+    let problem = &film.problem;
     let off = [1e-3, 5e-4].map(|part| {
         let change = JournalChange { offset: [part * CLEARANCE, -0.5 * part * CLEARANCE], ..JournalChange::default() };
-        let (moved, along) = displaced(&problem, &system, &film, &change).unwrap_or_else(|reason| panic!("{reason}"));
+        let (moved, along) = displaced(&film, &change).unwrap_or_else(|reason| panic!("{reason}"));
         let exact = FilmProblem { journal: moved.journal, ..problem.clone() };
         let (exact, exactly) = closed(exact, &system);
         let deflections = [&moved, &exact].map(|problem| problem.deflection().expect("a wall").at([0.01, 0.0]));
-        let forces =
-            [(&moved, &along), (&exact, &exactly)].map(|(problem, film)| carried(problem, &system, film).force);
+        let forces = [(&moved, &along), (&exact, &exactly)].map(|(problem, film)| carried(film).force);
         let force = (forces[0][0] - forces[1][0]).hypot(forces[0][1] - forces[1][1]);
         [force, (deflections[0] - deflections[1]).abs()]
     });
@@ -128,9 +130,8 @@ fn coefficients_of_a_stiff_wall_are_those_of_the_film() {
         let film = rigid.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let films = [closed(of(1e-12), &system), closed(of(0.02), &system), (rigid, film)];
         for frequency in [0.0, 0.5 * SPEED] {
-            let [stiff, soft, rigid] = films
-                .each_ref()
-                .map(|(problem, film)| Coefficients::of(problem, &system, film, frequency).expect("coefficients"));
+            let [stiff, soft, rigid] =
+                films.each_ref().map(|(problem, film)| Coefficients::of(film, frequency).expect("coefficients"));
             for (a, b) in [(stiff.stiffness, rigid.stiffness), (stiff.damping, rigid.damping)] {
                 let size = b.iter().flatten().fold(0.0f64, |most, entry| most.max(entry.abs()));
                 for (row, other) in a.iter().zip(b) {
@@ -148,7 +149,8 @@ fn coefficients_of_a_stiff_wall_are_those_of_the_film() {
 #[test]
 fn deflections_are_the_same_on_coarser_meshes() {
     let system = ring_system(48, 6, RADIUS, None);
-    let (problem, _) = closed(walled(RADIUS, 0.6, Cavitation::Reynolds { pressure: 0.0 }, |_| layer(0.02)), &system);
+    let SolvedFilm { problem, .. } =
+        closed(walled(RADIUS, 0.6, Cavitation::Reynolds { pressure: 0.0 }, |_| layer(0.02)), &system);
     let deflection = problem.deflection().expect("a wall");
     let carried = deflection.carried(&[0; 4]);
     assert_eq!(

@@ -41,7 +41,7 @@ impl FilmContribution for Pad {
 }
 
 /// The pad, its system and its width [m].
-fn pad(setup: &Value, depth: f64, cavitation: Cavitation) -> (FilmProblem, FilmSystem, f64) {
+fn pad(setup: &Value, depth: f64, cavitation: Cavitation) -> (FilmProblem, Arc<FilmSystem>, f64) {
     let length = number(setup, "L");
     let width = length * f64::from(COLUMNS) / f64::from(ROWS);
     let radius = width / TAU;
@@ -68,12 +68,12 @@ fn pad(setup: &Value, depth: f64, cavitation: Cavitation) -> (FilmProblem, FilmS
         Arc::new(GrooveDepth { depth, inside }),
     ];
     film.cavitation = cavitation;
-    let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring"));
     (film, system, width)
 }
 
 /// Pressure [Pa] at the vertices along the pad, at `x` from its inlet.
-fn pressures(film: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Vec<[f64; 2]> {
+fn pressures(film: &FilmProblem, system: &Arc<FilmSystem>, unknown: &[f64]) -> Vec<[f64; 2]> {
     let length = film.bearing.length;
     let step = length / f64::from(ROWS);
     (0..=ROWS)
@@ -99,7 +99,7 @@ fn pocketed_pad() {
     let (film, system, width) = pad(setup, depth, Cavitation::Jfo { pressure: 0.0 });
     let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
     let flow = number(results, "flow_per_width_m2_s");
-    let found = flows(&film, &system, &solution);
+    let found = flows(&solution);
     assert!(found.imbalance < 1e-12, "{:e}", found.imbalance);
     close(found.regions[0].net / width, flow, 1e-4 * flow);
     close(-found.regions[1].net / width, flow, 1e-4 * flow);
@@ -124,8 +124,7 @@ fn pocketed_pad() {
     close(front, number(results, "reformation_x_m"), 1e-3 * number(setup, "L"));
 
     let carried = number(results, "load_N_per_m_gauge");
-    let above_ambient =
-        load(&film, &system, &solution).total.pressure / width - number(setup, "p_amb") * film.bearing.length;
+    let above_ambient = load(&solution).total.pressure / width - number(setup, "p_amb") * film.bearing.length;
     close(above_ambient, carried, 1e-3 * carried);
 }
 
@@ -140,7 +139,7 @@ fn plain_pad() {
     for cavitation in [Cavitation::None, Cavitation::Jfo { pressure: 0.0 }] {
         let (film, system, width) = pad(setup, 0.0, cavitation);
         let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        close(flows(&film, &system, &solution).regions[0].net / width, flow, 1e-6 * flow);
+        close(flows(&solution).regions[0].net / width, flow, 1e-6 * flow);
         let lowest = pressures(&film, &system, &solution.unknown);
         let lowest = lowest.iter().map(|node| node[1]).fold(f64::INFINITY, f64::min);
         close(lowest, 1e5, 1.0);

@@ -29,7 +29,7 @@ fn film_of_length(slenderness: f64, short: ShortFilm, cavitation: Cavitation) ->
     film.terms.push(Arc::new(Squeeze));
     let system = ring_system(360, 8, length, None);
     let solution = film.solve(&system).unwrap();
-    let load = load(&film, &system, &solution);
+    let load = load(&solution);
     let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
     [number.unwrap() / slenderness.powi(2), similarity::attitude_angle(&film.journal, load.angle())]
 }

@@ -20,7 +20,7 @@ const ARC: f64 = 0.5;
 const STEP: f64 = 0.35;
 
 /// The film over a step of that depth [m] and its system, so many arc lengths long.
-fn step(depth: f64, arcs: f64) -> (FilmProblem, FilmSystem) {
+fn step(depth: f64, arcs: f64) -> (FilmProblem, Arc<FilmSystem>) {
     let length = arcs * RADIUS * ARC;
     let liner = Liner { radius: RADIUS, length, arc: Some((0.0, ARC)) };
     let margin = 0.002 * RADIUS;
@@ -54,7 +54,7 @@ fn step(depth: f64, arcs: f64) -> (FilmProblem, FilmSystem) {
     let regions = places.map(region).into();
     let mut film = plain_film(length, 0.0, 0.0, SPEED);
     film.film_thickness.push(Arc::new(GrooveDepth { depth, inside }));
-    let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the mesh fits");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("the mesh fits"));
     (film, system)
 }
 

@@ -43,7 +43,7 @@ fn load_approaches_the_limit_like_the_inverse_length() {
         let rows = (16.0 * slenderness) as u32;
         let system = ring_system(96, rows, length, Some(0.0));
         let solution = film.solve(&system).unwrap();
-        let load = load(&film, &system, &solution);
+        let load = load(&solution);
         let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
         1.0 - number.unwrap() / sommerfeld::sommerfeld_number(ECCENTRICITY)
     };
@@ -63,7 +63,7 @@ fn long_film(columns: u32) -> [f64; 2] {
     for region in regions.iter_mut().filter(|region| region.kind == BoundaryKind::End) {
         region.kind = BoundaryKind::Sealed;
     }
-    let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the film start closes the ring");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("the film start closes the ring"));
     let solution = film.solve(&system).unwrap();
     let greatest = sommerfeld::pressure(ECCENTRICITY, 2.0);
     let errors = (0..24).flat_map(|k| [-0.5, 0.0, 0.5].map(|z| (2.0 * PI * f64::from(k) / 24.0, z * SHORT)));
@@ -71,7 +71,7 @@ fn long_film(columns: u32) -> [f64; 2] {
         let dof = vertex_dof_at(system.space(), [RADIUS * theta, z]);
         (solution.unknown[dof] / pressure_scale() - sommerfeld::pressure(ECCENTRICITY, theta)).abs() / greatest
     });
-    let load = load(&film, &system, &solution);
+    let load = load(&solution);
     let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
     [number.unwrap(), errors.fold(0.0, f64::max)]
 }
@@ -99,7 +99,7 @@ fn finite_length_tends_to_the_theory_of_long_bearings() {
         let film = plain_film(length, ECCENTRICITY, PI, SPEED);
         let system = ring_system(96, (16.0 * slenderness) as u32, length, Some(0.0));
         let solution = film.solve(&system).unwrap();
-        let load = load(&film, &system, &solution).magnitude();
+        let load = load(&solution).magnitude();
         1.0 - similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load).unwrap() / long
     });
     assert!(deficits.iter().all(|deficit| *deficit > 0.0), "{deficits:?}");

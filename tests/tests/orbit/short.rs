@@ -73,7 +73,7 @@ fn a_load_at_rest_leads_to_its_equilibrium() {
     let mut start = film.0.clone();
     start.journal.offset = [0.3 * CLEARANCE, 0.0];
     let found = find(&start, &film.1, force, &SearchOptions::default()).expect("a position");
-    let [e_x, e_y] = found.problem.journal.offset.map(|part| part / CLEARANCE);
+    let [e_x, e_y] = found.film.problem.journal.offset.map(|part| part / CLEARANCE);
     assert!((x - e_x).abs() < 1e-8 && (y - e_y).abs() < 1e-8, "{x} {y} {e_x} {e_y}");
 }
 

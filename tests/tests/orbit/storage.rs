@@ -28,7 +28,7 @@ struct Seen<'a> {
 /// Follows a film whose journal moves as given from the first of the `times` on, in steps from each to the next; `each` sees every one.
 fn follow(
     still: &FilmProblem,
-    system: &FilmSystem,
+    system: &Arc<FilmSystem>,
     journal: impl Fn(f64) -> JournalState,
     times: &[f64],
     mut each: impl FnMut(&Seen),
@@ -43,8 +43,8 @@ fn follow(
     let before = Before::at_rest(1.0 / short, full.oil_of_full_film(system).expect("volumes"));
     let problem = at(times[0], &before);
     let mut film = problem.solve_from(system, Neighbour::None).expect("a film");
-    let mut oil = Arc::new(before.oil(&problem, system, &film).expect("oil"));
-    let mut force = load(&problem, system, &film).total.force;
+    let mut oil = Arc::new(before.oil(&film).expect("oil"));
+    let mut force = load(&film).total.force;
     let weights = SECOND_ORDER.coefficients[SECOND_ORDER.stages() - 1];
     for pair in times.windows(2) {
         let dt = pair[1] - pair[0];
@@ -54,8 +54,8 @@ fn follow(
             let before = oil.before(&SECOND_ORDER, stage, dt, &stages);
             let problem = at(pair[0] + dt * SECOND_ORDER.nodes[stage], &before);
             film = (problem.solve_from(system, Neighbour::Start(&film))).unwrap_or_else(|reason| panic!("{reason}"));
-            stages.push(Arc::new(before.oil(&problem, system, &film).expect("oil")));
-            force = load(&problem, system, &film).total.force;
+            stages.push(Arc::new(before.oil(&film).expect("oil")));
+            force = load(&film).total.force;
             impulse = [0, 1].map(|d| impulse[d] + dt * weights[stage] * force[d]);
         }
         oil = stages.pop().expect("stages");
@@ -93,7 +93,7 @@ impl FilmContribution for Plates {
 }
 
 /// A strip from 0 to 1 of so many squares, sealed along both sides, 0.025 Pa at both ends.
-fn strip(columns: u32) -> FilmSystem {
+fn strip(columns: u32) -> Arc<FilmSystem> {
     let size = 1.0 / f64::from(columns);
     let vertex = |i: u32, j: u32| 2 * i + j;
     let points = (0..=columns).flat_map(|i| [0u32, 1].map(|j| [size * f64::from(i), size * f64::from(j)]));
@@ -122,7 +122,7 @@ fn strip(columns: u32) -> FilmSystem {
         disc: None,
         film_fraction: None,
     });
-    FilmSystem::new(Arc::new(mesh), 1, regions.into()).expect("a closed film")
+    Arc::new(FilmSystem::new(Arc::new(mesh), 1, regions.into()).expect("a closed film"))
 }
 
 /// Parallel plates at `H = 0.125 cos(4 pi t) + 0.375` with `d/dx(H^3 dp/dx) = 2 d(theta H)/dt`, full at first: left edge of the cavity at times, and the time

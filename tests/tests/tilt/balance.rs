@@ -57,22 +57,22 @@ fn positions_and_tilts_are_those_of_finite_volumes() {
 }
 
 /// A ring with a film start, its journal tilted and moving, and what is free of it.
-fn moving(cavitation: Cavitation) -> (FilmProblem, FilmSystem) {
-    let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+fn moving(cavitation: Cavitation) -> (FilmProblem, Arc<FilmSystem>) {
+    let system = ring_alone(72, 12, LENGTH, Some(160f64.to_radians()));
     let mut problem = tilted(plain_film(LENGTH, 0.6, 0.3, SPEED), slope([0.25, -0.15]));
     problem.cavitation = cavitation;
     problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 2e-8 });
     problem.terms.push(Arc::new(terms::squeeze::Squeeze));
     problem.journal.tilt_rate = [2e-3, 4e-3];
-    let system = match problem.needs_start() {
+    let system = Arc::new(match problem.needs_start() {
         true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
         false => system,
-    };
+    });
     (problem, system)
 }
 
 /// What a film carries, as a load that it balances.
-fn balanced_by(problem: &FilmProblem, system: &FilmSystem) -> Load {
+fn balanced_by(problem: &FilmProblem, system: &Arc<FilmSystem>) -> Load {
     let carried = carried(problem, system);
     Load { force: carried.force, tilting: Some(Tilting { moment: carried.moment, stiffness: 0.0, support: [0.0; 2] }) }
 }
@@ -88,7 +88,7 @@ fn position_and_tilt_are_given_back() {
         start.journal.tilt = [0.0; 2];
         let found = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
         let coordinates = Coordinates::of(&asked, &problem.bearing);
-        let (here, back) = (coordinates.at(&problem.journal), coordinates.at(&found.problem.journal));
+        let (here, back) = (coordinates.at(&problem.journal), coordinates.at(&found.film.problem.journal));
         assert!((0..4).all(|k| (here[k] - back[k]).abs() < 1e-9 * CLEARANCE), "{here:?} {back:?}");
         assert!(found.residual < 1e-10 && found.parts.iter().all(|part| *part < 1e-10));
     }
@@ -107,7 +107,7 @@ fn a_stiff_support_gives_the_tilt() {
     let given = find(&problem, &system, force, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     for d in 0..2 {
         assert!((held.problem.journal.tilt[d] - problem.journal.tilt[d]).abs() < 1e-9 * 1e-3);
-        let apart = held.problem.journal.offset[d] - given.problem.journal.offset[d];
+        let apart = held.problem.journal.offset[d] - given.film.problem.journal.offset[d];
         assert!(apart.abs() < 1e-7 * CLEARANCE, "{apart:e}");
     }
 }
@@ -143,7 +143,7 @@ fn the_tilt_follows_the_place_of_the_load() {
 }
 
 /// The part that the film carries of a moment 25 mm times the force that it carries without tilt, the error of that part, and whether no finer mesh need be asked.
-fn refused(problem: &FilmProblem, system: &FilmSystem) -> (f64, f64, bool) {
+fn refused(problem: &FilmProblem, system: &Arc<FilmSystem>) -> (f64, f64, bool) {
     let force = carried(problem, system).force;
     let asked = Load {
         force,
@@ -197,8 +197,8 @@ fn a_reason_of_a_film_that_conserves_oil_in_an_elastic_liner_holds_on_a_finer_me
             problem.clone(),
             Wall::of_slices(&problem.bearing, |_| compliance).expect("a bearing with a length"),
         );
-        let system = ring_system(6 * across, across, LENGTH, Some(std::f64::consts::PI));
-        refused(&problem, &system.with_coarser(&problem, Layout::Rows))
+        let system = ring_alone(6 * across, across, LENGTH, Some(std::f64::consts::PI));
+        refused(&problem, &Arc::new(system.with_coarser(&problem, Layout::Rows)))
     });
     assert!((coarse - fine).abs() < error, "{coarse} +- {error}, {fine}");
     assert!(error < 0.1 && (0.4..0.6).contains(&fine), "{fine} +- {error}");
@@ -248,7 +248,7 @@ fn a_search_that_begins_in_contact_ends() {
     assert!(gap < 0.0 && gap > -1e-4 * CLEARANCE && start.solve(&system).is_ok(), "{gap:e}");
     let found = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     let off = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let (here, wanted) = (found.problem.journal, problem.journal);
+    let (here, wanted) = (found.film.problem.journal, problem.journal);
     assert!(off(here.offset, wanted.offset) < 1e-9 * CLEARANCE, "{here:?}");
     assert!(off(here.tilt, wanted.tilt) < 1e-9 * CLEARANCE / LENGTH, "{here:?}");
 }

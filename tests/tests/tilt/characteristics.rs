@@ -1,5 +1,7 @@
 //! The characteristics of a film against the films of a second code, limits in closed form, and the film whose motions share one cavity.
 
+use std::sync::Arc;
+
 use std::path::Path;
 
 use oilwedge_campaign::characteristics::fit::{CORE, FitRow, GridPoint, WIDE, fitted_rows, straight};
@@ -131,7 +133,7 @@ fn nowhere_do_the_parts_together_press_less_than_the_film() {
     const LENGTH: f64 = 0.05;
     let mesh = ring(96, 12, LENGTH, 0.0);
     let regions = ends(&mesh, LENGTH, None);
-    let system = FilmSystem::new(std::sync::Arc::new(mesh), 1, regions).expect("the ends close the ring");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 1, regions).expect("the ends close the ring"));
     let solved = |[speed, squeeze, g_x, g_y]: [f64; 4], tilt: [f64; 2]| {
         let mut problem: FilmProblem = tilted(plain_film(LENGTH, 0.7, 0.0, speed), slope(tilt));
         problem.cavitation = oilwedge_reynolds::Cavitation::Reynolds { pressure: 0.0 };

@@ -18,7 +18,7 @@ const MODELS: [Cavitation; 4] = [
 ];
 
 /// A ring with a film start at 180 degrees, its journal at eps 0.6 towards angle 0.
-fn bearing(cavitation: Cavitation, alpha: f64) -> (FilmProblem, FilmSystem) {
+fn bearing(cavitation: Cavitation, alpha: f64) -> (FilmProblem, Arc<FilmSystem>) {
     let mut problem = plain_film(LENGTH, 0.6, 0.0, SPEED);
     problem.cavitation = cavitation;
     problem.lubricant.pressure_law = match alpha {

@@ -112,7 +112,7 @@ impl<'a> Bordered<'a> {
 
     /// The change of a journal that moves by coordinates.
     fn change(&self, place: Vector) -> JournalChange {
-        (self.coordinates).change(&self.follower.problem.journal, &self.velocity, place)
+        (self.coordinates).change(&self.follower.film.problem.journal, &self.velocity, place)
     }
 
     /// What goes with the coordinates that are free, and what goes with the wall.

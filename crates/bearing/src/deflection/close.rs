@@ -6,7 +6,7 @@ use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::{Closing, Deflection};
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, JournalState, NoFilm, SolvedFilm};
 
 use super::gmres::norm;
 use super::tangent::{Follower, contact_points};
@@ -40,18 +40,15 @@ const BEGINNING: f64 = 0.5;
 
 /// Both films under one wall, bent by that in cubic elements.
 pub struct Pair {
-    /// The problem with the deflection found.
-    pub problem: FilmProblem,
     /// The film in quadratic elements.
-    pub film: FilmSolution,
+    pub film: SolvedFilm,
     /// The film in cubic elements.
-    pub cubic: FilmSolution,
+    pub cubic: SolvedFilm,
 }
 
 /// A film and the deflection under which it was solved, with what is left of the balance.
 struct Trial {
-    problem: FilmProblem,
-    film: FilmSolution,
+    film: SolvedFilm,
     /// What it leaves of the balance of its wall.
     left: Left,
     /// Where the film is least [m]; not known yet of the first one.
@@ -75,21 +72,15 @@ pub(crate) struct Left {
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn closed_film(
-    problem: FilmProblem,
-    system: &FilmSystem,
-    near: Neighbour,
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+pub fn closed_film(problem: FilmProblem, system: &Arc<FilmSystem>, near: Neighbour) -> Result<SolvedFilm, NoFilm> {
     if problem.deflection().is_none() {
-        let film = problem.solve_from(system, near)?;
-        return Ok((problem, film));
+        return problem.solve_from(system, near);
     }
-    let (problem, film, _) = closed_within(problem, system, near, CLOSED)?;
-    Ok((problem, film))
+    Ok(closed_within(problem, system, near, CLOSED)?.0)
 }
 
-/// A film, its problem with the deflection found, and its points of contact where that is simulated.
-type Closed = (FilmProblem, FilmSolution, Option<Arc<ContactPoints>>);
+/// A film with the deflection found, and its points of contact where that is simulated.
+type Closed = (SolvedFilm, Option<Arc<ContactPoints>>);
 
 /// As [`closed_film`], until no more than the part `enough` of the deflection is left.
 ///
@@ -97,14 +88,14 @@ type Closed = (FilmProblem, FilmSolution, Option<Arc<ContactPoints>>);
 /// [`NoFilm`]: the reason why there is none.
 pub(crate) fn closed_within(
     problem: FilmProblem,
-    system: &FilmSystem,
+    system: &Arc<FilmSystem>,
     near: Neighbour,
     enough: f64,
 ) -> Result<Closed, NoFilm> {
     if problem.deflection().is_none() {
         let film = problem.solve_from(system, near)?;
         let contact = contact_points(&problem, system);
-        return Ok((problem, film, contact));
+        return Ok((film, contact));
     }
     let mut counts = Closing::default();
     let reason = match closed(problem.clone(), (system, enough), near, &mut counts) {
@@ -123,7 +114,7 @@ pub(crate) fn closed_within(
 /// [`NoFilm`]: the reason why there is none, or why the wall is not near.
 pub(crate) fn closed_near(
     problem: FilmProblem,
-    system: &FilmSystem,
+    system: &Arc<FilmSystem>,
     near: Neighbour,
     enough: f64,
 ) -> Result<Closed, NoFilm> {
@@ -131,7 +122,7 @@ pub(crate) fn closed_near(
 }
 
 /// The film from walls of journals nearer to the middle.
-fn climbed(problem: &FilmProblem, system: (&FilmSystem, f64), counts: &mut Closing) -> Option<Closed> {
+fn climbed(problem: &FilmProblem, system: (&Arc<FilmSystem>, f64), counts: &mut Closing) -> Option<Closed> {
     let eccentricity = problem.journal.eccentricity() / problem.bearing.clearance;
     // In a stage the wall is near to where it was: a rigid one would be far from it.
     let deflection = problem.deflection().filter(|deflection| deflection.rate().is_none())?;
@@ -145,7 +136,7 @@ fn climbed(problem: &FilmProblem, system: (&FilmSystem, f64), counts: &mut Closi
     let (mut bent, ..) = closed(at(part, &rigid), system, Neighbour::None, counts).ok()?;
     loop {
         part = (part + step).min(1.0);
-        let next = closed(at(part, bent.deflection()?), system, Neighbour::None, counts).ok()?;
+        let next = closed(at(part, bent.problem.deflection()?), system, Neighbour::None, counts).ok()?;
         if part == 1.0 {
             return Some(next);
         }
@@ -161,31 +152,31 @@ fn nearer(journal: &JournalState, part: f64) -> JournalState {
 /// The film by Newton's method; a mass-conserving one chooses its advection schemes again under the wall that was found.
 fn closed(
     problem: FilmProblem,
-    (system, enough): (&FilmSystem, f64),
+    (system, enough): (&Arc<FilmSystem>, f64),
     near: Neighbour,
     counts: &mut Closing,
 ) -> Result<Closed, NoFilm> {
-    let film = solved(&problem, system, near, counts)?;
-    let is_final = film.film_fraction.is_some() && enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
+    let film = solved(problem, system, near, counts)?;
+    let is_final = film.solution.film_fraction.is_some() && enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
     let first = if is_final { SETTLED } else { enough };
-    let mut found = iterated(judged(problem, film, system), (system, first), counts)?;
+    let mut found = iterated(judged(film), first, counts)?;
     if is_final {
-        let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
-        found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
+        let film = solved(found.film.problem.clone(), system, Neighbour::Start(&found.film), counts)?;
+        found = iterated(judged(film), enough, counts)?;
     }
     let residual = found.left.residual;
     let closing = Closing { residual, ..*counts };
-    Ok((found.problem.closed_by(closing), found.film, found.left.contact))
+    Ok((found.film.closed_by(closing), found.left.contact))
 }
 
 /// Newton's method from a film.
-fn iterated(mut here: Trial, (system, enough): (&FilmSystem, f64), counts: &mut Closing) -> Result<Trial, NoFilm> {
+fn iterated(mut here: Trial, enough: f64, counts: &mut Closing) -> Result<Trial, NoFilm> {
     for number in 0..MOST_STEPS {
         if here.left.residual < enough {
             return Ok(here);
         }
-        let step = newton_step(&here, system, accuracy(here.left.residual, enough), counts)?;
-        match damped(&here, (number, &step), system, counts) {
+        let step = newton_step(&here, accuracy(here.left.residual, enough), counts)?;
+        match damped(&here, (number, &step), counts) {
             Some(next) => here = next,
             None if here.left.residual < enough.max(CLOSED_ENOUGH) => return Ok(here),
             None => break,
@@ -204,9 +195,9 @@ fn accuracy(residual: f64, enough: f64) -> f64 {
 }
 
 /// The step [m] of Newton's method from a film.
-fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Closing) -> Result<Vec<f64>, NoFilm> {
+fn newton_step(here: &Trial, accuracy: f64, counts: &mut Closing) -> Result<Vec<f64>, NoFilm> {
     let contact = here.left.contact.clone();
-    let follower = Follower::touching(&here.problem, system, &here.film, contact).map_err(Failure::from)?;
+    let follower = Follower::touching(&here.film, contact).map_err(Failure::from)?;
     let Some(follower) = follower else {
         return Ok(Vec::new());
     };
@@ -217,18 +208,19 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
 
 /// The longest of the halved steps that leaves less of the balance, the gap kept open. Far from the balance a mass-conserving film chooses its advection schemes anew at the first of all steps; where
 /// what it leaves then jumps up they are kept.
-fn damped(here: &Trial, (number, step): (usize, &[f64]), system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
-    let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
-    let chooses = number == 0 && here.film.film_fraction.is_some() && here.left.residual >= NEAR;
+fn damped(here: &Trial, (number, step): (usize, &[f64]), counts: &mut Closing) -> Option<Trial> {
+    let system = &here.film.system;
+    let gap = here.gap.unwrap_or_else(|| least_gap(&here.film.problem, system));
+    let chooses = number == 0 && here.film.solution.film_fraction.is_some() && here.left.residual >= NEAR;
     let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
     let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
     for (part, near) in anew.into_iter().chain(halved) {
-        let problem = stepped(&here.problem, step, part)?;
+        let problem = stepped(&here.film.problem, step, part)?;
         let next_gap = least_gap(&problem, system);
         let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);
-        let film = is_open.then(|| solved(&problem, system, near, counts).ok()).flatten();
+        let film = is_open.then(|| solved(problem, system, near, counts).ok()).flatten();
         if let Some(film) = film {
-            let next = judged(problem, film, system);
+            let next = judged(film);
             if next.left.residual < here.left.residual {
                 return Some(Trial { gap: Some(next_gap), ..next });
             }
@@ -247,33 +239,29 @@ fn stepped(problem: &FilmProblem, step: &[f64], part: f64) -> Option<FilmProblem
 
 /// A film under the deflection that the problem has.
 fn solved(
-    problem: &FilmProblem,
-    system: &FilmSystem,
+    problem: FilmProblem,
+    system: &Arc<FilmSystem>,
     near: Neighbour,
     counts: &mut Closing,
-) -> Result<FilmSolution, NoFilm> {
+) -> Result<SolvedFilm, NoFilm> {
     counts.outer += 1;
     problem.solve_from(system, near)
 }
 
 /// A film with what it leaves of the balance of its wall.
-fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Trial {
-    let left = Left::of(&problem, system, &film, contact_points(&problem, system));
-    Trial { problem, film, left, gap: None }
+fn judged(film: SolvedFilm) -> Trial {
+    let left = Left::of(&film, contact_points(&film.problem, &film.system));
+    Trial { film, left, gap: None }
 }
 
 impl Left {
     /// By the pressure of a film with these points of contact.
-    pub(crate) fn of(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        contact: Option<Arc<ContactPoints>>,
-    ) -> Self {
+    pub(crate) fn of(film: &SolvedFilm, contact: Option<Arc<ContactPoints>>) -> Self {
+        let SolvedFilm { problem, system, solution } = film;
         let Some(deflection) = problem.deflection() else {
             return Self { wall: Vec::new(), residual: 0.0, size: 0.0, contact };
         };
-        let wanted = (deflection.wall).deflection((problem, system), &film.unknown, contact.as_deref());
+        let wanted = (deflection.wall).deflection((problem, system), &solution.unknown, contact.as_deref());
         let size = norm(&wanted).max(norm(&deflection.coefficients));
         let wall: Vec<f64> = wanted.iter().zip(&*deflection.coefficients).map(|(wanted, d)| wanted - d).collect();
         Self { residual: if size > 0.0 { norm(&wall) / size } else { 0.0 }, size, wall, contact }
@@ -285,64 +273,65 @@ fn least_gap(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     Gap::of(problem, system).thinnest_film(problem, system).thickness
 }
 
-/// The film in cubic elements from the quadratic `film` of the problem, from the cavity of that at a neighbouring place if there is one; a wall that gives way is
+/// The film in cubic elements from the quadratic `film`, from the cavity of that at a neighbouring place if there is one; a wall that gives way is
 /// bent by it, until no more than the part `enough` of the deflection is left.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn closed_pair(
-    problem: FilmProblem,
-    system: &FilmSystem,
-    film: FilmSolution,
-    neighbour: Option<&FilmSolution>,
-    enough: f64,
-) -> Result<Pair, NoFilm> {
-    let cubic = problem.cubic_film(system, &film, neighbour)?;
-    let mut pair = Pair { problem, film, cubic };
-    let Some(deflection) = pair.problem.deflection() else {
+pub fn closed_pair(film: SolvedFilm, neighbour: Option<&SolvedFilm>, enough: f64) -> Result<Pair, NoFilm> {
+    let cubic = film.cubic_film(neighbour)?;
+    let mut pair = Pair { film, cubic };
+    let Some(deflection) = pair.film.problem.deflection() else {
         return Ok(pair);
     };
     let mut counts = deflection.closing;
     let mut before = f64::INFINITY;
     for step in 0..=MOST_STEPS {
-        let contact = contact_points(&pair.problem, system);
-        let left = Left::of(&pair.problem, &system.cubic().system, &pair.cubic, contact);
+        let contact = contact_points(&pair.film.problem, &pair.film.system);
+        let left = Left::of(&pair.cubic, contact);
         let residual = left.residual;
         counts.residual = residual;
         let is_stalled = residual > STALLED * before;
         if residual < enough || residual < CLOSED_ENOUGH && is_stalled {
-            return Ok(Pair { problem: pair.problem.closed_by(counts), ..pair });
+            return Ok(pair.closed_by(counts));
         }
         if step < MOST_STEPS {
             before = residual;
-            pair = bent_further(pair, &left, system, &mut counts)?;
+            pair = bent_further(pair, &left, &mut counts)?;
         }
     }
     match counts.residual < CLOSED_ENOUGH {
-        true => Ok(Pair { problem: pair.problem.closed_by(counts), ..pair }),
+        true => Ok(pair.closed_by(counts)),
         false => Err(NoFilm::Wall { residual: counts.residual, steps: counts.outer }),
     }
 }
 
 /// Both films under a wall that moves by what is `left` of the balance of the cubic one, along a tangent.
-fn bent_further(pair: Pair, left: &Left, system: &FilmSystem, counts: &mut Closing) -> Result<Pair, NoFilm> {
-    let of = |system, film| Follower::touching(&pair.problem, system, film, left.contact.clone());
-    let quadratic = of(system, &pair.film).map_err(Failure::from)?;
-    let Some(cubic) = of(&system.cubic().system, &pair.cubic).map_err(Failure::from)? else {
+fn bent_further(pair: Pair, left: &Left, counts: &mut Closing) -> Result<Pair, NoFilm> {
+    let of = |film| Follower::touching(film, left.contact.clone());
+    let quadratic = of(&pair.film).map_err(Failure::from)?;
+    let Some(cubic) = of(&pair.cubic).map_err(Failure::from)? else {
         return Ok(pair);
     };
     let follower = cubic.nearly(quadratic);
     let accuracy = accuracy(counts.residual, CLOSED);
     let step = follower.solve(&left.wall, accuracy).map_err(Failure::from)?;
     counts.inner += step.steps;
-    let Some(problem) = stepped(&pair.problem, &step.x, 1.0) else {
+    let Some(problem) = stepped(&pair.film.problem, &step.x, 1.0) else {
         return Ok(pair);
     };
     // Splines that are coarse beside the film may bend the wall into it.
-    if least_gap(&problem, system) <= 0.0 {
+    if least_gap(&problem, &pair.film.system) <= 0.0 {
         return Err(NoFilm::Wall { residual: counts.residual, steps: counts.outer });
     }
-    let film = solved(&problem, system, Neighbour::Start(&pair.film), counts)?;
-    let cubic = problem.cubic_film(system, &film, Some(&pair.cubic))?;
-    Ok(Pair { problem, film, cubic })
+    let film = solved(problem, &pair.film.system, Neighbour::Start(&pair.film), counts)?;
+    let cubic = film.cubic_film(Some(&pair.cubic))?;
+    Ok(Pair { film, cubic })
+}
+
+impl Pair {
+    /// These films, whose wall was closed by so much.
+    fn closed_by(self, counts: Closing) -> Self {
+        Self { film: self.film.closed_by(counts), cubic: self.cubic.closed_by(counts) }
+    }
 }

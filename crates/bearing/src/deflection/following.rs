@@ -7,8 +7,8 @@
 //! K is the tangent of the film, G how its residual changes with the wall. The operator is the transposed one of `tangent.rs` with C, which is symmetric, before it instead of behind.
 
 use oilwedge_fem::Error;
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::error_bar::following::{FORCES, FollowingWall, GOALS};
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 
 use super::gmres::Known;
 use super::tangent::Follower;
@@ -23,18 +23,14 @@ const OF_PRODUCTS: f64 = 1e-6;
 ///
 /// # Errors
 /// The linear systems could not be solved.
-pub fn following_wall(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-) -> Result<Option<FollowingWall>, Error> {
-    let Some(follower) = Follower::of(problem, system, film)? else {
+pub fn following_wall(film: &SolvedFilm) -> Result<Option<FollowingWall>, Error> {
+    let Some(follower) = Follower::of(film)? else {
         return Ok(None);
     };
     let gradient = follower.load_gradient();
     let mut coefficients = [(); GOALS].map(|()| vec![0.0; follower.number()]);
     // A journal that cannot tilt has no moment whose error is asked for.
-    let asked = if problem.can_tilt() { GOALS } else { FORCES };
+    let asked = if film.problem.can_tilt() { GOALS } else { FORCES };
     let mut known = Known::default();
     for (part, coefficients) in coefficients.iter_mut().enumerate().take(asked) {
         let [by_unknown, by_wall] = gradient.of_part(part);
@@ -46,11 +42,12 @@ pub fn following_wall(
 impl Follower<'_> {
     /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much; `known` is what those of other numbers have shown.
     fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut Known) -> Result<Vec<f64>, Error> {
+        let SolvedFilm { problem, system, solution } = self.film;
         let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);
         let mut by_all = self.by_film_transposed(by_unknown)?;
         by_all.iter_mut().zip(by_wall).for_each(|(sum, by_wall)| *sum += by_wall);
         let operator = |mu: &[f64]| {
-            let weights = grid.weights(self.problem, self.system, &self.film.unknown, mu);
+            let weights = grid.weights(problem, system, &solution.unknown, mu);
             let mut forces = self.by_film_transposed(&weights)?;
             if let Some(contact) = self.contact_times(mu) {
                 forces.iter_mut().zip(contact).for_each(|(sum, contact)| *sum += contact);
@@ -64,7 +61,7 @@ impl Follower<'_> {
 
     /// How a sum over the unknown with these weights of the dofs changes with the wall.
     fn by_film_transposed(&self, weights: &[f64]) -> Result<Vec<f64>, Error> {
-        let dual = FilmProblem::answer_transposed(self.film, weights, OF_PRODUCTS)?;
-        Ok(self.gap.times_transposed(self.system, &dual))
+        let dual = self.film.answer_transposed(weights, OF_PRODUCTS)?;
+        Ok(self.gap.times_transposed(&self.film.system, &dual))
     }
 }

@@ -146,10 +146,9 @@ impl<'a> Joint<'a> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn pushed(&self, change: &JournalChange, rate: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
-        let Follower { problem, system, film, .. } = self.follower;
         let shape = self.follower.shape(rate);
         let mut free = self.follower.free(change)?;
-        let by_wall = problem.unknown_change(system, film, FilmChange::GapRate(&shape))?;
+        let by_wall = self.follower.film.unknown_change(FilmChange::GapRate(&shape))?;
         free.unknown.iter_mut().zip(by_wall).for_each(|(a, b)| *a += b);
         Ok((self.coordinates.forces(&carried(&self.gradient, &free)), self.follower.image_of(&free)))
     }

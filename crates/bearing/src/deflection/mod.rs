@@ -44,7 +44,7 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+use oilwedge_reynolds::{FilmChange, FilmProblem, JournalChange, NoFilm, SolvedFilm};
 
 /// Accuracy of the linear systems of films moved for bars of errors.
 const FOR_BARS: f64 = 1e-6;
@@ -63,15 +63,9 @@ pub struct Carried {
 ///
 /// # Errors
 /// The linear systems could not be solved.
-pub fn carried_changes(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    changes: &[JournalChange],
-    accuracy: f64,
-) -> Result<Vec<Carried>, Error> {
-    let contact = contact_on_wall(problem, system);
-    carried_touching((problem, system), film, contact, changes, accuracy)
+pub fn carried_changes(film: &SolvedFilm, changes: &[JournalChange], accuracy: f64) -> Result<Vec<Carried>, Error> {
+    let contact = contact_on_wall(&film.problem, &film.system);
+    carried_touching(film, contact, changes, accuracy)
 }
 
 /// As [`carried_changes`], of a film with these points of contact.
@@ -79,19 +73,15 @@ pub fn carried_changes(
 /// # Errors
 /// The linear systems could not be solved.
 pub(crate) fn carried_touching(
-    (problem, system): (&FilmProblem, &FilmSystem),
-    film: &FilmSolution,
+    film: &SolvedFilm,
     contact: Option<Arc<ContactPoints>>,
     changes: &[JournalChange],
     accuracy: f64,
 ) -> Result<Vec<Carried>, Error> {
-    let Some(follower) = Follower::touching(problem, system, film, contact)? else {
+    let Some(follower) = Follower::touching(film, contact)? else {
         let of = |change: &JournalChange| {
-            let unknown = problem.unknown_change(system, film, change)?;
-            Ok(Carried {
-                by_film: load_change(problem, system, film, &[change.into()], &unknown),
-                deflection: Vec::new(),
-            })
+            let unknown = film.unknown_change(change)?;
+            Ok(Carried { by_film: load_change(film, &[change.into()], &unknown), deflection: Vec::new() })
         };
         return changes.iter().map(of).collect();
     };
@@ -108,64 +98,53 @@ pub(crate) fn carried_touching(
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn displaced(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    change: &JournalChange,
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    let wall = match Follower::of(problem, system, film).map_err(Failure::from)? {
+pub fn displaced(film: &SolvedFilm, change: &JournalChange) -> Result<SolvedFilm, NoFilm> {
+    let wall = match Follower::of(film).map_err(Failure::from)? {
         None => Vec::new(),
         Some(follower) => {
             let followed = follower.free(change).and_then(|free| follower.followed(free, FOR_BARS));
             followed.map_err(Failure::from)?.deflection
         }
     };
-    displaced_with_wall(problem, system, film, change, &wall)
+    displaced_with_wall(film, change, &wall)
 }
 
 /// As [`displaced`], where it is known by which coefficients [m] the wall follows; none of a rigid one.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn displaced_with_wall(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    change: &JournalChange,
-    wall: &[f64],
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+pub fn displaced_with_wall(film: &SolvedFilm, change: &JournalChange, wall: &[f64]) -> Result<SolvedFilm, NoFilm> {
+    let problem = &film.problem;
     let Some(deflection) = problem.deflection() else {
-        return problem.displaced(system, film, change);
+        return film.displaced(change);
     };
     let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() }
         .deflected(Some(&deflection.with_more(wall)));
     let shape = deflection.change(wall.to_vec());
     let changes = [FilmChange::from(change), FilmChange::Gap(&shape)];
     let unknown = || {
-        let mut unknown = vec![0.0; film.unknown.len()];
+        let mut unknown = vec![0.0; film.solution.unknown.len()];
         for change in changes {
-            let more = problem.unknown_change(system, film, change)?;
+            let more = film.unknown_change(change)?;
             unknown.iter_mut().zip(more).for_each(|(unknown, more)| *unknown += more);
         }
         Ok(unknown)
     };
-    let film = with_change((problem, system, film), &moved, &changes, unknown)?;
-    Ok((moved, film))
+    with_change(film, moved, &changes, unknown)
 }
 
 /// The film of a problem that is `moved` by small changes: along the tangent, by which the unknown changes so; one that conserves oil is solved again from the film that is there.
 fn with_change(
-    (problem, system, film): (&FilmProblem, &FilmSystem, &FilmSolution),
-    moved: &FilmProblem,
+    film: &SolvedFilm,
+    moved: FilmProblem,
     changes: &[FilmChange<'_>],
     unknown: impl FnOnce() -> Result<Vec<f64>, Error>,
-) -> Result<FilmSolution, NoFilm> {
-    if film.film_fraction.is_some() {
-        return moved.solve_from(system, Neighbour::Kept(film));
+) -> Result<SolvedFilm, NoFilm> {
+    if film.solution.film_fraction.is_some() {
+        return moved.solve_from(&film.system, Neighbour::Kept(film));
     }
     let unknown = unknown().map_err(Failure::from)?;
-    Ok(problem.along_tangent(system, film, changes, &unknown))
+    Ok(film.along_tangent(moved, changes, &unknown))
 }
 
 /// The film where the wall alone would move by coefficients `free` [m] under the pressure that is there, and both have answered, to first order; none where the wall
@@ -173,13 +152,8 @@ fn with_change(
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn bent(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    free: &[f64],
-) -> Result<Option<(FilmProblem, FilmSolution)>, NoFilm> {
-    let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
+pub fn bent(film: &SolvedFilm, free: &[f64]) -> Result<Option<SolvedFilm>, NoFilm> {
+    let Some(follower) = Follower::of(film).map_err(Failure::from)? else {
         return Ok(None);
     };
     let followed = follower.of_wall(free, FOR_BARS).map_err(Failure::from)?;
@@ -190,25 +164,18 @@ pub fn bent(
 ///
 /// # Errors
 /// A system that does not fit in memory.
-pub fn touched(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    free: &[f64],
-) -> Result<Option<Deflection>, Error> {
-    let follower = Follower::of(problem, system, film)?;
+pub fn touched(film: &SolvedFilm, free: &[f64]) -> Result<Option<Deflection>, Error> {
+    let follower = Follower::of(film)?;
     Ok(follower.map(|follower| follower.deflection.with_more(&follower.solve_contact(free))))
 }
 
 impl Follower<'_> {
     /// The film under the wall that has followed.
-    fn moved(&self, followed: &tangent::Followed) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    fn moved(&self, followed: &tangent::Followed) -> Result<SolvedFilm, NoFilm> {
         let shape = self.shape(&followed.deflection);
         let bent = self.deflection.with_more(&followed.deflection);
-        let moved = self.problem.clone().deflected(Some(&bent));
+        let moved = self.film.problem.clone().deflected(Some(&bent));
         let changes = [FilmChange::Gap(&shape)];
-        let here = (self.problem, self.system, self.film);
-        let film = with_change(here, &moved, &changes, || Ok(followed.unknown.clone()))?;
-        Ok((moved, film))
+        with_change(self.film, moved, &changes, || Ok(followed.unknown.clone()))
     }
 }

@@ -10,7 +10,7 @@ use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
-use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+use oilwedge_reynolds::{FilmChange, FilmProblem, JournalChange, NoFilm, SolvedFilm};
 
 use super::tangent::{Followed, Follower};
 
@@ -35,7 +35,7 @@ impl Follower<'_> {
         let of_wall = self.shape(&by_place.deflection);
         let rate = place.as_rate();
         let mut free = self.free(&rate)?;
-        let more = (self.problem).unknown_change(self.system, self.film, FilmChange::GapRate(&of_wall))?;
+        let more = self.film.unknown_change(FilmChange::GapRate(&of_wall))?;
         (free.unknown.iter_mut()).zip(more).for_each(|(unknown, more)| *unknown += more);
         Ok(Slow { by_rate: self.followed(free, accuracy)?, by_place, rate, of_wall })
     }
@@ -46,18 +46,12 @@ impl Follower<'_> {
 ///
 /// # Errors
 /// The linear systems could not be solved.
-pub fn carried_slowly(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    place: &JournalChange,
-    accuracy: f64,
-) -> Result<[Resultant; 2], Error> {
-    let Some(follower) = Follower::of(problem, system, film)? else {
+pub fn carried_slowly(film: &SolvedFilm, place: &JournalChange, accuracy: f64) -> Result<[Resultant; 2], Error> {
+    let Some(follower) = Follower::of(film)? else {
         let rate = place.as_rate();
         let of = |motion: &JournalChange| {
-            let unknown = problem.unknown_change(system, film, motion)?;
-            Ok::<_, Error>(load_change(problem, system, film, &[motion.into()], &unknown))
+            let unknown = film.unknown_change(motion)?;
+            Ok::<_, Error>(load_change(film, &[motion.into()], &unknown))
         };
         return Ok([of(place)?, of(&rate)?]);
     };
@@ -70,21 +64,15 @@ pub fn carried_slowly(
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn hastened(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    motion: &JournalChange,
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
-        return problem.displaced(system, film, &motion.as_rate());
+pub fn hastened(film: &SolvedFilm, motion: &JournalChange) -> Result<SolvedFilm, NoFilm> {
+    let Some(follower) = Follower::of(film).map_err(Failure::from)? else {
+        return film.displaced(&motion.as_rate());
     };
     let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;
     let of_rate = follower.shape(&slow.by_rate.deflection);
     let bent = (follower.deflection.with_more(&slow.by_rate.deflection)).faster(&slow.of_wall.coefficients);
-    let hastened =
-        FilmProblem { journal: problem.journal.changed(&slow.rate), ..problem.clone() }.deflected(Some(&bent));
+    let hastened = FilmProblem { journal: film.problem.journal.changed(&slow.rate), ..film.problem.clone() }
+        .deflected(Some(&bent));
     let changes = [FilmChange::from(&slow.rate), FilmChange::GapRate(&slow.of_wall), FilmChange::Gap(&of_rate)];
-    let film = problem.along_tangent(system, film, &changes, &slow.by_rate.unknown);
-    Ok((hastened, film))
+    Ok(film.along_tangent(hastened, &changes, &slow.by_rate.unknown))
 }

@@ -13,7 +13,7 @@ use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalChange, SolvedFilm};
 
 use super::gmres::{Known, Solved};
 use super::touching::Touching;
@@ -27,9 +27,7 @@ const OF_ACCURACY: f64 = 1e-3;
 
 /// A solved film whose wall gives way.
 pub(crate) struct Follower<'a> {
-    pub(super) problem: &'a FilmProblem,
-    pub(super) system: &'a FilmSystem,
-    pub(super) film: &'a FilmSolution,
+    pub(super) film: &'a SolvedFilm,
     pub(super) deflection: &'a Deflection,
     /// How the film answers to the wall.
     pub(super) gap: Arc<GapTangent>,
@@ -73,41 +71,30 @@ impl<'a> Follower<'a> {
     ///
     /// # Errors
     /// A system that does not fit in memory.
-    pub(crate) fn of(
-        problem: &'a FilmProblem,
-        system: &'a FilmSystem,
-        film: &'a FilmSolution,
-    ) -> Result<Option<Self>, Error> {
-        Self::touching(problem, system, film, contact_on_wall(problem, system))
+    pub(crate) fn of(film: &'a SolvedFilm) -> Result<Option<Self>, Error> {
+        Self::touching(film, contact_on_wall(&film.problem, &film.system))
     }
 
     /// As [`Self::of`], of a film with these points of contact.
     ///
     /// # Errors
     /// A system that does not fit in memory.
-    pub(crate) fn touching(
-        problem: &'a FilmProblem,
-        system: &'a FilmSystem,
-        film: &'a FilmSolution,
-        contact: Option<Arc<ContactPoints>>,
-    ) -> Result<Option<Self>, Error> {
+    pub(crate) fn touching(film: &'a SolvedFilm, contact: Option<Arc<ContactPoints>>) -> Result<Option<Self>, Error> {
         let of_wall = |deflection: &'a Deflection| {
             let touch = |points: Arc<ContactPoints>| {
                 let tangent = points.tangent();
                 Touch { touching: Touching::of(&tangent, &deflection.wall.compliance), points, tangent }
             };
             Ok(Self {
-                problem,
-                system,
                 film,
                 deflection,
-                gap: GapTangent::kept(problem, system, film, deflection)?,
+                gap: GapTangent::kept(film, deflection)?,
                 contact: contact.map(touch),
                 known: RefCell::default(),
                 near: None,
             })
         };
-        problem.deflection().map(of_wall).transpose()
+        film.problem.deflection().map(of_wall).transpose()
     }
 
     /// As it is, with a film much like it by which its systems are nearly solved.
@@ -140,9 +127,9 @@ impl<'a> Follower<'a> {
 
     /// As [`Self::free`], for systems of the wall that are solved to an `accuracy`.
     pub(super) fn free_within(&self, change: &JournalChange, accuracy: f64) -> Result<Free, Error> {
-        let unknown = match self.gap.by_journal(self.system, change) {
-            Some(residual) => self.problem.answer(self.film, &residual, OF_ACCURACY * accuracy)?,
-            None => self.problem.unknown_change(self.system, self.film, change)?,
+        let unknown = match self.gap.by_journal(&self.film.system, change) {
+            Some(residual) => self.film.answer(&residual, OF_ACCURACY * accuracy)?,
+            None => self.film.unknown_change(change)?,
         };
         Ok(Free { unknown, contact: self.contact_change(change) })
     }
@@ -153,13 +140,13 @@ impl<'a> Follower<'a> {
     /// The linear system could not be solved.
     pub(super) fn by_both(&self, change: &JournalChange, bent: &[f64], accuracy: f64) -> Result<Vec<f64>, Error> {
         let sum = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).map(|(a, b)| a + b).collect();
-        match self.gap.by_journal(self.system, change) {
+        match self.gap.by_journal(&self.film.system, change) {
             Some(by_journal) => {
-                let residual: Vec<f64> = sum(self.gap.times(self.system, bent), by_journal);
-                (self.problem).answer(self.film, &residual, OF_ACCURACY * accuracy)
+                let residual: Vec<f64> = sum(self.gap.times(&self.film.system, bent), by_journal);
+                self.film.answer(&residual, OF_ACCURACY * accuracy)
             }
             None => {
-                let by_journal = self.problem.unknown_change(self.system, self.film, change)?;
+                let by_journal = self.film.unknown_change(change)?;
                 Ok(sum(self.by_deflection(bent, accuracy)?, by_journal))
             }
         }
@@ -176,7 +163,7 @@ impl<'a> Follower<'a> {
     /// What the journal carries by contact, and the forces [N] of it on the splines, more with a `change` of the journal; none where no contact is simulated.
     pub(super) fn contact_change(&self, change: &JournalChange) -> Option<(Resultant, Vec<f64>)> {
         let points = &self.contact.as_ref()?.points;
-        let moved = points.gap_change(self.problem, change.into());
+        let moved = points.gap_change(&self.film.problem, change.into());
         Some((points.load_change(&moved), points.forces_change(&moved)))
     }
 
@@ -188,8 +175,8 @@ impl<'a> Follower<'a> {
 
     /// Deflection [m] by a change of the unknown, and by these forces [N] of contact on the splines.
     pub(super) fn image_with(&self, unknown: &[f64], contact: Option<&[f64]>) -> Vec<f64> {
-        let wall = &self.deflection.wall;
-        let mut forces = (wall.grid).forces_change(self.problem, self.system, &self.film.unknown, unknown);
+        let (SolvedFilm { problem, system, solution }, wall) = (self.film, &self.deflection.wall);
+        let mut forces = wall.grid.forces_change(problem, system, &solution.unknown, unknown);
         for (force, contact) in forces.iter_mut().zip(contact.unwrap_or_default()) {
             *force += contact;
         }
@@ -198,8 +185,7 @@ impl<'a> Follower<'a> {
 
     /// Change of the unknown by a deflection, for a system that is solved to an `accuracy`.
     pub(super) fn by_deflection(&self, coefficients: &[f64], accuracy: f64) -> Result<Vec<f64>, Error> {
-        let part = OF_ACCURACY * accuracy;
-        (self.problem).answer(self.film, &self.gap.times(self.system, coefficients), part)
+        self.film.answer(&self.gap.times(&self.film.system, coefficients), OF_ACCURACY * accuracy)
     }
 
     /// Solves `(I - C dp/dd) x = b`.
@@ -248,12 +234,12 @@ impl<'a> Follower<'a> {
     /// How what the journal carries changes with film and wall.
     pub(super) fn load_gradient(&self) -> LoadGradient {
         let contact = self.contact.as_ref().map(|contact| contact.points.as_ref());
-        LoadGradient::of(self.problem, self.system, self.film, contact)
+        LoadGradient::of(self.film, contact)
     }
 
     /// What follows where the wall alone changes by `free` [m] under the pressure that is there, to an `accuracy`.
     pub(crate) fn of_wall(&self, free: &[f64], accuracy: f64) -> Result<Followed, Error> {
-        self.bent(free, vec![0.0; self.film.unknown.len()], accuracy)
+        self.bent(free, vec![0.0; self.film.solution.unknown.len()], accuracy)
     }
 }
 

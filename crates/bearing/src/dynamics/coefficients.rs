@@ -3,7 +3,7 @@
 use crate::deflection::{Follower, Response, harmonic_response};
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change, oil_change};
-use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, Whirl};
+use oilwedge_reynolds::{FilmChange, FilmProblem, JournalChange, SolvedFilm, Whirl};
 
 /// Row: W_x, W_y, m_x, m_y; column: e_x, e_y, g_x, g_y, or their rates.
 pub type Square = [[f64; 4]; 4];
@@ -24,26 +24,23 @@ impl Coefficients {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, frequency: f64) -> Result<Self, Error> {
-        let whirl = Whirl::new(problem, system, film, frequency)?;
-        let follower = Follower::of(problem, system, film)?;
-        let mut coefficients = Self { order: Self::order_of(problem), ..Self::default() };
+    pub fn of(film: &SolvedFilm, frequency: f64) -> Result<Self, Error> {
+        let whirl = Whirl::new(film, frequency)?;
+        let follower = Follower::of(film)?;
+        let mut coefficients = Self { order: Self::order_of(&film.problem), ..Self::default() };
         for column in 0..coefficients.order {
             let (offset, tilt) = motion(column);
             let place = JournalChange { offset, tilt, ..JournalChange::default() };
             let response = whirl.response(offset, tilt)?;
             let [by_place, by_rate] = match &follower {
-                None => of_film(problem, system, film, &place, response),
+                None => of_film(film, &place, response),
                 Some(follower) => {
                     let parts = (&whirl, follower);
-                    let pace = problem.journal.speed.abs();
+                    let pace = film.problem.journal.speed.abs();
                     let Response { unknown, deflection } = harmonic_response(parts, &place, response, frequency, pace)?;
                     let [placed, moving] = deflection.each_ref().map(|shape| FilmChange::Gap(shape));
                     let place = [(&place).into(), placed];
-                    [
-                        load_change(problem, system, film, &place, &unknown[0]),
-                        load_change(problem, system, film, &[moving], &unknown[1]),
-                    ]
+                    [load_change(film, &place, &unknown[0]), load_change(film, &[moving], &unknown[1])]
                 }
             };
             let [by_place, by_rate] = [forces(by_place), forces(by_rate)];
@@ -132,14 +129,8 @@ pub(super) fn motion(column: usize) -> ([f64; 2], [f64; 2]) {
 }
 
 /// What the journal carries more in a rigid wall with a motion as `place` and as rate: contact answers to the place of the journal, not to its rate.
-fn of_film(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    place: &JournalChange,
-    [by_place, by_rate]: [Vec<f64>; 2],
-) -> [Resultant; 2] {
-    [load_change(problem, system, film, &[place.into()], &by_place), oil_change(problem, system, film, &by_rate)]
+fn of_film(film: &SolvedFilm, place: &JournalChange, [by_place, by_rate]: [Vec<f64>; 2]) -> [Resultant; 2] {
+    [load_change(film, &[place.into()], &by_place), oil_change(film, &by_rate)]
 }
 
 /// Forces and moments in the order of the rows.

@@ -3,7 +3,7 @@
 use oilwedge_fem::Error;
 use oilwedge_reynolds::error_bar::edge_products::edge_products;
 use oilwedge_reynolds::quantities::LoadGradient;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Whirl};
+use oilwedge_reynolds::{SolvedFilm, Whirl};
 
 use super::coefficients::{Coefficients, motion};
 
@@ -11,11 +11,11 @@ use super::coefficients::{Coefficients, motion};
 ///
 /// # Errors
 /// The linear systems could not be solved.
-pub fn edge_parts(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<Vec<Coefficients>, Error> {
-    let order = Coefficients::order_of(problem);
-    let whirl = Whirl::new(problem, system, film, 0.0)?;
-    let gradient = LoadGradient::of(problem, system, film, None);
-    let dual = |part: usize| film.linearisation.solve_transposed(&gradient.of_part(part)[0]);
+pub fn edge_parts(film: &SolvedFilm) -> Result<Vec<Coefficients>, Error> {
+    let order = Coefficients::order_of(&film.problem);
+    let whirl = Whirl::new(film, 0.0)?;
+    let gradient = LoadGradient::of(film, None);
+    let dual = |part: usize| film.solution.linearisation.solve_transposed(&gradient.of_part(part)[0]);
     let duals: Vec<Vec<f64>> = (0..order).map(dual).collect::<Result<_, _>>()?;
     let responses: Vec<[Vec<f64>; 2]> = (0..order)
         .map(|column| {
@@ -25,7 +25,7 @@ pub fn edge_parts(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolutio
         .collect::<Result<_, _>>()?;
     let of = |kind: usize| {
         let responses: Vec<Vec<f64>> = responses.iter().map(|both| both[kind].clone()).collect();
-        edge_products(problem, system, film, &duals, &responses)
+        edge_products(film, &duals, &responses)
     };
     let both = of(0).into_iter().zip(of(1));
     Ok(both.map(|(stiffness, damping)| Coefficients { stiffness, damping, order }).collect())

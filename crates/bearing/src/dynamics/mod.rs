@@ -20,7 +20,7 @@ mod rotor;
 mod whirl;
 
 use oilwedge_fem::Error;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{FilmProblem, SolvedFilm};
 
 pub use coefficients::{Coefficients, Square};
 pub use edge::edge_parts;
@@ -51,11 +51,11 @@ impl Dynamics {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, whirl: &[f64]) -> Result<Self, Error> {
-        let films = Whirled { problem, system, film };
+    pub fn of(film: &SolvedFilm, whirl: &[f64]) -> Result<Self, Error> {
+        let films = Whirled { film };
         let at = films.at_each(whirl)?;
-        let judged = match depends_on_frequency(problem) {
-            true => whirl::own_whirl(|whirl| films.at(whirl), problem.journal.speed)?,
+        let judged = match depends_on_frequency(&film.problem) {
+            true => whirl::own_whirl(|whirl| films.at(whirl), film.problem.journal.speed)?,
             false => at.first().copied(),
         };
         Ok(match judged {
@@ -68,13 +68,8 @@ impl Dynamics {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub fn beside(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        other: &Self,
-    ) -> Result<Self, Error> {
-        let films = Whirled { problem, system, film };
+    pub fn beside(film: &SolvedFilm, other: &Self) -> Result<Self, Error> {
+        let films = Whirled { film };
         let whirl: Vec<f64> = other.at.iter().map(|at| at.whirl).collect();
         let at = films.at_each(&whirl)?;
         let judged = match at.iter().find(|at| at.whirl == other.judged.whirl) {
@@ -92,21 +87,19 @@ pub fn depends_on_frequency(problem: &FilmProblem) -> bool {
 
 /// A film that is whirled.
 struct Whirled<'a> {
-    problem: &'a FilmProblem,
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
 }
 
 impl Whirled<'_> {
     fn at(&self, whirl: f64) -> Result<AtWhirl, Error> {
-        let frequency = whirl * self.problem.journal.speed.abs();
-        let coefficients = Coefficients::of(self.problem, self.system, self.film, frequency)?;
+        let frequency = whirl * self.film.problem.journal.speed.abs();
+        let coefficients = Coefficients::of(self.film, frequency)?;
         Ok(AtWhirl { whirl, coefficients })
     }
 
     fn at_each(&self, whirl: &[f64]) -> Result<Vec<AtWhirl>, Error> {
         match whirl {
-            [first, ..] if !depends_on_frequency(self.problem) => {
+            [first, ..] if !depends_on_frequency(&self.film.problem) => {
                 let once = self.at(*first)?;
                 Ok(whirl.iter().map(|&whirl| AtWhirl { whirl, ..once }).collect())
             }

@@ -4,10 +4,11 @@
 //! Eccentricities are even in `-ln(1 - eps)`, joined by cubics; directions by periodic splines, the lower half plane being the mirror image.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm, SolvedFilm};
 use rayon::prelude::*;
 
 use super::{FilmMap, ShortMap};
@@ -47,7 +48,7 @@ impl FiniteMap {
     ///
     /// # Errors
     /// [`NoMap`]: why there is none.
-    pub fn new(problem: &FilmProblem, system: &FilmSystem, greatest: f64) -> Result<Self, NoMap> {
+    pub fn new(problem: &FilmProblem, system: &Arc<FilmSystem>, greatest: f64) -> Result<Self, NoMap> {
         let count = ((-(1.0 - greatest).ln() / DISTANCE).ceil() as usize).max(3);
         let levels: Result<Vec<_>, NoMap> = (0..=count)
             .into_par_iter()
@@ -58,10 +59,10 @@ impl FiniteMap {
 }
 
 /// The films at one eccentricity.
-fn level(problem: &FilmProblem, system: &FilmSystem, eccentricity: f64) -> Result<PeriodicSpline<2>, NoMap> {
+fn level(problem: &FilmProblem, system: &Arc<FilmSystem>, eccentricity: f64) -> Result<PeriodicSpline<2>, NoMap> {
     let bearing = &problem.bearing;
     let unit = problem.lubricant.viscosity * bearing.length.powi(3) * bearing.radius / bearing.clearance.powi(2);
-    let mut before: Option<FilmSolution> = None;
+    let mut before: Option<SolvedFilm> = None;
     let mut values = Vec::new();
     for k in 0..=DIRECTIONS {
         let angle = PI * f64::from(k) / f64::from(DIRECTIONS);
@@ -76,7 +77,7 @@ fn level(problem: &FilmProblem, system: &FilmSystem, eccentricity: f64) -> Resul
         };
         let near = before.as_ref().map_or(Neighbour::None, Neighbour::Start);
         let film = problem.solve_from(system, near)?;
-        let [x, y] = load(&problem, system, &film).total.resultant().force;
+        let [x, y] = load(&film).total.resultant().force;
         let short = ShortMap.force(eccentricity, angle);
         let ratio = x.hypot(y) / (unit * SPEED * short[0].hypot(short[1]));
         // At both ends the force is along the line of centres.

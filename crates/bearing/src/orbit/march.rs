@@ -121,7 +121,7 @@ impl Motion<'_> {
         let mut last = Vec::new();
         for number in 1..=options.cycles {
             let (begin, velocity, oil) = (traveller.here.at, traveller.here.velocity, traveller.here.oil.clone());
-            let wall = traveller.here.problem.deflection().cloned();
+            let wall = traveller.here.film.problem.deflection().cloned();
             let (steps, mut cycle) = match self.cycle(&mut traveller, number, accuracy, options) {
                 Ok(Some(made)) => made,
                 Ok(None) if number == 1 => {
@@ -135,7 +135,7 @@ impl Motion<'_> {
                 Err(reason) => return Err(reason),
             };
             cycle.films += std::mem::take(&mut films);
-            let by_wall = wall.zip(traveller.here.problem.deflection());
+            let by_wall = wall.zip(traveller.here.film.problem.deflection());
             let by_wall = by_wall.map_or(0.0, |(begin, end)| begin.distance(end));
             let by_place = length(moved(traveller.here.at, -1.0, begin));
             cycle.closure = by_place.max(by_wall).max(self.closure_of_velocity(velocity, traveller.here.velocity));

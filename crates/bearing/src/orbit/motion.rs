@@ -14,7 +14,7 @@ use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{
-    CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalChange, JournalState, NoFilm, Storage,
+    CentreVelocity, FilmProblem, FilmSystem, Gap, JournalChange, JournalState, NoFilm, SolvedFilm, Storage,
 };
 
 use super::oil::Oil;
@@ -41,7 +41,7 @@ pub struct Motion<'a> {
     /// The film; its journal gives the tilt where that is not free, and the axial velocity.
     pub problem: &'a FilmProblem,
     /// Its mesh and supply.
-    pub system: &'a FilmSystem,
+    pub system: &'a Arc<FilmSystem>,
     /// Where the film is least on that mesh.
     pub gap: Gap,
     /// What acts on the journal.
@@ -61,10 +61,8 @@ pub struct Instant {
     pub at: Vector,
     /// Their rates [m/s].
     pub velocity: Vector,
-    /// The film's problem at this time.
-    pub problem: FilmProblem,
-    /// Its film.
-    pub film: FilmSolution,
+    /// The film at this time.
+    pub film: SolvedFilm,
     /// Forces of film and support less the load [N]; what a mass would take is not in them.
     pub excess: Vector,
     /// The oil of a film that conserves it, at the end of a stage; else `None`.
@@ -74,7 +72,7 @@ pub struct Instant {
 impl Instant {
     /// The wall, if it gives way.
     pub(super) fn wall(&self) -> Option<&Deflection> {
-        self.problem.deflection()
+        self.film.problem.deflection()
     }
 }
 
@@ -158,8 +156,8 @@ impl Motion<'_> {
     }
 
     /// Forces of film and support at an instant [N].
-    pub fn response(&self, problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, at: Vector) -> Vector {
-        self.response_by(&load(problem, system, film).total.resultant(), at)
+    pub fn response(&self, film: &SolvedFilm, at: Vector) -> Vector {
+        self.response_by(&load(film).total.resultant(), at)
     }
 
     /// Forces of the support and of a film that carries this [N].
@@ -179,9 +177,9 @@ impl Motion<'_> {
 
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
-        let (problem, film, contact) = closed_within(self.problem_of(moving, held), self.system, near, CLOSED)?;
-        let carried = load_touching(&problem, self.system, &film, contact.as_deref());
-        Ok(self.instant(moving, problem, film, &carried.total.resultant()))
+        let (film, contact) = closed_within(self.problem_of(moving, held), self.system, near, CLOSED)?;
+        let carried = load_touching(&film, contact.as_deref());
+        Ok(self.instant(moving, film, &carried.total.resultant()))
     }
 
     /// The film of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of contact where that is simulated.
@@ -191,11 +189,10 @@ impl Motion<'_> {
         held: Held<'_>,
         near: Neighbour,
     ) -> Result<(Instant, Option<Arc<ContactPoints>>), NoFilm> {
-        let problem = self.problem_of(moving, held);
-        let film = problem.solve_from(self.system, near)?;
-        let contact = contact_points(&problem, self.system);
-        let carried = load_touching(&problem, self.system, &film, contact.as_deref());
-        let instant = self.instant(moving, problem, film, &carried.total.resultant());
+        let film = self.problem_of(moving, held).solve_from(self.system, near)?;
+        let contact = contact_points(&film.problem, self.system);
+        let carried = load_touching(&film, contact.as_deref());
+        let instant = self.instant(moving, film, &carried.total.resultant());
         Ok((instant, contact))
     }
 
@@ -209,11 +206,11 @@ impl Motion<'_> {
     }
 
     /// That of a film which carries this.
-    fn instant(&self, moving: Moving, problem: FilmProblem, film: FilmSolution, carried: &Resultant) -> Instant {
+    fn instant(&self, moving: Moving, film: SolvedFilm, carried: &Resultant) -> Instant {
         let Moving { time, at, velocity } = moving;
         let response = self.response_by(carried, at);
         let asked = self.asked(time);
-        Instant { time, at, velocity, excess: [0, 1, 2, 3].map(|k| response[k] - asked[k]), problem, film, oil: None }
+        Instant { time, at, velocity, excess: [0, 1, 2, 3].map(|k| response[k] - asked[k]), film, oil: None }
     }
 
     /// The change of the journal where coordinate k changes by `per_offset` and its rate by `per_rate` [1/s].
@@ -233,9 +230,9 @@ impl Motion<'_> {
     /// The linear systems could not be solved.
     pub fn tangent(&self, here: &Instant, per_offset: f64, per_rate: f64) -> Result<Stiffness, NoFilm> {
         let coordinates = self.coordinates();
-        let change = |k: usize| self.change(&here.problem.journal, k, [per_offset, per_rate]);
+        let change = |k: usize| self.change(&here.film.problem.journal, k, [per_offset, per_rate]);
         let changes: Vec<JournalChange> = (0..coordinates.order).map(change).collect();
-        let carried = carried_changes(&here.problem, self.system, &here.film, &changes, FOLLOWED);
+        let carried = carried_changes(&here.film, &changes, FOLLOWED);
         let carried = carried.map_err(Failure::from)?;
         Stiffness::by_columns(coordinates.order, |k| {
             let mut column = coordinates.forces(&carried[k].by_film);
@@ -251,15 +248,15 @@ impl Motion<'_> {
     /// # Errors
     /// The linear systems could not be solved.
     pub fn slow_tangents(&self, here: &Instant) -> Result<[Stiffness; 2], NoFilm> {
-        if here.problem.deflection().is_none() {
+        if here.film.problem.deflection().is_none() {
             return Ok([self.tangent(here, 1.0, 0.0)?, self.tangent(here, 0.0, 1.0)?]);
         }
         let coordinates = self.coordinates();
-        let problem = here.problem.clone().with_wall_at_its_rate();
+        let film = SolvedFilm { problem: here.film.problem.clone().with_wall_at_its_rate(), ..here.film.clone() };
         let mut columns = [[[0.0; 4]; 2]; 4];
         for (k, columns) in columns.iter_mut().enumerate().take(coordinates.order) {
-            let change = self.change(&problem.journal, k, [1.0, 0.0]);
-            let carried = carried_slowly(&problem, self.system, &here.film, &change, FOLLOWED);
+            let change = self.change(&film.problem.journal, k, [1.0, 0.0]);
+            let carried = carried_slowly(&film, &change, FOLLOWED);
             *columns = carried.map_err(Failure::from)?.map(|carried| coordinates.forces(&carried));
             if k >= 2 {
                 columns[0][k] += self.support_stiffness();

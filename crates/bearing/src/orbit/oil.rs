@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::Error;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Storage};
+use oilwedge_reynolds::{SolvedFilm, Storage};
 
 use super::scheme::Scheme;
 
@@ -32,10 +32,10 @@ impl Before {
     ///
     /// # Errors
     /// The sub-mesh does not fit in memory.
-    pub fn oil(&self, problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<Oil, Error> {
-        let held = problem.oil_held(system, film)?.unwrap_or_default();
-        let inflow: f64 = film.inflow.iter().sum();
-        let given = film.inflow.iter().enumerate().filter(|(dof, _)| system.supply.owner(*dof).is_some());
+    pub fn oil(&self, film: &SolvedFilm) -> Result<Oil, Error> {
+        let held = film.oil_held()?.unwrap_or_default();
+        let inflow: f64 = film.solution.inflow.iter().sum();
+        let given = film.solution.inflow.iter().enumerate().filter(|(dof, _)| film.system.supply.owner(*dof).is_some());
         let entering: f64 = given.map(|(_, inflow)| inflow.max(0.0)).sum();
         let time = 1.0 / self.storage.per_time;
         Ok(Oil {

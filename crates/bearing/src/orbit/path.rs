@@ -52,7 +52,11 @@ pub struct StepHistory {
 
 impl StepHistory {
     pub(super) fn of(here: &Instant) -> Option<Self> {
-        Some(Self { before: here.problem.storage.clone()?, trace: here.film.trace(), oil: here.oil.clone()? })
+        Some(Self {
+            before: here.film.problem.storage.clone()?,
+            trace: here.film.solution.trace(),
+            oil: here.oil.clone()?,
+        })
     }
 }
 
@@ -66,7 +70,7 @@ impl Step {
             error: [0.0; 4],
             residual,
             history: StepHistory::of(here).map(Arc::new),
-            wall: here.problem.deflection().cloned(),
+            wall: here.film.problem.deflection().cloned(),
             until_next: Between::Load,
         }
     }

@@ -153,7 +153,7 @@ impl Motion<'_> {
         let Some(before) = &known.before else {
             return Ok(here);
         };
-        let oil = before.oil(&here.problem, self.system, &here.film).map_err(Failure::from);
+        let oil = before.oil(&here.film).map_err(Failure::from);
         Ok(Instant { oil: Some(Arc::new(oil.map_err(NoFilm::from)?)), ..here })
     }
 
@@ -206,7 +206,7 @@ impl Motion<'_> {
         };
         let motion = Motion { problem: &problem, gap: self.gap.clone(), ..*self };
         let begin = motion.carried((0.0, at), [0.0; 4], accuracy, films)?;
-        Ok((begin.velocity, begin.problem.deflection().cloned()))
+        Ok((begin.velocity, begin.film.problem.deflection().cloned()))
     }
 
     /// The velocity at a given place in which film and support carry the load, sought from a `guess`.
@@ -233,14 +233,16 @@ impl Motion<'_> {
             loop {
                 let velocity = moved(here.velocity, part, step);
                 *films += 1;
-                let held = Held { storage: None, wall: here.problem.deflection() };
+                let held = Held { storage: None, wall: here.film.problem.deflection() };
                 match self.film(moving(velocity), held, Neighbour::Start(&here.film)) {
                     Ok(next) if length(next.excess) < length(here.excess) => {
                         here = next;
                         break;
                     }
                     // A wall is bent step by step where it is not at once.
-                    Err(reason) if part < SHORTEST || here.problem.deflection().is_none() => return Err(reason.into()),
+                    Err(reason) if part < SHORTEST || here.film.problem.deflection().is_none() => {
+                        return Err(reason.into());
+                    }
                     _ => part *= 0.5,
                 }
                 match part < SHORTEST {

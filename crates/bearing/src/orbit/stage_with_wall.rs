@@ -133,7 +133,7 @@ impl Motion<'_> {
         let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
         let held = Held { storage: known.before.as_ref().map(|before| &before.storage), wall: Some(wall) };
         let (instant, contact) = self.film_under(moving, held, near)?;
-        let wall = Left::of(&instant.problem, self.system, &instant.film, contact);
+        let wall = Left::of(&instant.film, contact);
         let force = self.residual(known, &instant);
         Ok(Trial { parts: [length(force) / scale, wall.residual], force, wall, instant })
     }
@@ -146,8 +146,8 @@ impl Motion<'_> {
         of_wall: &[f64],
         per_time: f64,
     ) -> Result<Vector, NoStage> {
-        let joint = self.joint(per_time, end, contact_points(&end.problem, self.system))?;
-        let along = (self.coordinates()).change(&end.problem.journal, &CentreVelocity::default(), error);
+        let joint = self.joint(per_time, end, contact_points(&end.film.problem, self.system))?;
+        let along = (self.coordinates()).change(&end.film.problem.journal, &CentreVelocity::default(), error);
         let (by_film, bent) = joint.pushed(&along.as_rate(), of_wall)?;
         let masses = self.masses();
         let force = [0, 1, 2, 3].map(|k| per_time * (by_film[k] + masses[k] * per_time * error[k]));
@@ -162,14 +162,14 @@ impl Motion<'_> {
         here: &'a Instant,
         contact: Option<Arc<ContactPoints>>,
     ) -> Result<Joint<'a>, NoStage> {
-        let follower = Follower::touching(&here.problem, self.system, &here.film, contact)?;
+        let follower = Follower::touching(&here.film, contact)?;
         let follower = follower.ok_or(NoStage::Diverged)?;
         let masses = self.masses();
         let held = [0, 1, 2, 3].map(|k| {
             let support = if k >= 2 { self.support_stiffness() } else { 0.0 };
             support + masses[k] * per_time.powi(2)
         });
-        let change = |k: usize| self.change(&here.problem.journal, k, [1.0, per_time]);
+        let change = |k: usize| self.change(&here.film.problem.journal, k, [1.0, per_time]);
         Ok(Joint::of(follower, self.coordinates(), change, held, FOLLOWED)?)
     }
 }
@@ -183,7 +183,7 @@ impl From<Error> for NoStage {
 impl Known {
     /// The wall with which the stage begins: where it is expected, or that of a film nearby; none where it is rigid.
     pub(super) fn wall_from(&self, near: &Instant) -> Option<Deflection> {
-        let deflection = near.problem.deflection()?;
+        let deflection = near.film.problem.deflection()?;
         Some(match &self.wall {
             Some((stage, expected)) => deflection.with(expected.clone()).in_stage(stage.clone()),
             None => deflection.clone(),

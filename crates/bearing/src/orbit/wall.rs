@@ -22,7 +22,7 @@ pub(super) struct Way {
 
 impl Way {
     pub(super) fn between(from: &Instant, to: &Instant) -> Self {
-        let walls = from.problem.deflection().zip(to.problem.deflection());
+        let walls = from.film.problem.deflection().zip(to.film.problem.deflection());
         Self { span: Span::of_instants(from, to), walls: walls.map(|(from, to)| [from.clone(), to.clone()]) }
     }
 
@@ -44,7 +44,7 @@ pub(super) struct WallStages {
 impl WallStages {
     /// Of a step from an instant; none where the wall is rigid.
     pub(super) fn from(start: &Instant) -> Option<Self> {
-        let deflection = start.problem.deflection()?;
+        let deflection = start.film.problem.deflection()?;
         let at_rest = || vec![0.0; deflection.coefficients.len()].into();
         Some(Self {
             begin: deflection.coefficients.clone(),
@@ -69,7 +69,7 @@ impl WallStages {
 
     /// A stage that was found.
     pub(super) fn add(&mut self, found: &Instant) {
-        let rate = found.problem.deflection().and_then(|deflection| deflection.rate());
+        let rate = found.film.problem.deflection().and_then(|deflection| deflection.rate());
         self.rates.extend(rate.cloned());
     }
 

@@ -16,6 +16,8 @@
 //!
 //! **Source.** Definition. **Range.** Quasi-static shafts: their mass acts by the loads only. **Verified by** `tests/tests/shaft/statics.rs`.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, NoFilm};
 use rayon::prelude::*;
@@ -36,7 +38,7 @@ pub struct Film<'a> {
     /// Its physics.
     pub problem: FilmProblem,
     /// Its mesh and supply.
-    pub system: &'a FilmSystem,
+    pub system: &'a Arc<FilmSystem>,
     /// Where it is least on that mesh.
     pub gap: Gap,
     /// Its coordinates: with two of them it resists no tilt, and its journal stays parallel to the shell.
@@ -79,7 +81,12 @@ pub struct NoFilmAt {
 
 impl<'a> Film<'a> {
     /// The film of a journal that turns with the speed of its problem; `support` [N/m, N m/rad] holds the shell, infinite for a rigid one.
-    pub fn new(problem: &FilmProblem, system: &'a FilmSystem, coordinates: Coordinates, support: [f64; 2]) -> Self {
+    pub fn new(
+        problem: &FilmProblem,
+        system: &'a Arc<FilmSystem>,
+        coordinates: Coordinates,
+        support: [f64; 2],
+    ) -> Self {
         let [stiffness, of_tilt] = support;
         let (offset, tilt) = (1.0 / stiffness, coordinates.arm.powi(2) / of_tilt);
         let speed = problem.journal.speed;

@@ -33,12 +33,12 @@ impl Branch<'_, '_> {
     /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the same wall; no error where there is none, of a mass-conserving film before contact,
     /// and in a search whose reason is a start at most.
     pub(super) fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
-        let (search, Trial { problem, film, .. }) = (self.search, &at.trial);
+        let (search, Trial { film, .. }) = (self.search, &at.trial);
         let carried = self.carried(at.part);
-        let conserves_oil = problem.cavitation.conserves_oil();
+        let conserves_oil = film.problem.cavitation.conserves_oil();
         let is_known = !conserves_oil || search.is_in_contact(&at.trial);
         let missed = match search.options.purpose {
-            Purpose::Answer | Purpose::Branch if is_known => search.missed(problem, film),
+            Purpose::Answer | Purpose::Branch if is_known => search.missed(film),
             Purpose::Start | Purpose::Answer | Purpose::Branch => None,
         };
         let part = |missed: Vector| match conserves_oil {

@@ -2,6 +2,7 @@
 //!
 //! What a case finds depends on its chain alone: not on the threads, nor on what was computed before the chain.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited};
@@ -137,7 +138,7 @@ struct Held {
     /// Position for which its mesh was graded.
     graded_for: JournalState,
     /// Its solution, if there is one.
-    solution: Option<FilmSolution>,
+    solution: Option<Arc<FilmSolution>>,
 }
 
 /// Walks along chains.
@@ -224,8 +225,8 @@ impl<'a> Walker<'a> {
                 let estimated = estimate_errors(&solved);
                 let limit = ended(&solved, self.options);
                 let found = Found::of(scene, (&solved, estimated), limit.as_ref(), self.options);
-                let Solved { film, solution, .. } = solved;
-                (found, film, limit.is_none().then_some(solution))
+                let Solved { film, primary, .. } = solved;
+                (found, film, limit.is_none().then_some(primary.solution))
             }
             Err((film, reason)) => (Found::failed(&reason, film.unknowns()), film, None),
         };
@@ -273,7 +274,8 @@ impl<'a> Walker<'a> {
             held = redrawn(scene, position)?;
         }
         for _ in 0..2 {
-            let near = held.solution.as_ref().map_or(Neighbour::None, Neighbour::Start);
+            let near = held.solution.clone().map(|solution| held.film.solved_by(solution));
+            let near = near.as_ref().map_or(Neighbour::None, Neighbour::Start);
             let Ok(solved) = solve(&held.film, &self.solve_options(InitialGuess::Near(near))) else {
                 // A mesh that a film has not shaped is good for another start.
                 self.held = Some(held);

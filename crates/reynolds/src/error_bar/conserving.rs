@@ -40,7 +40,7 @@ use crate::quantities::inlet::inlet_flow;
 use crate::quantities::load::{self, Share};
 use crate::quantities::power::power;
 use crate::supply::{BoundaryKind, SupplyRegion};
-use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmPoint, FilmProblem, FilmSystem, SolvedFilm};
 
 /// c: of the difference of pressures, under an integral.
 const OF_PRESSURE: f64 = 0.36;
@@ -138,9 +138,7 @@ struct Weights {
 
 /// A film and its coarse comparison.
 struct Pair<'a> {
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
-    radius: f64,
+    film: &'a SolvedFilm,
     /// The wall, if it gives way.
     following: Option<&'a FollowingWall>,
     /// Pressure [Pa] at each dof of the film.
@@ -149,35 +147,34 @@ struct Pair<'a> {
     difference: Vec<f64>,
 }
 
-/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison ([`FilmProblem::coarse_comparison`]), where a wall that gives way is `following`, or held where
+/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison ([`SolvedFilm::coarse_comparison`]), where a wall that gives way is `following`, or held where
 /// there is none; none for other films.
 pub fn conserving_error(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    coarse: &FilmSolution,
+    film: &SolvedFilm,
+    coarse: &SolvedFilm,
     following: Option<&FollowingWall>,
 ) -> Option<ConservingError> {
-    let (fraction, other) = (film.film_fraction.as_ref()?, coarse.film_fraction.as_ref()?);
+    let SolvedFilm { problem, system, solution } = film;
+    let (fraction, other) = (solution.film_fraction.as_ref()?, coarse.solution.film_fraction.as_ref()?);
     (system.space().degree() == 2).then_some(())?;
-    let pair = Pair::new((problem, system), film, coarse, following);
-    let total = load::load(problem, system, film);
+    let pair = Pair::new(film, coarse, following);
+    let total = load::load(film);
     let (sin, cos) = total.angle().sin_cos();
     let [along, across] = [[cos, sin], [-sin, cos]].map(|[x, y]| pair.shares(|at| x * at.force[0] + y * at.force[1]));
     let front = pair.front();
     let Disagreement { doubt, carried, in_both } = pair.disagreement(coarse, [&fraction.values, &other.values]);
     let widened = 1.0 + doubt / DOUBTFUL;
     let least = fraction.values.iter().copied().fold(1.0, f64::min);
-    let films = [(system, film), (system.vertices_only(), coarse)];
-    let [through, other_through] = films.map(|(system, film)| flow::flows(problem, system, film));
+    let films = [film, coarse];
+    let [through, other_through] = films.map(flow::flows);
     let (flows, side_flow) = flow_bars(system, &through, &other_through, carried);
-    let [power, other_power] = films.map(|(system, film)| {
-        let carries = load::load(problem, system, film).total.resultant();
-        power(problem, system, film).with_moment(problem, carries)
+    let [power, other_power] = films.map(|film| {
+        let carries = load::load(film).total.resultant();
+        power(film).with_moment(problem, carries)
     });
-    let [inlet, other_inlet] = films.map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
+    let [inlet, other_inlet] = films.map(|film| inlet_flow(film).unwrap_or(0.0));
     let bar = |shares: &[Bar]| (shares.iter().fold(Bar::default(), |sum, &share| sum + share)).scaled(widened);
-    let spread = cavitation::spread(problem, system, film, fraction).ok()?;
+    let spread = cavitation::spread(film, fraction).ok()?;
     let per_share = (OF_SPREAD + OF_SPREAD_AGAIN * spread.times).min(MOST_OF_SPREAD);
     let part = per_share * spread.shares.iter().sum::<f64>();
     let around = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;
@@ -190,11 +187,11 @@ pub fn conserving_error(
         false => Vec::new(),
     };
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
-    let pressure = pair.greatest_pressure(problem, coarse) + part * greatest;
+    let pressure = pair.greatest_pressure(coarse) + part * greatest;
     Some(ConservingError {
         is_resolved: load.total() <= UNRESOLVED * least_resolved(problem, &total.total),
         spread: part,
-        places: places(problem, system, [film, coarse], part),
+        places: places(films, part),
         load,
         across: with_spread(bar(&across), force),
         force: [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.force[towards])), force)),
@@ -209,7 +206,7 @@ pub fn conserving_error(
         side_flow: side_flow + part * around,
         inlet_flow: OF_INLET * (inlet - other_inlet).abs() + (CARRIED_TO_INLET * carried + part) * inlet.abs(),
         power: [power.shear - other_power.shear, power.pressure - other_power.pressure],
-        power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear + at_rims(problem, system, film),
+        power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear + at_rims(film),
         cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt + part,
         least_fraction: LEAST_BAR.max(least.min(LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)),
         indicator: (along.iter().zip(&across).zip(&spread.shares))
@@ -226,35 +223,30 @@ impl ConservingError {
 }
 
 impl<'a> Pair<'a> {
-    fn new(
-        (problem, system): (&FilmProblem, &'a FilmSystem),
-        film: &'a FilmSolution,
-        coarse: &FilmSolution,
-        following: Option<&'a FollowingWall>,
-    ) -> Self {
-        let pressure: Vec<f64> = film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
-        let mut pair =
-            Self { system, film, radius: problem.bearing.radius, following, pressure, difference: Vec::new() };
-        let differences = (pair.vertices().zip(&coarse.unknown))
-            .map(|(dof, &unknown)| (problem.pressure_at(unknown) - pair.pressure[dof]).abs());
+    fn new(film: &'a SolvedFilm, coarse: &SolvedFilm, following: Option<&'a FollowingWall>) -> Self {
+        let pressure: Vec<f64> = film.solution.unknown.iter().map(|&u| film.problem.pressure_at(u)).collect();
+        let mut pair = Self { film, following, pressure, difference: Vec::new() };
+        let differences = (pair.vertices().zip(&coarse.solution.unknown))
+            .map(|(dof, &unknown)| (film.problem.pressure_at(unknown) - pair.pressure[dof]).abs());
         pair.difference = differences.collect();
         pair
     }
 
     /// The dof of each vertex.
     fn vertices(&self) -> impl Iterator<Item = usize> {
-        let space = self.system.space();
+        let space = self.film.system.space();
         (0..space.mesh().points().len() as u32).map(|vertex| space.vertex_dof(vertex))
     }
 
     /// How far the two films differ in what is in the cavity, and how full it is: `fractions` are those of the dofs and of the vertices.
-    fn disagreement(&self, coarse: &FilmSolution, fractions: [&[f64]; 2]) -> Disagreement {
+    fn disagreement(&self, coarse: &SolvedFilm, fractions: [&[f64]; 2]) -> Disagreement {
         let fractions: Vec<[f64; 2]> =
             (self.vertices().enumerate()).map(|(vertex, dof)| [fractions[0][dof], fractions[1][vertex]]).collect();
-        let in_doubt: Vec<bool> =
-            (self.vertices().zip(&coarse.cavity)).map(|(dof, &other)| self.film.cavity[dof] != other).collect();
+        let in_doubt: Vec<bool> = (self.vertices().zip(&coarse.solution.cavity))
+            .map(|(dof, &other)| self.film.solution.cavity[dof] != other)
+            .collect();
         let in_both = (self.vertices().enumerate())
-            .filter(|&(vertex, dof)| self.film.cavity[dof] && coarse.cavity[vertex])
+            .filter(|&(vertex, dof)| self.film.solution.cavity[dof] && coarse.solution.cavity[vertex])
             .map(|(vertex, _)| fractions[vertex]);
         Disagreement {
             doubt: self.mean(|vertex| f64::from(u8::from(in_doubt[vertex]))),
@@ -266,25 +258,25 @@ impl<'a> Pair<'a> {
     /// `c Int d |w| dA` and `|w s|` of each triangle, w made of the weights of force and moment.
     fn shares(&self, weight: impl Fn(Weights) -> f64) -> Vec<Bar> {
         let weight = |position: [f64; 2]| weight(self.weights(position)).abs();
-        let cells = 0..self.system.space().mesh().triangles().len();
+        let cells = 0..self.film.system.space().mesh().triangles().len();
         cells.map(|t| self.share(t, &weight)).collect()
     }
 
     /// Weights at a position [m].
     fn weights(&self, [x, z]: [f64; 2]) -> Weights {
-        let (sin, cos) = (x / self.radius).sin_cos();
+        let (sin, cos) = (x / self.film.problem.bearing.radius).sin_cos();
         let [x, y, m_x, m_y] = self.following.map_or([0.0; GOALS], |wall| wall.at([x, z]));
         Weights { force: [cos + x, sin + y], moment: [z * cos + m_x, z * sin + m_y] }
     }
 
     fn share(&self, t: usize, weight: &dyn Fn([f64; 2]) -> f64) -> Bar {
-        let mesh = self.system.space().mesh();
+        let mesh = self.film.system.space().mesh();
         let (corners, area) = (mesh.corners(t), self.area(t));
         let at_vertices = (0..3).map(|k| weight(corners[k]) * self.difference[mesh.triangles()[t][k] as usize]);
         let discretisation = OF_PRESSURE * area / 3.0 * at_vertices.sum::<f64>();
         let mut front = 0.0;
         if self.is_front(t, &[0, 1, 2, 3, 4, 5]) {
-            let dofs = self.system.space().element_dofs(t);
+            let dofs = self.film.system.space().element_dofs(t);
             let sum = |nodes: [usize; 3]| nodes.iter().map(|&node| self.pressure[dofs[node]]).sum::<f64>();
             let surplus = area / 12.0 * (sum([3, 4, 5]) - sum([0, 1, 2]));
             front = surplus.abs() * weight([0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0));
@@ -294,10 +286,11 @@ impl<'a> Pair<'a> {
 
     /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its limit pressures are
     /// far more uncertain than it; not finite where the limit lies within the bar.
-    fn greatest_pressure(&self, problem: &FilmProblem, coarse: &FilmSolution) -> f64 {
-        let unknown = |dof: usize| self.film.unknown[dof];
+    fn greatest_pressure(&self, coarse: &SolvedFilm) -> f64 {
+        let problem = &self.film.problem;
+        let unknown = |dof: usize| self.film.solution.unknown[dof];
         let difference = |(dof, other): (usize, &f64)| (dof, (other - unknown(dof)).abs());
-        let pairs = || self.vertices().zip(&coarse.unknown).map(difference);
+        let pairs = || self.vertices().zip(&coarse.solution.unknown).map(difference);
         let Some((top, at_top)) = pairs().max_by(|a, b| unknown(a.0).total_cmp(&unknown(b.0))) else {
             return 0.0;
         };
@@ -311,19 +304,19 @@ impl<'a> Pair<'a> {
 
     /// Area [m2] of a triangle, its sides taken straight.
     fn area(&self, t: usize) -> f64 {
-        triangle_area(self.system.space().mesh().corners(t))
+        triangle_area(self.film.system.space().mesh().corners(t))
     }
 
     /// True if some of these nodes of a triangle are in the cavity and some are not.
     fn is_front(&self, t: usize, nodes: &[usize]) -> bool {
-        let dofs = self.system.space().element_dofs(t);
-        let broken = nodes.iter().filter(|&&node| self.film.cavity[dofs[node]]).count();
+        let dofs = self.film.system.space().element_dofs(t);
+        let broken = nodes.iter().filter(|&&node| self.film.solution.cavity[dofs[node]]).count();
         broken > 0 && broken < nodes.len()
     }
 
     /// beta.
     fn front(&self) -> f64 {
-        let space = self.system.space();
+        let space = self.film.system.space();
         let (mut front, mut whole) = (0.0, 0.0);
         for t in 0..space.mesh().triangles().len() {
             let subs = sub_triangles(space, t);
@@ -336,7 +329,7 @@ impl<'a> Pair<'a> {
 
     /// Mean over the mesh of a function of the vertex.
     fn mean(&self, of: impl Fn(usize) -> f64) -> f64 {
-        let mesh = self.system.space().mesh();
+        let mesh = self.film.system.space().mesh();
         let (mut sum, mut whole) = (0.0, 0.0);
         for (t, corners) in mesh.triangles().iter().enumerate() {
             sum += self.area(t) / 3.0 * corners.iter().map(|&vertex| of(vertex as usize)).sum::<f64>();
@@ -357,10 +350,10 @@ fn least_resolved(problem: &FilmProblem, total: &Share) -> f64 {
 }
 
 /// Power of shear [W] of the film between element edges and the circles that they stand for: both films have the same edges.
-fn at_rims(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
-    let still = vec![0.0; film.unknown.len()];
-    let shear = |region: &SupplyRegion, _: [f64; 2], film: &FilmPoint| drag::shear(problem, film, region.pressure);
-    geometry::rims(problem, system, film, &still, &shear).abs()
+fn at_rims(film: &SolvedFilm) -> f64 {
+    let still = vec![0.0; film.solution.unknown.len()];
+    let shear = |region: &SupplyRegion, _: [f64; 2], at: &FilmPoint| drag::shear(&film.problem, at, region.pressure);
+    geometry::rims(film, &still, &shear).abs()
 }
 
 /// The greatest difference of pairs of film fractions where there is least oil.

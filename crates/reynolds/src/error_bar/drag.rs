@@ -10,7 +10,7 @@ use oilwedge_fem::{Field, integrate};
 
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
-use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmPoint, FilmProblem, FilmSystem, SolvedFilm};
 
 /// Steps of the unknown below this part of it are too small for a secant.
 const SMALL: f64 = 1e-6;
@@ -23,15 +23,17 @@ pub(super) fn shear(problem: &FilmProblem, film: &FilmPoint, p: f64) -> f64 {
 
 /// What the rules of integration for the two degrees differ by in the power of shear [W] of the `cubic` film: summed over triangles without sign, since the
 /// difference of the two powers is small by chance where it cancels. Zero for a journal at rest.
-pub(super) fn difference_of_rules(problem: &FilmProblem, system: &FilmSystem, cubic: &FilmSolution) -> f64 {
+/// `system` is that of the quadratic film.
+pub(super) fn difference_of_rules(system: &FilmSystem, cubic: &SolvedFilm) -> f64 {
+    let problem = &cubic.problem;
     let law = FilmLaw::new(problem, 1.0);
     if law.velocity() == [0.0; 2] {
         return 0.0;
     }
-    let better = system.cubic().system.space();
+    let better = cubic.system.space();
     let mesh = better.mesh();
     let is_film = system.supply.film(mesh);
-    let values = &cubic.unknown[..];
+    let values = &cubic.solution.unknown[..];
     let rules =
         [system.space(), better].map(|space| Rule::new(Quadrature::for_degree(space.degree()), better.degree()));
     integrate(mesh, |t| {
@@ -52,15 +54,16 @@ pub(super) fn difference_of_rules(problem: &FilmProblem, system: &FilmSystem, cu
 }
 
 /// The vectors for shear and pressure [W/Pa]; zero for a journal at rest.
-pub(super) fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raised: &[f64]) -> [Vec<f64>; 2] {
-    let space = cubic.space();
+pub(super) fn goal_vectors(cubic: &SolvedFilm, raised: &[f64]) -> [Vec<f64>; 2] {
+    let SolvedFilm { problem, system, solution } = cubic;
+    let (space, better) = (system.space(), &solution.unknown[..]);
     let mut goals = [0, 1].map(|_| vec![0.0; space.dofs()]);
     let law = FilmLaw::new(problem, 1.0);
     let velocity = law.velocity();
     if velocity == [0.0; 2] {
         return goals;
     }
-    let is_film = cubic.supply.film(space.mesh());
+    let is_film = system.supply.film(space.mesh());
     let rule = Rule::for_degree(space.degree());
     let thickens = !matches!(problem.lubricant.pressure_law, PressureLaw::Constant);
     for t in (0..is_film.len()).filter(|&t| is_film[t]) {

@@ -24,8 +24,8 @@ use std::ops::AddAssign;
 use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::{Field, integrate};
 
+use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Products of duals (rows) and responses (columns).
 type Products = [[f64; 4]; 4];
@@ -41,21 +41,16 @@ impl AddAssign for Listed {
 }
 
 /// `a_T(u, z)` of each triangle T through which the edge of the cavity of a film runs, of at most four duals (rows) and four responses (columns) that vanish where the film is held.
-pub fn edge_products(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    duals: &[Vec<f64>],
-    responses: &[Vec<f64>],
-) -> Vec<[[f64; 4]; 4]> {
+pub fn edge_products(film: &SolvedFilm, duals: &[Vec<f64>], responses: &[Vec<f64>]) -> Vec<[[f64; 4]; 4]> {
+    let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());
     let rule = Rule::for_degree(space.degree());
     let law = FilmLaw::new(problem, 1.0);
     let along = problem.theory.directions();
     let has_edge = |t: usize| {
         let dofs = &space.element_dofs(t)[..space.shapes()];
-        let is_free = |&dof: &usize| !film.cavity[dof] && system.supply.owner(dof).is_none();
-        dofs.iter().any(|&dof| film.cavity[dof]) && dofs.iter().any(is_free)
+        let is_free = |&dof: &usize| !solution.cavity[dof] && system.supply.owner(dof).is_none();
+        dofs.iter().any(|&dof| solution.cavity[dof]) && dofs.iter().any(is_free)
     };
     integrate(mesh, |t| {
         if !has_edge(t) {

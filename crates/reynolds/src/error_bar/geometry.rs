@@ -21,22 +21,16 @@ use oilwedge_mesh::Circle;
 
 use crate::film_law::FilmLaw;
 use crate::supply::{self, SupplyRegion};
-use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmPoint, SolvedFilm};
 
 /// The weight of a goal at a rim: from the region, the position [m] and the film there.
 pub(super) type RimWeight<'a> = &'a dyn Fn(&SupplyRegion, [f64; 2], &FilmPoint) -> f64;
 
 /// The formula over all rims, for the goal with the weight `given` and the dual `dual`: exact less computed.
-pub(super) fn rims(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    dual: &[f64],
-    given: RimWeight,
-) -> f64 {
-    let (space, mesh) = (system.space(), system.space().mesh());
-    let fields = [&film.unknown[..], dual].map(|values| Field { space, values });
-    let law = FilmLaw::new(problem, 1.0);
+pub(super) fn rims(film: &SolvedFilm, dual: &[f64], given: RimWeight) -> f64 {
+    let (space, mesh) = (film.system.space(), film.system.space().mesh());
+    let fields = [&film.solution.unknown[..], dual].map(|values| Field { space, values });
+    let law = FilmLaw::new(&film.problem, 1.0);
     let edge_part = |region: &SupplyRegion, edge: u32| {
         let disc = region.disc.map(|disc| Circle { centre: disc.centre, radius: disc.radius });
         let circle = disc.or(mesh.circle(edge).copied())?;
@@ -56,7 +50,7 @@ pub(super) fn rims(
         }
         Some(sum)
     };
-    let regions = system.supply.regions().iter();
+    let regions = film.system.supply.regions().iter();
     regions
         .flat_map(|region| supply::rim(mesh, region).map(move |edge| (region, edge)))
         .filter_map(|(region, edge)| edge_part(region, edge))

@@ -36,8 +36,8 @@ mod shares;
 pub mod sharp;
 
 use self::following::FollowingWall;
+use crate::SolvedFilm;
 use crate::quantities::load::Share;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// A load of which this part is in question is not resolved.
 pub const UNRESOLVED: f64 = 0.05;
@@ -238,14 +238,12 @@ pub enum FlowGoal {
 /// # Errors
 /// The linear systems of the duals could not be solved.
 pub fn film_error(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    cubic: &FilmSolution,
+    film: &SolvedFilm,
+    cubic: &SolvedFilm,
     carried: &Share,
     following: Option<&FollowingWall>,
 ) -> Result<FilmError, oilwedge_fem::Error> {
-    shares::film_error(problem, system, film, cubic, carried, following)
+    shares::film_error(film, cubic, carried, following)
 }
 
 impl FilmError {

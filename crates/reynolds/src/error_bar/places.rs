@@ -4,9 +4,9 @@
 //! difference, and by part of a triangle, for pressures are linear on its pieces.
 
 use super::Bar;
+use crate::SolvedFilm;
 use crate::quantities::extent::{Extent, extent};
 use crate::quantities::pressure::extremes;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Of the width of a triangle.
 const SUB_TRIANGLE: f64 = 0.5;
@@ -22,15 +22,10 @@ pub struct Places {
 }
 
 /// Bars by a film and its `coarse` comparison; `part` is that of every bar for oil that triangles spread.
-pub(super) fn places(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    [film, coarse]: [&FilmSolution; 2],
-    part: f64,
-) -> Places {
-    let films = [(system, film), (system.vertices_only(), coarse)];
-    let summits = films.map(|(system, film)| extremes(problem, system, film).summit);
-    let extents = films.map(|(system, film)| extent(problem, system, film, &extremes(problem, system, film)));
+pub(super) fn places(films: [&SolvedFilm; 2], part: f64) -> Places {
+    let SolvedFilm { problem, system, .. } = films[0];
+    let summits = films.map(|film| extremes(film).summit);
+    let extents = films.map(|film| extent(film, &extremes(film)));
     let radius = problem.bearing.radius;
     let apart = |a: f64, b: f64| problem.bearing.around(a, b).abs();
     let corners = system.space().mesh().corners(summits[0].triangle);

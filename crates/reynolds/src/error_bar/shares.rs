@@ -15,7 +15,7 @@ use crate::angles::sines_and_cosines;
 use crate::lubricant::PressureLaw;
 use crate::quantities::load::{Share, possible_load};
 use crate::supply::{BoundaryKind, SupplyRegion};
-use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
+use crate::{FilmPoint, FilmProblem, FilmSystem, Form, SolvedFilm};
 
 /// Angles of the film [rad] from which on a corner spoils the order: 225 degrees. The sides of a round hole turn by less.
 const REENTRANT: f64 = 1.25 * std::f64::consts::PI;
@@ -27,21 +27,19 @@ const STRAIGHT: f64 = 0.02;
 const JUMP: f64 = 1e-9;
 
 pub(super) fn film_error(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    cubic: &FilmSolution,
+    film: &SolvedFilm,
+    cubic: &SolvedFilm,
     carried: &Share,
     following: Option<&FollowingWall>,
 ) -> Result<FilmError, Error> {
-    let better = &system.cubic().system;
-    let raised = system.cubic().prolongation.prolong(&film.unknown);
-    let split = Split::new(system, film, cubic, &raised);
-    let vectors = GoalVectors { problem, cubic: better, better: &cubic.unknown, raised: &raised, following };
+    let SolvedFilm { problem, system, solution } = film;
+    let raised = system.cubic().prolongation.prolong(&solution.unknown);
+    let split = Split::new(film, cubic, &raised);
+    let vectors = GoalVectors { cubic, raised: &raised, following };
     let [x, y, thrust] = vectors.of(|At { cos, sin, mu, .. }| [cos + mu[0], sin + mu[1], 1.0]);
     let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
-        let geometry = geometry::rims(problem, system, film, &dual, given);
+        let geometry = geometry::rims(film, &dual, given);
         Ok(GoalError { geometry, ..error })
     };
     // What is cut out counts with its circle if it has one, else with the element edges; it presses on no wall.
@@ -72,14 +70,14 @@ pub(super) fn film_error(
         }
         false => None,
     };
-    let [shear, pressure] = drag::goal_vectors(problem, better, &cubic.unknown, &raised);
+    let [shear, pressure] = drag::goal_vectors(cubic, &raised);
     let drag = [
         judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
         // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
         judged(&pressure, &|_, _, _| 0.0)?,
     ];
     let flows = split.flows()?;
-    let (front, deep) = front(better, cubic);
+    let (front, deep) = front(cubic);
     let [corner, bend] = corners(problem, system);
     Ok(FilmError {
         possible: possible_load(problem, carried),
@@ -88,7 +86,7 @@ pub(super) fn film_error(
         goals,
         moments,
         drag,
-        shear_rules: drag::difference_of_rules(problem, system, cubic),
+        shear_rules: drag::difference_of_rules(system, cubic),
         flows,
         is_smooth: is_smooth(problem) && !front.contains(&true),
         front,
@@ -106,8 +104,7 @@ fn is_smooth(problem: &FilmProblem) -> bool {
 
 /// The difference of the two films, ready to be weighed by duals.
 struct Split<'a> {
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
     stiffness: &'a Matrix,
     /// `K e`, tested with quadratic functions.
     reaction: Vec<f64>,
@@ -119,13 +116,13 @@ struct Split<'a> {
 
 impl<'a> Split<'a> {
     /// Of the film and the `cubic` one; `raised` is the film in cubic functions.
-    fn new(system: &'a FilmSystem, film: &'a FilmSolution, cubic: &'a FilmSolution, raised: &[f64]) -> Self {
-        let between = &system.cubic().prolongation;
+    fn new(film: &'a SolvedFilm, cubic: &'a SolvedFilm, raised: &[f64]) -> Self {
+        let cubic = &cubic.solution;
+        let between = &film.system.cubic().prolongation;
         let e: Vec<f64> = cubic.unknown.iter().zip(raised).map(|(p3, p2)| p3 - p2).collect();
         let stiffness = cubic.linearisation.matrix();
         let residuals = cubic.inflow.iter().zip(&cubic.linearisation.constraints().fixed);
         Self {
-            system,
             film,
             stiffness,
             reaction: between.restrict(&stiffness.multiply(&e)),
@@ -136,7 +133,7 @@ impl<'a> Split<'a> {
 
     /// The errors of the flows through both ends together, and through each region that gives a pressure.
     fn flows(&self) -> Result<Vec<(FlowGoal, GoalError)>, Error> {
-        let supply = &self.system.supply;
+        let supply = &self.film.system.supply;
         let mut both = GoalError::default();
         let mut flows = Vec::new();
         for (k, region) in supply.regions().iter().enumerate() {
@@ -144,9 +141,10 @@ impl<'a> Split<'a> {
                 continue;
             }
             // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
-            let chi: Vec<f64> =
-                (0..self.film.unknown.len()).map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k)))).collect();
-            let chi = self.system.cubic().prolongation.prolong(&chi);
+            let chi: Vec<f64> = (0..self.film.solution.unknown.len())
+                .map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k))))
+                .collect();
+            let chi = self.film.system.cubic().prolongation.prolong(&chi);
             let (_, error) = self.goal(&self.stiffness.multiply(&chi))?;
             if region.kind == BoundaryKind::End {
                 both = both.plus(1.0, &error);
@@ -159,13 +157,13 @@ impl<'a> Split<'a> {
 
     /// The dual of a goal with this vector, and its error but for the geometry.
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
-        let between = &self.system.cubic().prolongation;
+        let between = &self.film.system.cubic().prolongation;
         if goal.iter().all(|&entry| entry == 0.0) {
-            let shares = vec![0.0; self.system.space().mesh().triangles().len()];
-            let dual = vec![0.0; self.system.space().dofs()];
+            let shares = vec![0.0; self.film.system.space().mesh().triangles().len()];
+            let dual = vec![0.0; self.film.system.space().dofs()];
             return Ok((dual, GoalError { shares, ..GoalError::default() }));
         }
-        let dual = self.film.linearisation.apply_factor(between.restrict(goal), true)?;
+        let dual = self.film.solution.linearisation.apply_factor(between.restrict(goal), true)?;
         let raised = between.prolong(&dual);
         let image = self.stiffness.multiply(&raised);
         let left: Vec<f64> = goal.iter().zip(image).map(|(j, kz)| j - kz).collect();
@@ -182,11 +180,8 @@ impl<'a> Split<'a> {
 
 /// What the vectors of goals in cubic functions are made of.
 struct GoalVectors<'a> {
-    problem: &'a FilmProblem,
-    cubic: &'a FilmSystem,
-    /// The unknown of the cubic film.
-    better: &'a [f64],
-    /// That of the film, in cubic functions.
+    cubic: &'a SolvedFilm,
+    /// The unknown of the film, in cubic functions.
     raised: &'a [f64],
     /// The wall, if it gives way.
     following: Option<&'a FollowingWall>,
@@ -205,13 +200,13 @@ struct At {
 impl GoalVectors<'_> {
     /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights w.
     fn of<const N: usize>(&self, weights: impl Fn(At) -> [f64; N]) -> [Vec<f64>; N] {
-        let Self { problem, cubic, following, .. } = *self;
-        let (space, mesh) = (cubic.space(), cubic.space().mesh());
+        let (SolvedFilm { problem, system, solution }, following) = (self.cubic, self.following);
+        let (space, mesh) = (system.space(), system.space().mesh());
         let rule = KinkRule::for_degree(space.degree());
         let mut goals = [(); N].map(|()| vec![0.0; space.dofs()]);
         for t in 0..mesh.triangles().len() {
             let dofs = &space.element_dofs(t)[..space.shapes()];
-            let [p3, p2] = [self.better, self.raised].map(|values| Field { space, values }.element_values(t));
+            let [p3, p2] = [&solution.unknown, self.raised].map(|values| Field { space, values }.element_values(t));
             let mut element = [Nodal::default(); N];
             rule.visit(mesh, t, problem.kink([&p3, &p2]), |points| {
                 let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
@@ -253,15 +248,16 @@ fn secant(problem: &FilmProblem, a: f64, b: f64) -> f64 {
 
 /// Triangles in the cavity of the cubic film with those that share a vertex with one at its edge, and those in the cavity
 /// that do not.
-fn front(cubic: &FilmSystem, film: &FilmSolution) -> (Vec<bool>, Vec<bool>) {
-    let space = cubic.space();
+fn front(cubic: &SolvedFilm) -> (Vec<bool>, Vec<bool>) {
+    let SolvedFilm { system, solution, .. } = cubic;
+    let space = system.space();
     let mesh = space.mesh();
     let mut near = vec![false; mesh.points().len()];
     let mut inside = vec![false; mesh.triangles().len()];
     for (t, inside) in inside.iter_mut().enumerate() {
         let dofs = &space.element_dofs(t)[..space.shapes()];
-        *inside = dofs.iter().any(|&dof| film.cavity[dof]);
-        let outside = |&dof: &usize| !film.cavity[dof] && cubic.supply.owner(dof).is_none();
+        *inside = dofs.iter().any(|&dof| solution.cavity[dof]);
+        let outside = |&dof: &usize| !solution.cavity[dof] && system.supply.owner(dof).is_none();
         if *inside && dofs.iter().any(outside) {
             for v in mesh.triangles()[t] {
                 near[v as usize] = true;

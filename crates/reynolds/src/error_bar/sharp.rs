@@ -18,9 +18,9 @@
 
 use super::Bar;
 use super::conserving::ConservingError;
+use crate::SolvedFilm;
 use crate::quantities::load::{Share, load};
 use crate::sharp::{HillNumbers, SharpFilm};
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Of the difference of the two degrees.
 const OF_DEGREES: f64 = 2.5;
@@ -120,20 +120,16 @@ fn along_and_across(film: &Share, hill: &Share) -> [f64; 2] {
 }
 
 /// True if a hill may narrow the bars of a film with this `error` by much.
-pub fn is_of_use(error: &ConservingError, (problem, system, film): (&FilmProblem, &FilmSystem, &FilmSolution)) -> bool {
-    let force = load(problem, system, film).magnitude();
-    let greatest = problem.pressure_at(problem.greatest_unknown(system, film).value);
+pub fn is_of_use(error: &ConservingError, film: &SolvedFilm) -> bool {
+    let force = load(film).magnitude();
+    let greatest = film.problem.pressure_at(film.greatest_unknown().value);
     let load = error.load.total().max(error.across.total());
     error.is_resolved && (load > NARROW * force || error.greatest_pressure > NARROW * greatest)
 }
 
 /// True if the load of a film with this `error` is taken from its hill.
-pub fn takes_load_of_hill(
-    error: &ConservingError,
-    (problem, system, film): (&FilmProblem, &FilmSystem, &FilmSolution),
-    sharp: &SharpFilm,
-) -> bool {
-    let load = || load(problem, system, film).total;
+pub fn takes_load_of_hill(error: &ConservingError, film: &SolvedFilm, sharp: &SharpFilm) -> bool {
+    let load = || load(film).total;
     let verdict = || LoadBars::new(error, sharp).verdict(error, &load(), &sharp.cubic.load);
     error.is_resolved && verdict() == Verdict::Better
 }

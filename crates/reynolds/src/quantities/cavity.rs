@@ -15,8 +15,8 @@
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
 
+use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// What a cavity is like.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,10 +28,10 @@ pub struct Cavity {
 }
 
 /// The cavity of a film, also where it is empty.
-pub fn cavity(system: &FilmSystem, film: &FilmSolution) -> Cavity {
-    let fraction = film.film_fraction.as_ref();
+pub fn cavity(film: &SolvedFilm) -> Cavity {
+    let fraction = film.solution.film_fraction.as_ref();
     Cavity {
-        share: share(system, film),
+        share: share(film),
         least_fraction: fraction.map(|fraction| fraction.values.iter().copied().fold(1.0, f64::min)),
     }
 }
@@ -45,8 +45,8 @@ fn node_shares(degree: usize) -> Vec<f64> {
     }
 }
 
-fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
-    let space = system.space();
+fn share(film: &SolvedFilm) -> f64 {
+    let space = film.system.space();
     let mesh = space.mesh();
     let whole_cell: Vec<(usize, f64)> = node_shares(space.degree()).into_iter().enumerate().collect();
     let (mut held, mut whole) = (0.0, 0.0);
@@ -57,8 +57,8 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
             let (mut broken, mut free) = (0.0, 0.0);
             for &(node, share) in nodes {
                 let dof = dofs[node];
-                broken += if film.cavity[dof] { share } else { 0.0 };
-                let counts = film.cavity[dof] || system.supply.owner(dof).is_none();
+                broken += if film.solution.cavity[dof] { share } else { 0.0 };
+                let counts = film.solution.cavity[dof] || film.system.supply.owner(dof).is_none();
                 free += if counts { share } else { 0.0 };
             }
             if free > 0.0 {
@@ -66,7 +66,7 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
                 whole += area;
             }
         };
-        match film.film_fraction {
+        match film.solution.film_fraction {
             Some(_) => {
                 let pieces = sub_triangles(space, t);
                 for piece in pieces {
@@ -81,12 +81,13 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
 
 /// Share of a triangle of a pressure film [1] that the cavity of Swift and Stieber takes, or where Guembel drops the pressure; zero for
 /// other models.
-pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, t: usize) -> f64 {
+pub(super) fn broken_share(film: &SolvedFilm, t: usize) -> f64 {
+    let SolvedFilm { problem, system, solution } = film;
     let space = system.space();
     let is_broken = |dof: usize| match problem.cavitation.kink() {
         // Raised after the solve: the unknown is that of the full film.
-        Some(pressure) => film.unknown[dof] < problem.unknown_at(pressure),
-        None => problem.cavitation.drops_pressures() && film.cavity[dof],
+        Some(pressure) => solution.unknown[dof] < problem.unknown_at(pressure),
+        None => problem.cavitation.drops_pressures() && solution.cavity[dof],
     };
     let (mut broken, mut free) = (0.0, 0.0);
     for (dof, share) in space.element_dofs(t).into_iter().zip(node_shares(space.degree())) {
@@ -99,7 +100,8 @@ pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &Fi
 
 /// Share of the area [1] of triangles in which a cavity may hide from the mesh: where none is shown, the film diverges (by thirds, as their corners), and the pressure
 /// is within `margin` [Pa] of that of the cavity. Zero without a model of cavitation.
-pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, margin: f64) -> f64 {
+pub fn hidden_share(film: &SolvedFilm, margin: f64) -> f64 {
+    let SolvedFilm { problem, system, solution } = film;
     let Some(cavity) = problem.cavitation.pressure() else {
         return 0.0;
     };
@@ -109,10 +111,10 @@ pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolut
     for t in 0..mesh.triangles().len() {
         let area = triangle_area(mesh.corners(t));
         let nodes = &space.element_dofs(t)[..space.shapes()];
-        let is_low = |&dof: &usize| problem.pressure_at(film.unknown[dof]) <= cavity + margin;
+        let is_low = |&dof: &usize| problem.pressure_at(solution.unknown[dof]) <= cavity + margin;
         let flows = law.film_and_flows(t, &mesh.corners(t)).1;
         let diverging = flows[..3].iter().filter(|flow| flow.divergence + flow.storage > 0.0);
-        if nodes.iter().any(is_low) && !nodes.iter().any(|&dof| film.cavity[dof]) {
+        if nodes.iter().any(is_low) && !nodes.iter().any(|&dof| solution.cavity[dof]) {
             hidden += area * diverging.count() as f64 / 3.0;
         }
         whole += area;
@@ -121,8 +123,8 @@ pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolut
 }
 
 /// Share of the meshed area [1] where the pressure lies below `level` [Pa], judged by the nodes at which none is given.
-pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, level: f64) -> f64 {
-    let space = system.space();
+pub fn share_below(film: &SolvedFilm, level: f64) -> f64 {
+    let space = film.system.space();
     let mesh = space.mesh();
     let shares = node_shares(space.degree());
     let (mut below, mut whole) = (0.0, 0.0);
@@ -131,9 +133,9 @@ pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
         let (mut under, mut free) = (0.0, 0.0);
         // Where pressure is given it may be just that level, and tells nothing.
         let nodes = space.element_dofs(t).into_iter().zip(&shares);
-        for (dof, share) in nodes.filter(|&(dof, _)| system.supply.owner(dof).is_none()) {
+        for (dof, share) in nodes.filter(|&(dof, _)| film.system.supply.owner(dof).is_none()) {
             free += share;
-            under += if problem.pressure_at(film.unknown[dof]) < level { *share } else { 0.0 };
+            under += if film.problem.pressure_at(film.solution.unknown[dof]) < level { *share } else { 0.0 };
         }
         if free > 0.0 {
             below += area * under / free;

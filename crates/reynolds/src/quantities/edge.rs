@@ -18,8 +18,8 @@ use oilwedge_fem::field::evaluate;
 use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::{Field, Quadrature};
 
+use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Cells through which the edge of a cavity runs are quartered this many times.
 const QUARTERINGS: usize = 3;
@@ -34,7 +34,8 @@ pub(super) struct Beside {
 }
 
 /// What the cavity makes beside each dof; zero at dofs whose pressure is not given.
-pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Vec<Beside> {
+pub(super) fn made_beside(film: &SolvedFilm) -> Vec<Beside> {
+    let SolvedFilm { problem, system, solution } = film;
     let space = system.space();
     let mut beside = vec![Beside::default(); space.dofs()];
     let dropped = problem.cavitation.kink();
@@ -51,14 +52,14 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         let dofs = space.element_dofs(t);
         let dofs = &dofs[..space.shapes()];
         let is_given = |dof: usize| system.supply.owner(dof).is_some();
-        let is_low = |dof: usize| film.cavity[dof] || dropped.is_some() && film.unknown[dof] < floor;
+        let is_low = |dof: usize| solution.cavity[dof] || dropped.is_some() && solution.unknown[dof] < floor;
         if !dofs.iter().any(|&dof| is_given(dof)) || !dofs.iter().any(|&dof| is_low(dof)) {
             continue;
         }
-        let nodal = (Field { space, values: &film.unknown }).element_values(t);
+        let nodal = (Field { space, values: &solution.unknown }).element_values(t);
         // Quadratics are held amid edges only, and stay a little off the cavity pressure at vertices.
         let nodes = if degree == 2 { 3..6 } else { 0..dofs.len() };
-        let broken = nodes.into_iter().all(|i| film.cavity[dofs[i]] || nodal[i] <= floor);
+        let broken = nodes.into_iter().all(|i| solution.cavity[dofs[i]] || nodal[i] <= floor);
         let inside =
             (!broken).then(|| Rule::new(fine.clone().only(|at| evaluate(degree, &nodal, at) <= floor), degree));
         let rule = inside.as_ref().unwrap_or(&plain);
@@ -79,7 +80,7 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
             beside[dof].made += made;
             beside[dof].unsure += match dropped {
                 // Between the place and what is dropped there is film, thinner than the triangle: how much of it is dropped is a matter of the mesh.
-                Some(_) if film.unknown[dof] > floor => made.abs(),
+                Some(_) if solution.unknown[dof] > floor => made.abs(),
                 // Guembel's edge is a level of the pressure, known as well as that.
                 Some(_) => 0.0,
                 None if broken => 0.0,

@@ -20,7 +20,7 @@ use super::line_cut::{between, cut};
 use super::pressure::Extremes;
 use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmSystem, SolvedFilm};
 
 /// What ends a film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,23 +54,21 @@ pub struct Extent {
 }
 
 /// Extent of the loaded film around its greatest pressure.
-pub fn extent(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, extremes: &Extremes) -> Option<Extent> {
-    let pressure = problem.cavitation.pressure()?;
+pub fn extent(film: &SolvedFilm, extremes: &Extremes) -> Option<Extent> {
+    let pressure = film.problem.cavitation.pressure()?;
     if !extremes.summit.is_above(pressure) {
         return None;
     }
     let line = MidPlane {
-        problem,
-        system,
         film,
-        floor: problem.unknown_at(pressure),
-        pieces: pieces(system, TOUCHES * problem.bearing.radius),
+        floor: film.problem.unknown_at(pressure),
+        pieces: pieces(&film.system, TOUCHES * film.problem.bearing.radius),
         top: extremes.summit.position[0],
     };
     if line.is_low_at_top() {
         return None;
     }
-    let sense = if problem.journal.speed < 0.0 { -1.0 } else { 1.0 };
+    let sense = if film.problem.journal.speed < 0.0 { -1.0 } else { 1.0 };
     Some(Extent { begins: line.walk(-sense)?, ends: line.walk(sense)? })
 }
 
@@ -103,9 +101,7 @@ fn pieces(system: &FilmSystem, shortest: f64) -> Vec<Piece> {
 
 /// A film on the mid-plane.
 struct MidPlane<'a> {
-    problem: &'a FilmProblem,
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
     /// The unknown [Pa] in the cavity.
     floor: f64,
     pieces: Vec<Piece>,
@@ -135,7 +131,7 @@ impl MidPlane<'_> {
         for &(_, piece) in &pieces {
             if let Some(last) = before {
                 let gap = self.distance(far(last), near(piece), sense);
-                let is_apart = gap > APART * self.problem.bearing.radius;
+                let is_apart = gap > APART * self.film.problem.bearing.radius;
                 if self.has_line(near(piece)) || is_apart && !self.is_fed(last.triangle) {
                     return Some(self.at_line(last, far(last)));
                 }
@@ -145,7 +141,7 @@ impl MidPlane<'_> {
             }
             before = Some(piece);
         }
-        let is_ring = self.system.space().mesh().period().is_some();
+        let is_ring = self.film.system.space().mesh().period().is_some();
         before.filter(|_| !is_ring).map(|last| self.at_line(last, far(last)))
     }
 
@@ -177,7 +173,7 @@ impl MidPlane<'_> {
     /// The way [m] from one place to another in a direction, less than once around.
     fn distance(&self, from: f64, to: f64, sense: f64) -> f64 {
         let way = sense * (to - from);
-        match self.system.space().mesh().period() {
+        match self.film.system.space().mesh().period() {
             // Rounding is no way around.
             Some(period) => (way + APART * period).rem_euclid(period) - APART * period,
             None => way,
@@ -186,7 +182,7 @@ impl MidPlane<'_> {
 
     /// Difference [m] of two places, the lesser way around.
     fn apart(&self, a: f64, b: f64) -> f64 {
-        match self.system.space().mesh().period() {
+        match self.film.system.space().mesh().period() {
             Some(period) => (a - b) - period * ((a - b) / period).round(),
             None => a - b,
         }
@@ -194,25 +190,25 @@ impl MidPlane<'_> {
 
     /// True if a line of given pressure is at this place.
     fn has_line(&self, x: f64) -> bool {
-        let mesh = self.system.space().mesh();
-        let regions = self.system.supply.regions().iter();
+        let mesh = self.film.system.space().mesh();
+        let regions = self.film.system.supply.regions().iter();
         let lines = regions.filter(|region| region.kind == BoundaryKind::Line);
         let mut places = lines.filter_map(|region| Some(mesh.edge_nodes(*region.edges.first()?)[0][0]));
-        places.any(|place| self.apart(place, x).abs() < APART * self.problem.bearing.radius)
+        places.any(|place| self.apart(place, x).abs() < APART * self.film.problem.bearing.radius)
     }
 
     /// True if the feed beside a triangle has a greater pressure than the cavity.
     fn is_fed(&self, triangle: usize) -> bool {
-        let space = self.system.space();
+        let space = self.film.system.space();
         let dofs = space.element_dofs(triangle);
-        let owner = dofs[..space.shapes()].iter().find_map(|&dof| self.system.supply.owner(dof));
-        let pressure = owner.map(|region| self.system.supply.regions()[region].pressure);
-        pressure.is_some_and(|pressure| self.problem.unknown_at(pressure) > self.floor)
+        let owner = dofs[..space.shapes()].iter().find_map(|&dof| self.film.system.supply.owner(dof));
+        let pressure = owner.map(|region| self.film.system.supply.regions()[region].pressure);
+        pressure.is_some_and(|pressure| self.film.problem.unknown_at(pressure) > self.floor)
     }
 
     /// The film ends at a given line. Where it diverges there a cavity may hide in the last triangle.
     fn at_line(&self, piece: &Piece, x: f64) -> FilmEnd {
-        let law = FilmLaw::new(self.problem, 1.0);
+        let law = FilmLaw::new(&self.film.problem, 1.0);
         let middle = [0.5 * (piece.x[0] + piece.x[1]), 0.0];
         let flow = law.film_and_flows(piece.triangle, &[middle]).1[0];
         FilmEnd {
@@ -249,7 +245,7 @@ impl MidPlane<'_> {
                     x: x(low),
                     kind: EndKind::Cavity,
                     triangle: piece.triangle,
-                    unsure: match self.problem.cavitation.has_free_boundary() {
+                    unsure: match self.film.problem.cavitation.has_free_boundary() {
                         true => self.width(piece.triangle),
                         false => 0.0,
                     },
@@ -262,14 +258,14 @@ impl MidPlane<'_> {
 
     /// Extent [m] of a triangle along x.
     fn width(&self, triangle: usize) -> f64 {
-        let xs = self.system.space().mesh().corners(triangle).map(|corner| corner[0]);
+        let xs = self.film.system.space().mesh().corners(triangle).map(|corner| corner[0]);
         xs.iter().fold(f64::NEG_INFINITY, |most, &x| most.max(x))
             - xs.iter().fold(f64::INFINITY, |least, &x| least.min(x))
     }
 
     /// True in the cavity.
     fn is_low(&self, triangle: usize, point: [f64; 2]) -> bool {
-        let (space, film) = (self.system.space(), self.film);
+        let (space, film) = (self.film.system.space(), &self.film.solution);
         let (degree, dofs) = (space.degree(), space.element_dofs(triangle));
         let nodal = Field { space, values: &film.unknown }.element_values(triangle);
         if film.film_fraction.is_some() {
@@ -280,14 +276,14 @@ impl MidPlane<'_> {
         let mut tested = if degree == 2 { 3..6 } else { 0..space.shapes() };
         match (tested.clone().all(held), tested.any(held)) {
             (true, _) => true,
-            (_, false) if self.problem.cavitation.has_free_boundary() => false,
+            (_, false) if self.film.problem.cavitation.has_free_boundary() => false,
             _ => evaluate(degree, &nodal, point) <= self.floor,
         }
     }
 
     /// True where more than half of a sub-triangle of a mass-conserving film, by its nodes, is in the cavity.
     fn is_carried(&self, triangle: usize, [xi, eta]: [f64; 2]) -> bool {
-        let space = self.system.space();
+        let space = self.film.system.space();
         let (places, dofs) = (nodes(space.degree()), space.element_dofs(triangle));
         let weights = |sub: &[usize; 3]| {
             let [a, b, c] = sub.map(|node| places[node]);
@@ -299,7 +295,7 @@ impl MidPlane<'_> {
         let least = |sub: &&[usize; 3]| weights(sub).into_iter().fold(f64::INFINITY, f64::min);
         let inside = sub_triangles(space, triangle).iter().max_by(|a, b| least(a).total_cmp(&least(b)));
         inside.is_some_and(|sub| {
-            let in_cavity = sub.iter().zip(weights(sub)).filter(|(node, _)| self.film.cavity[dofs[**node]]);
+            let in_cavity = sub.iter().zip(weights(sub)).filter(|(node, _)| self.film.solution.cavity[dofs[**node]]);
             in_cavity.map(|(_, weight)| weight).sum::<f64>() > 0.5
         })
     }

@@ -24,7 +24,7 @@ use oilwedge_mesh::triangle_area;
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
 use crate::quantities::{edge, junction};
-use crate::{FilmFlow, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmFlow, FilmPoint, FilmProblem, FilmSystem, SolvedFilm};
 
 /// Volume flow [m3/s] of one region, into the film.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,29 +75,30 @@ pub(super) fn reference_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 
 }
 
 /// Flows of a solved film.
-pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Flows {
+pub fn flows(film: &SolvedFilm) -> Flows {
+    let SolvedFilm { problem, system, solution } = film;
     let mut regions: Vec<RegionFlow> = (system.supply.regions().iter())
         .map(|region| RegionFlow { name: region.name.clone(), net: 0.0, inward: 0.0, outward: 0.0, unsure: 0.0 })
         .collect();
     let mut cavity = 0.0_f64;
-    let beside = edge::made_beside(problem, system, film);
-    for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {
+    let beside = edge::made_beside(film);
+    for (dof, (&inflow, beside)) in solution.inflow.iter().zip(&beside).enumerate() {
         match system.supply.owner(dof) {
             Some(region) => {
                 regions[region].add(inflow - beside.made);
                 regions[region].unsure += beside.unsure;
                 cavity += beside.made;
             }
-            None if film.cavity[dof] && film.film_fraction.is_none() => cavity += inflow,
+            None if solution.cavity[dof] && solution.film_fraction.is_none() => cavity += inflow,
             None => {}
         }
     }
-    for (shared, unsure) in junction::unsure(problem, system, film, &beside) {
+    for (shared, unsure) in junction::unsure(film, &beside) {
         for region in shared {
             regions[region].unsure += unsure;
         }
     }
-    let taken_up = taken_up(problem, system, film);
+    let taken_up = taken_up(film);
     let throughput = regions.iter().map(|region| region.inward).sum::<f64>() + cavity.max(0.0) + (-taken_up).max(0.0);
     let net: f64 = regions.iter().map(|region| region.net).sum();
     let natural = reference_flow(problem, system);
@@ -144,10 +145,11 @@ fn stores(problem: &FilmProblem) -> bool {
 }
 
 /// `Int theta dh/dt dA` [m3/s], with a history `Int d(theta h)/dt dA`, as the discrete equations have it.
-fn taken_up(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
+fn taken_up(film: &SolvedFilm) -> f64 {
+    let SolvedFilm { problem, system, solution } = film;
     if let Some(before) = &problem.storage {
         // The film was solved on the sub-mesh that is asked for; without it there is no number.
-        let held = problem.oil_held(system, film).ok().flatten();
+        let held = film.oil_held().ok().flatten();
         return held.map_or(f64::NAN, |held| before.taken_up(&held).iter().sum());
     }
     if !stores(problem) {
@@ -156,7 +158,7 @@ fn taken_up(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
     let law = FilmLaw::new(problem, 1.0);
     let mesh = system.space().mesh();
     let cells = 0..mesh.triangles().len();
-    match &film.film_fraction {
+    match &solution.film_fraction {
         Some(fraction) => cells.map(|t| taken_up_by_volumes(&law, system, fraction, t)).sum(),
         None => {
             let rule = Rule::for_degree(system.space().degree());

@@ -18,18 +18,19 @@ use oilwedge_fem::quadrature::integrate_interval;
 use super::line_cut::{between, cut};
 use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSystem, SolvedFilm};
 
 /// The flow is taken behind the line by this part of the radius, for the pressure has a kink on it.
 const BEHIND: f64 = 1e-9;
 
 /// Flow [m3/s] into the loaded film; none at rest.
-pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<f64> {
-    inlet_flows(problem, system, film).map(|flows| flows.iter().sum())
+pub fn inlet_flow(film: &SolvedFilm) -> Option<f64> {
+    inlet_flows(film).map(|flows| flows.iter().sum())
 }
 
 /// Its parts [m3/s] through each triangle, zero in those that the line does not cross; none at rest.
-pub fn inlet_flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<Vec<f64>> {
+pub fn inlet_flows(film: &SolvedFilm) -> Option<Vec<f64>> {
+    let SolvedFilm { problem, system, .. } = film;
     let speed = problem.journal.speed;
     if speed == 0.0 {
         return None;
@@ -42,7 +43,7 @@ pub fn inlet_flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
     let law = FilmLaw::new(problem, 1.0);
     let [around, _] = problem.theory.directions();
     let part = |t: usize| match is_film[t] {
-        true => sense * across(system, film, &law, t, x, around),
+        true => sense * across(film, &law, t, x, around),
         false => 0.0,
     };
     Some((0..is_film.len()).map(part).collect())
@@ -103,8 +104,8 @@ fn line(problem: &FilmProblem, system: &FilmSystem, sense: f64) -> f64 {
 
 /// Flow [m3/s] towards growing x through the part of the line at `x` [m] that lies in triangle `t`; pressure drives the
 /// part `around` of it.
-fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: f64, around: f64) -> f64 {
-    let space = system.space();
+fn across(film: &SolvedFilm, law: &FilmLaw, t: usize, x: f64, around: f64) -> f64 {
+    let space = film.system.space();
     let corners = space.mesh().corners(t);
     let x = match space.mesh().period() {
         Some(period) => {
@@ -118,11 +119,11 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
     };
     let mapping = Mapping::of(space.mesh(), t);
     let length = (mapping.at(to).position[1] - mapping.at(from).position[1]).abs();
-    let unknown = Field { space, values: &film.unknown };
+    let unknown = Field { space, values: &film.solution.unknown };
     let flux = |part: f64| {
         let point = between(&from, &to, part);
         let flow = law.film_and_flows(t, &[mapping.at(point).position]).1[0];
-        let fraction = film.film_fraction.as_ref().map_or(1.0, |fraction| {
+        let fraction = film.solution.film_fraction.as_ref().map_or(1.0, |fraction| {
             let values = &fraction.values;
             Field { space, values }.value(t, point)
         });

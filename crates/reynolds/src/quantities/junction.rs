@@ -18,26 +18,21 @@
 use oilwedge_fem::integrate::Rule;
 
 use super::edge::Beside;
+use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// For each node that two regions share, these and `|Q_c|` [m3/s].
-pub(super) fn unsure(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    beside: &[Beside],
-) -> Vec<([usize; 2], f64)> {
-    let space = system.space();
-    let meeting = system.supply.meeting(space);
-    if meeting.is_empty() || film.film_fraction.is_some() {
+pub(super) fn unsure(film: &SolvedFilm, beside: &[Beside]) -> Vec<([usize; 2], f64)> {
+    let space = film.system.space();
+    let meeting = film.system.supply.meeting(space);
+    if meeting.is_empty() || film.solution.film_fraction.is_some() {
         return Vec::new();
     }
     let mut driven: Vec<Option<f64>> = vec![None; space.dofs()];
     for &(dof, _) in &meeting {
-        driven[dof] = Some(film.inflow[dof] - beside[dof].made);
+        driven[dof] = Some(film.solution.inflow[dof] - beside[dof].made);
     }
-    let law = FilmLaw::new(problem, 1.0);
+    let law = FilmLaw::new(&film.problem, 1.0);
     let rule = Rule::for_degree(space.degree());
     for t in 0..space.mesh().triangles().len() {
         let dofs = space.element_dofs(t);

@@ -29,7 +29,7 @@ use super::contact_points::ContactPoints;
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
-use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmChange, FilmProblem, FilmSystem, SolvedFilm};
 
 /// Load of a film and its shares.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,20 +60,15 @@ impl Load {
 }
 
 /// Load of a solved film.
-pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
-    let contact = ContactPoints::of_load_alone(problem, system, Accuracy::Full);
-    load_touching(problem, system, film, contact.as_ref())
+pub fn load(film: &SolvedFilm) -> Load {
+    let contact = ContactPoints::of_load_alone(&film.problem, &film.system, Accuracy::Full);
+    load_touching(film, contact.as_ref())
 }
 
 /// Load of a solved film with these points of contact.
-pub fn load_touching(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    contact: Option<&ContactPoints>,
-) -> Load {
-    let cut_out = cut_out_shares(problem, system);
-    let mut total = film_share(problem, system, film);
+pub fn load_touching(film: &SolvedFilm, contact: Option<&ContactPoints>) -> Load {
+    let cut_out = cut_out_shares(&film.problem, &film.system);
+    let mut total = film_share(film);
     let contact = contact.map(ContactPoints::share);
     for share in cut_out.iter().map(|(_, share)| share).chain(&contact) {
         total += *share;
@@ -100,29 +95,25 @@ pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
 
 /// First-order change of force and moment with `changes` of the journal and the gap, by which the unknown changes at each dof; contact follows the gap, regions cut out
 /// keep their pressure.
-pub fn load_change(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    changes: &[FilmChange<'_>],
-    unknown: &[f64],
-) -> Resultant {
-    let mut sum = oil_change(problem, system, film, unknown);
-    sum += contact::contact_change(problem, system, changes);
+pub fn load_change(film: &SolvedFilm, changes: &[FilmChange<'_>], unknown: &[f64]) -> Resultant {
+    let mut sum = oil_change(film, unknown);
+    sum += contact::contact_change(&film.problem, &film.system, changes);
     sum
 }
 
 /// First-order change of force and moment of the oil where the unknown changes by `change` at each dof; regions cut out keep their
 /// pressure.
-pub fn oil_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> Resultant {
-    let excess = |[u, change]: [f64; 2]| problem.pressure_slope_at(u) * change;
-    let Integral { force, moment, .. } = integrated(problem, system, [&film.unknown, change], excess);
+pub fn oil_change(film: &SolvedFilm, change: &[f64]) -> Resultant {
+    let excess = |[u, change]: [f64; 2]| film.problem.pressure_slope_at(u) * change;
+    let Integral { force, moment, .. } =
+        integrated(&film.problem, &film.system, [&film.solution.unknown, change], excess);
     Resultant { force, moment }
 }
 
-fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Share {
-    let p_e = problem.bearing.end_pressure;
-    let excess = integrated(problem, system, [&film.unknown], |[u]| problem.pressure_at(u) - p_e);
+fn film_share(film: &SolvedFilm) -> Share {
+    let p_e = film.problem.bearing.end_pressure;
+    let excess =
+        integrated(&film.problem, &film.system, [&film.solution.unknown], |[u]| film.problem.pressure_at(u) - p_e);
     Share {
         force: excess.force,
         moment: excess.moment,

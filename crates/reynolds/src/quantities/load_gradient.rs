@@ -19,8 +19,8 @@ use oilwedge_fem::{Field, KinkRule, integrate};
 
 use super::contact_points::ContactPoints;
 use super::load::Resultant;
+use crate::SolvedFilm;
 use crate::angles::sines_and_cosines;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Force towards x and y, and its moments: for a unit of a change.
 type Parts = [f64; 4];
@@ -46,16 +46,8 @@ impl AddAssign for ByNodes {
 
 impl LoadGradient {
     /// At a film, by its points of contact where surfaces touch.
-    pub fn of(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        contact: Option<&ContactPoints>,
-    ) -> Self {
-        Self {
-            by_unknown: by_unknown(problem, system, film),
-            by_wall: contact.map_or_else(Vec::new, ContactPoints::load_by_wall),
-        }
+    pub fn of(film: &SolvedFilm, contact: Option<&ContactPoints>) -> Self {
+        Self { by_unknown: by_unknown(film), by_wall: contact.map_or_else(Vec::new, ContactPoints::load_by_wall) }
     }
 
     /// Of one part, force towards x or y or its moment: by the unknown at each dof, and by the coefficient of each spline of the wall; this is empty where surfaces do not touch.
@@ -76,10 +68,11 @@ impl LoadGradient {
     }
 }
 
-fn by_unknown(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Vec<Parts> {
+fn by_unknown(film: &SolvedFilm) -> Vec<Parts> {
+    let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());
     let rule = KinkRule::for_degree(space.degree());
-    let unknown = Field { space, values: &film.unknown };
+    let unknown = Field { space, values: &solution.unknown };
     let by_nodes = integrate(mesh, |t| {
         let nodal = unknown.element_values(t);
         let mut parts = [Parts::default(); MOST_SHAPES];

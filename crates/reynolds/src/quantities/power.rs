@@ -33,7 +33,7 @@ use crate::film_law::FilmLaw;
 use crate::film_thickness::Follows;
 use crate::flow_factors::mean_gap;
 use crate::lubricant::PressureLaw;
-use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Theory};
+use crate::{FilmPoint, FilmProblem, FilmSystem, SolvedFilm, Theory};
 
 /// Powers [W] of one film.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -140,27 +140,28 @@ impl PressurePower {
 }
 
 /// Powers of a solved film.
-pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Power {
-    let excess: Vec<f64> = film.unknown.iter().map(|&u| excess(problem, u)).collect();
+pub fn power(film: &SolvedFilm) -> Power {
+    let SolvedFilm { problem, system, solution } = film;
+    let excess: Vec<f64> = solution.unknown.iter().map(|&u| excess(problem, u)).collect();
     // The film was solved on the sub-mesh that is asked for; without it there is no number.
-    let carriage = (film.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
-    let mut work = integrated(problem, system, film, &excess, carriage.as_ref());
+    let carriage = (solution.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
+    let mut work = integrated(film, &excess, carriage.as_ref());
     match &carriage {
         Some(carriage) => {
             let nominal = work.pressure;
-            work = cavitation::work(carriage, film, &excess, work.shear);
+            work = cavitation::work(carriage, solution, &excess, work.shear);
             if !problem.flow_factors.is_empty() {
                 work.pressure = nominal;
             }
         }
-        None if film.film_fraction.is_some() => work.shear = f64::NAN,
+        None if solution.film_fraction.is_some() => work.shear = f64::NAN,
         None => {}
     }
     let (mut supplied, mut cavity) = (0.0, 0.0);
-    for (dof, (&inflow, &excess)) in film.inflow.iter().zip(&excess).enumerate() {
+    for (dof, (&inflow, &excess)) in solution.inflow.iter().zip(&excess).enumerate() {
         if system.supply.owner(dof).is_some() {
             supplied += inflow * excess;
-        } else if film.cavity[dof] && film.film_fraction.is_none() {
+        } else if solution.cavity[dof] && solution.film_fraction.is_none() {
             cavity += inflow * excess;
         }
     }
@@ -192,22 +193,17 @@ pub(crate) fn excess(problem: &FilmProblem, u: f64) -> f64 {
     problem.pressure_at(u) - problem.bearing.end_pressure
 }
 
-fn integrated(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    excess: &[f64],
-    carriage: Option<&Carriage>,
-) -> Work {
+fn integrated(film: &SolvedFilm, excess: &[f64], carriage: Option<&Carriage>) -> Work {
+    let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());
     let is_film = system.supply.film(mesh);
     let rule = Rule::for_degree(space.degree());
     let parts = SubTriangleRules::new(space.degree(), 1);
     let law = FilmLaw::new(problem, 1.0);
     integrate(mesh, |t| {
-        let fields = [&film.unknown[..], excess].map(|values| Field { space, values }.element_values(t));
+        let fields = [&solution.unknown[..], excess].map(|values| Field { space, values }.element_values(t));
         let work = rule.integrate(mesh, t, |points, work| cell_work(problem, &law, points, &fields, work));
-        let carried = carriage.map(|carriage| carriage.carried(t, &film.cavity));
+        let carried = carriage.map(|carriage| carriage.carried(t, &solution.cavity));
         let shear = match carried {
             _ if !is_film[t] => 0.0,
             Some(carried) if carried.iter().any(|thickness| thickness.is_finite()) => {
@@ -215,7 +211,7 @@ fn integrated(
             }
             _ => work.shear,
         };
-        Work { shear, cavity_shear: shear * broken_share(problem, system, film, t), ..work }
+        Work { shear, cavity_shear: shear * broken_share(film, t), ..work }
     })
 }
 

@@ -14,7 +14,7 @@
 use oilwedge_fem::Field;
 
 use super::summit::{Summit, summit};
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::SolvedFilm;
 
 /// Greatest and least pressure and the greatest viscosity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,27 +32,27 @@ pub struct Extremes {
 }
 
 /// Extremes of the pressure. Pressure grows with the unknown, so they are those of the unknown.
-pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Extremes {
-    let top = problem.greatest_unknown(system, film);
-    let greatest = problem.pressure_at(top.value);
-    let (least, least_in) = least(problem, system, film);
+pub fn extremes(film: &SolvedFilm) -> Extremes {
+    let top = film.greatest_unknown();
+    let greatest = film.problem.pressure_at(top.value);
+    let (least, least_in) = least(film);
     Extremes {
         greatest,
-        summit: summit(problem, system, film, &top, least),
+        summit: summit(film, &top, least),
         least,
         least_in,
-        viscosity: problem.viscosity_at(greatest),
+        viscosity: film.problem.viscosity_at(greatest),
     }
 }
 
 /// Least pressure [Pa]: that of the cavity where there is one, and never below it; else also the triangle.
-fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f64, Option<usize>) {
-    let floor = problem.cavitation.pressure();
-    if let Some(pressure) = floor.filter(|_| film.cavity.contains(&true)) {
+fn least(film: &SolvedFilm) -> (f64, Option<usize>) {
+    let floor = film.problem.cavitation.pressure();
+    if let Some(pressure) = floor.filter(|_| film.solution.cavity.contains(&true)) {
         return (pressure, None);
     }
-    let field = Field { space: system.space(), values: &film.unknown };
+    let field = Field { space: film.system.space(), values: &film.solution.unknown };
     let bottom = field.minimum();
-    let least = problem.pressure_at(bottom.value);
+    let least = film.problem.pressure_at(bottom.value);
     (floor.map_or(least, |floor| least.max(floor)), Some(bottom.triangle))
 }

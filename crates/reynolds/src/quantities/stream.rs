@@ -24,8 +24,8 @@ use oilwedge_mesh::triangle_area;
 use rayon::prelude::*;
 
 use super::power::{excess, viscosity};
+use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// What flows past a point and what it shears there.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -46,19 +46,13 @@ const BLOCK: usize = 1024;
 
 /// What flows at the nodes of each triangle of a quadratic film, with the area [m2] of the triangle; `None` in triangles that a feed covers. Gradients jump
 /// between triangles, so that a node has a value in each of its triangles.
-pub fn streams<'a>(
-    problem: &'a FilmProblem,
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
-) -> impl Iterator<Item = Option<(f64, [Stream; PICTURED])>> + 'a {
-    let mesh = system.space().mesh();
-    let is_film = system.supply.film(mesh);
+pub fn streams<'a>(film: &'a SolvedFilm) -> impl Iterator<Item = Option<(f64, [Stream; PICTURED])>> + 'a {
+    let mesh = film.system.space().mesh();
+    let is_film = film.system.supply.film(mesh);
     let nodal = Nodal {
-        problem,
-        system,
         film,
-        excess: film.unknown.iter().map(|&u| excess(problem, u)).collect(),
-        places: nodes(system.space().degree()),
+        excess: film.solution.unknown.iter().map(|&u| excess(&film.problem, u)).collect(),
+        places: nodes(film.system.space().degree()),
     };
     let triangles = is_film.len();
     (0..triangles).step_by(BLOCK).flat_map(move |first| {
@@ -70,9 +64,7 @@ pub fn streams<'a>(
 
 /// A film with its values at nodes.
 struct Nodal<'a> {
-    problem: &'a FilmProblem,
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
     /// Pressure above that of the ends [Pa].
     excess: Vec<f64>,
     /// Reference coordinates of the nodes.
@@ -81,11 +73,12 @@ struct Nodal<'a> {
 
 impl Nodal<'_> {
     fn streams(&self, t: usize) -> [Stream; PICTURED] {
-        let (problem, space) = (self.problem, self.system.space());
+        let SolvedFilm { problem, system, solution } = self.film;
+        let space = system.space();
         let law = FilmLaw::new(problem, 1.0);
         let (points, flows) = law.film_and_flows(t, &space.mesh().nodes(t));
         let (velocity, along) = (law.velocity(), problem.theory.directions());
-        let fields = [&self.film.unknown, &self.excess].map(|values| Field { space, values });
+        let fields = [&solution.unknown, &self.excess].map(|values| Field { space, values });
         let slopes = fields.map(|field| field.gradients(t, &self.places));
         let dofs = space.element_dofs(t);
         let is_broken = dofs[3..PICTURED].iter().all(|&dof| self.is_low(dof));
@@ -95,7 +88,7 @@ impl Nodal<'_> {
                 true => [[0.0; 2]; 2],
                 false => [slopes[0][i], slopes[1][i]],
             };
-            let fraction = self.film.film_fraction.as_ref().map_or(1.0, |fraction| fraction.values[dof]);
+            let fraction = solution.film_fraction.as_ref().map_or(1.0, |fraction| fraction.values[dof]);
             let shear = fraction * viscosity(problem, self.excess[dof]) / thickness;
             let driven = |d: usize| 0.5 * thickness * slopes[1][d];
             Stream {
@@ -108,7 +101,8 @@ impl Nodal<'_> {
 
     /// True in a cavity, and where Guembel drops the pressure.
     fn is_low(&self, dof: usize) -> bool {
-        let dropped = self.problem.cavitation.kink();
-        self.film.cavity[dof] || dropped.is_some_and(|p| self.film.unknown[dof] < self.problem.unknown_at(p))
+        let SolvedFilm { problem, solution, .. } = self.film;
+        let dropped = problem.cavitation.kink();
+        solution.cavity[dof] || dropped.is_some_and(|p| solution.unknown[dof] < problem.unknown_at(p))
     }
 }

@@ -13,8 +13,8 @@
 use oilwedge_fem::field::Extremum;
 use oilwedge_fem::mapping::Mapping;
 
+use crate::SolvedFilm;
 use crate::supply::BoundaryKind;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// A pressure that exceeds the given ones by less than this part of the range is one of them.
 const ABOVE: f64 = 1e-6;
@@ -49,13 +49,8 @@ impl Summit {
 }
 
 /// Place of the greatest value `top` of the unknown of a film, where the least pressure is `least` [Pa].
-pub(super) fn summit(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    top: &Extremum,
-    least: f64,
-) -> Summit {
+pub(super) fn summit(film: &SolvedFilm, top: &Extremum, least: f64) -> Summit {
+    let SolvedFilm { problem, system, solution } = film;
     let greatest = problem.pressure_at(top.value);
     let regions = system.supply.regions().iter();
     let given = regions.filter(|region| region.kind != BoundaryKind::Sealed);
@@ -64,7 +59,7 @@ pub(super) fn summit(
     let rounding = NOTHING * scale;
     let position = Mapping::of(system.space().mesh(), top.triangle).at(top.point).position;
     let nodes = system.space().positions();
-    let at = |place: [f64; 2]| problem.pressure_at(film.unknown[nearest(&nodes, place)]);
+    let at = |place: [f64; 2]| problem.pressure_at(solution.unknown[nearest(&nodes, place)]);
     Summit {
         position,
         below_here: at(position) - at([position[0], -position[1]]),

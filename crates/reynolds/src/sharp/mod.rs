@@ -33,7 +33,7 @@ use self::hill::{Hill, Kept, Nodes};
 pub use self::numbers::HillNumbers;
 use self::rays::{Rays, Side};
 use crate::cavitation::FilmFraction;
-use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form, Theory};
+use crate::{Cavitation, FilmProblem, FilmSystem, Form, SolvedFilm, Theory};
 
 /// Residual over the greatest share of a node, where the hill is found that is reported,
 const SOLVED: f64 = 1e-8;
@@ -100,110 +100,9 @@ impl FilmProblem {
             && !system.supply.regions().iter().any(starved)
     }
 
-    /// The hill over the cavity of `film`; none where the film is not of the kind that has one.
-    ///
-    /// # Errors
-    /// [`Failure`]: rupture and reformation were not found, or the viscosity law has no pressure for the film.
-    pub fn sharp_film(
-        &self,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        start: HillStart,
-    ) -> Result<Option<SharpFilm>, Failure> {
-        let Some(fraction) = film.film_fraction.as_ref().filter(|_| self.has_sharp_film(system)) else {
-            return Ok(None);
-        };
-        let hill = match start {
-            HillStart::Film => self.first_hill(system, film, Rays::new(self, system, film, fraction)),
-            HillStart::Near(near) => {
-                let frame = self.frame(system, film, fraction);
-                self.hill_near(system, SharpFilm { frame, ..near }, SOLVED)
-            }
-            HillStart::SameCavities(mut near) => {
-                near.frame.rays.refill(self, system, fraction);
-                self.hill_near(system, near, BALANCED)
-            }
-        };
-        hill.map(Some)
-    }
-
-    /// This `hill` of a `film`, with what it would change by if its cavities were those of this position.
-    ///
-    /// # Errors
-    /// [`Failure`]: rupture and reformation were not found.
-    pub fn cavities_checked(
-        &self,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        hill: SharpFilm,
-    ) -> Result<SharpFilm, Failure> {
-        let Some(fraction) = &film.film_fraction else {
-            return Ok(hill);
-        };
-        if hill.frame.cavity == film.cavity && hill.frame.rays.are_those_of(self, film) {
-            return Ok(hill);
-        }
-        let cubic = hill.cubic;
-        let frame = self.frame(system, film, fraction);
-        let anew = self.hill_near(system, SharpFilm { frame, ..hill }, SOLVED)?;
-        Ok(SharpFilm { by_cavities: anew.cubic.less(&cubic), cubic, ..anew })
-    }
-
-    /// In quadratic elements, then in cubic ones.
-    fn first_hill(&self, system: &FilmSystem, film: &FilmSolution, rays: Rays) -> Result<SharpFilm, Failure> {
-        let floor = self.cavity_unknown();
-        let start =
-            Kept { v: film.unknown.iter().map(|u| u - floor).collect(), held: film.cavity.clone(), ..Kept::default() };
-        let nodes = self.nodes(system, (system, film), &rays);
-        let mut quadratic = self.hill(system, &rays, nodes, start)?;
-        quadratic.renew_direction();
-        quadratic.solve(COMPARED)?;
-        let cubic_system = system.cubic();
-        let start = Kept {
-            v: cubic_system.prolongation.prolong(&quadratic.v),
-            held: quadratic.contact_in(cubic_system.system.space()),
-            along: std::mem::take(&mut quadratic.balance.along),
-            linearisation: None,
-        };
-        let nodes = self.nodes(&cubic_system.system, (system, film), &rays);
-        let mut cubic = self.hill(&cubic_system.system, &rays, nodes, start)?;
-        cubic.solve(SOLVED)?;
-        quadratic.balance.along.clone_from(&cubic.balance.along);
-        let (replenished, lost) = cubic.replenished()?;
-        let numbers = self.measured(&cubic_system.system, &cubic, &cubic.v)?;
-        let mut history = std::mem::take(&mut quadratic.history);
-        history.append(&mut cubic.history);
-        let by_degree = numbers.less(&self.measured(system, &quadratic, &quadratic.v)?);
-        let by_oil = (self.measured(&cubic_system.system, &cubic, &replenished)?).less(&numbers);
-        let (kept, nodes) = cubic.kept();
-        Ok(SharpFilm {
-            by_degree,
-            by_oil,
-            by_cavities: numbers.less(&numbers),
-            cubic: numbers,
-            lost,
-            history,
-            kept,
-            frame: Frame { rays, nodes, cavity: film.cavity.clone() },
-        })
-    }
-
-    /// In cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
-    fn hill_near(&self, system: &FilmSystem, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
-        let cubic_system = &system.cubic().system;
-        let Frame { rays, nodes, cavity } = near.frame;
-        let mut cubic = self.hill(cubic_system, &rays, nodes, near.kept)?;
-        cubic.solve(enough)?;
-        let numbers = self.measured(cubic_system, &cubic, &cubic.v)?;
-        let history = std::mem::take(&mut cubic.history);
-        let (kept, nodes) = cubic.kept();
-        Ok(SharpFilm { cubic: numbers, history, kept, frame: Frame { rays, nodes, cavity }, ..near })
-    }
-
-    /// What is found once at the position of a `film`.
-    fn frame(&self, system: &FilmSystem, film: &FilmSolution, fraction: &FilmFraction) -> Frame {
-        let rays = Rays::new(self, system, film, fraction);
-        Frame { nodes: self.nodes(&system.cubic().system, (system, film), &rays), cavity: film.cavity.clone(), rays }
+    /// Reduced pressure [Pa] of the cavity.
+    pub(super) fn cavity_unknown(&self) -> f64 {
+        self.cavitation.pressure().map_or(0.0, |p| self.unknown_at(p))
     }
 
     /// The numbers of a hill at v.
@@ -213,11 +112,6 @@ impl FilmProblem {
             true => Ok(numbers),
             false => Err(Error::NotFinite { what: "pressure of the sharp hill" }.into()),
         }
-    }
-
-    /// Reduced pressure [Pa] of the cavity.
-    pub(super) fn cavity_unknown(&self) -> f64 {
-        self.cavitation.pressure().map_or(0.0, |p| self.unknown_at(p))
     }
 
     /// A hill on `system` that is to start from another one.
@@ -238,12 +132,116 @@ impl FilmProblem {
             history: Vec::new(),
         })
     }
+}
 
-    /// What the nodes of `system` are, on both sides of the rays, over the cavity of the `quadratic` system's film.
-    fn nodes(&self, system: &FilmSystem, (quadratic, film): (&FilmSystem, &FilmSolution), rays: &Rays) -> Nodes {
-        let (space, floor) = (system.space(), self.cavity_unknown());
+impl SolvedFilm {
+    /// The hill over the cavity of this film; none where it is not of the kind that has one.
+    ///
+    /// # Errors
+    /// [`Failure`]: rupture and reformation were not found, or the viscosity law has no pressure for the film.
+    pub fn sharp_film(&self, start: HillStart) -> Result<Option<SharpFilm>, Failure> {
+        let Self { problem, system, solution } = self;
+        let Some(fraction) = solution.film_fraction.as_ref().filter(|_| problem.has_sharp_film(system)) else {
+            return Ok(None);
+        };
+        let hill = match start {
+            HillStart::Film => self.first_hill(Rays::new(self, fraction)),
+            HillStart::Near(near) => {
+                let frame = self.frame(fraction);
+                self.hill_near(SharpFilm { frame, ..near }, SOLVED)
+            }
+            HillStart::SameCavities(mut near) => {
+                near.frame.rays.refill(problem, system, fraction);
+                self.hill_near(near, BALANCED)
+            }
+        };
+        hill.map(Some)
+    }
+
+    /// This `hill` of this film, with what it would change by if its cavities were those of this position.
+    ///
+    /// # Errors
+    /// [`Failure`]: rupture and reformation were not found.
+    pub fn cavities_checked(&self, hill: SharpFilm) -> Result<SharpFilm, Failure> {
+        let Some(fraction) = &self.solution.film_fraction else {
+            return Ok(hill);
+        };
+        if hill.frame.cavity == self.solution.cavity && hill.frame.rays.are_those_of(self) {
+            return Ok(hill);
+        }
+        let cubic = hill.cubic;
+        let frame = self.frame(fraction);
+        let anew = self.hill_near(SharpFilm { frame, ..hill }, SOLVED)?;
+        Ok(SharpFilm { by_cavities: anew.cubic.less(&cubic), cubic, ..anew })
+    }
+
+    /// In quadratic elements, then in cubic ones.
+    fn first_hill(&self, rays: Rays) -> Result<SharpFilm, Failure> {
+        let Self { problem, system, solution } = self;
+        let floor = problem.cavity_unknown();
+        let start = Kept {
+            v: solution.unknown.iter().map(|u| u - floor).collect(),
+            held: solution.cavity.clone(),
+            ..Kept::default()
+        };
+        let nodes = self.nodes(system, &rays);
+        let mut quadratic = problem.hill(system, &rays, nodes, start)?;
+        quadratic.renew_direction();
+        quadratic.solve(COMPARED)?;
+        let cubic_system = system.cubic();
+        let start = Kept {
+            v: cubic_system.prolongation.prolong(&quadratic.v),
+            held: quadratic.contact_in(cubic_system.system.space()),
+            along: std::mem::take(&mut quadratic.balance.along),
+            linearisation: None,
+        };
+        let nodes = self.nodes(&cubic_system.system, &rays);
+        let mut cubic = problem.hill(&cubic_system.system, &rays, nodes, start)?;
+        cubic.solve(SOLVED)?;
+        quadratic.balance.along.clone_from(&cubic.balance.along);
+        let (replenished, lost) = cubic.replenished()?;
+        let numbers = problem.measured(&cubic_system.system, &cubic, &cubic.v)?;
+        let mut history = std::mem::take(&mut quadratic.history);
+        history.append(&mut cubic.history);
+        let by_degree = numbers.less(&problem.measured(system, &quadratic, &quadratic.v)?);
+        let by_oil = (problem.measured(&cubic_system.system, &cubic, &replenished)?).less(&numbers);
+        let (kept, nodes) = cubic.kept();
+        Ok(SharpFilm {
+            by_degree,
+            by_oil,
+            by_cavities: numbers.less(&numbers),
+            cubic: numbers,
+            lost,
+            history,
+            kept,
+            frame: Frame { rays, nodes, cavity: solution.cavity.clone() },
+        })
+    }
+
+    /// In cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
+    fn hill_near(&self, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
+        let (problem, cubic_system) = (&self.problem, &self.system.cubic().system);
+        let Frame { rays, nodes, cavity } = near.frame;
+        let mut cubic = problem.hill(cubic_system, &rays, nodes, near.kept)?;
+        cubic.solve(enough)?;
+        let numbers = problem.measured(cubic_system, &cubic, &cubic.v)?;
+        let history = std::mem::take(&mut cubic.history);
+        let (kept, nodes) = cubic.kept();
+        Ok(SharpFilm { cubic: numbers, history, kept, frame: Frame { rays, nodes, cavity }, ..near })
+    }
+
+    /// What is found once at the position of this film.
+    fn frame(&self, fraction: &FilmFraction) -> Frame {
+        let rays = Rays::new(self, fraction);
+        Frame { nodes: self.nodes(&self.system.cubic().system, &rays), cavity: self.solution.cavity.clone(), rays }
+    }
+
+    /// What the nodes of `system`, that of quadratic or of cubic elements, are on both sides of the rays, over the cavity of this film.
+    fn nodes(&self, system: &FilmSystem, rays: &Rays) -> Nodes {
+        let Self { problem, system: quadratic, solution } = self;
+        let (space, floor) = (system.space(), problem.cavity_unknown());
         let sides = rays.sides(space);
-        let mut given = system.supply.constraints(|p| self.unknown_at(p));
+        let mut given = system.supply.constraints(|p| problem.unknown_at(p));
         for (dof, value) in given.values.iter_mut().enumerate() {
             if given.fixed[dof] {
                 *value -= floor;
@@ -258,7 +256,7 @@ impl FilmProblem {
         for t in 0..space.mesh().triangles().len() {
             let dofs = &space.element_dofs(t)[..space.shapes()];
             let of_film = &quadratic.space().element_dofs(t)[..quadratic.space().shapes()];
-            if of_film.iter().all(|&dof| film.cavity[dof]) {
+            if of_film.iter().all(|&dof| solution.cavity[dof]) {
                 let any = |wanted: fn(&Side) -> bool| dofs.iter().any(|&dof| wanted(&sides[dof]));
                 let sees_both = any(|side| *side == Side::Rupture) && any(|side| matches!(side, Side::Reformation(_)));
                 if sees_both || any(|side| *side == Side::Bare) {

@@ -10,7 +10,7 @@ use oilwedge_mesh::Mesh;
 
 use crate::cavitation::FilmFraction;
 use crate::supply::{BoundaryKind, SupplyRegion};
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSystem, SolvedFilm};
 
 /// Rays over the length of the bearing.
 const RAYS: usize = 320;
@@ -102,12 +102,8 @@ enum Kind {
 
 impl Rays {
     /// The rays of a mass-conserving film.
-    pub(super) fn new(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        fraction: &FilmFraction,
-    ) -> Self {
+    pub(super) fn new(film: &SolvedFilm, fraction: &FilmFraction) -> Self {
+        let SolvedFilm { problem, system, .. } = film;
         let mesh = system.space().mesh();
         let (low, high) = (mesh.points().iter())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), point| (l.min(point[1]), h.max(point[1])));
@@ -116,7 +112,7 @@ impl Rays {
             step: (high - low) / RAYS as f64,
             towards: problem.surface_velocity()[0].signum(),
             period: mesh.period(),
-            full: full(problem, film),
+            full: full(film),
             rays: Vec::new(),
         };
         let mut pieces = vec![Vec::new(); RAYS];
@@ -131,8 +127,8 @@ impl Rays {
     }
 
     /// True if these are also the rays of another film on the same mesh, but for the oil.
-    pub(super) fn are_those_of(&self, problem: &FilmProblem, film: &FilmSolution) -> bool {
-        self.full == full(problem, film)
+    pub(super) fn are_those_of(&self, film: &SolvedFilm) -> bool {
+        self.full == full(film)
     }
 
     /// Takes the oil of the film at another position, with cavities and the places from which it comes as they are.
@@ -360,11 +356,11 @@ fn turned(pieces: &mut [Piece], period: f64) {
 }
 
 /// True at dofs with a pressure.
-fn full(problem: &FilmProblem, film: &FilmSolution) -> Vec<bool> {
-    let floor = problem.cavity_unknown();
-    let greatest = film.unknown.iter().fold(0.0f64, |most, u| most.max(u - floor));
+fn full(film: &SolvedFilm) -> Vec<bool> {
+    let (unknown, floor) = (&film.solution.unknown, film.problem.cavity_unknown());
+    let greatest = unknown.iter().fold(0.0f64, |most, u| most.max(u - floor));
     let is_full = |u: &f64| u - floor > NO_PRESSURE * greatest;
-    film.unknown.iter().map(is_full).collect()
+    unknown.iter().map(is_full).collect()
 }
 
 /// Lines along which the film is full at a given pressure.

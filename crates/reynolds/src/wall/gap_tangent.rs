@@ -17,7 +17,7 @@ use crate::cavitation::{FilmFraction, PointChanges};
 use crate::film_law::{AtPoints, FilmLaw};
 use crate::film_thickness::{Deflection, FilmContribution};
 use crate::journal_state::{COORDINATES, JournalChange};
-use crate::{FilmChange, FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form, JournalState};
+use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem, Form, JournalState, SolvedFilm};
 
 /// How the residual of a solved film changes with the coefficients of the deflection, and with the coordinates of the journal.
 #[derive(Debug)]
@@ -128,16 +128,11 @@ impl GapTangent {
     ///
     /// # Errors
     /// A system that does not fit in memory.
-    pub fn of(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        deflection: &Deflection,
-    ) -> Result<Self, Error> {
+    pub fn of(film: &SolvedFilm, deflection: &Deflection) -> Result<Self, Error> {
         let (grid, unit) = (&deflection.wall.grid, Unit::thickness(deflection));
-        match &film.film_fraction {
-            Some(fraction) => Self::conserving((problem, system), film, fraction, (grid, unit)),
-            None => Ok(Self::integrated(problem, system, film, (grid, unit))),
+        match &film.solution.film_fraction {
+            Some(fraction) => Self::conserving(film, fraction, (grid, unit)),
+            None => Ok(Self::integrated(film, (grid, unit))),
         }
     }
 
@@ -145,21 +140,16 @@ impl GapTangent {
     ///
     /// # Errors
     /// A system that does not fit in memory.
-    pub fn kept(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        deflection: &Deflection,
-    ) -> Result<Arc<Self>, Error> {
-        let kept = film.gap_tangent.get();
+    pub fn kept(film: &SolvedFilm, deflection: &Deflection) -> Result<Arc<Self>, Error> {
+        let kept = film.solution.gap_tangent.get();
         if let Some(kept) = kept.filter(|kept| kept.per_time == deflection.per_time()) {
             return Ok(kept.clone());
         }
-        let found = Arc::new(Self::of(problem, system, film, deflection)?);
+        let found = Arc::new(Self::of(film, deflection)?);
         // Another stage than that for which one is kept has its own.
         Ok(match kept {
             Some(_) => found,
-            None => film.gap_tangent.get_or_init(|| found).clone(),
+            None => film.solution.gap_tangent.get_or_init(|| found).clone(),
         })
     }
 
@@ -192,53 +182,43 @@ impl GapTangent {
     }
 
     /// Of a mass-conserving film.
-    fn conserving(
-        (problem, system): (&FilmProblem, &FilmSystem),
-        film: &FilmSolution,
-        fraction: &FilmFraction,
-        (grid, unit): (&Grid, Unit),
-    ) -> Result<Self, Error> {
-        let changes = PointChanges::new(problem, system, film, fraction, FilmChange::Gap(&unit))?;
-        let space = system.space();
+    fn conserving(film: &SolvedFilm, fraction: &FilmFraction, (grid, unit): (&Grid, Unit)) -> Result<Self, Error> {
+        let changes = PointChanges::new(film, fraction, FilmChange::Gap(&unit))?;
+        let space = film.system.space();
         let columns = integrate(space.mesh(), |t| {
             let (mut columns, at_points) = (Columns::default(), changes.of_triangle(t));
             let place = (t, at_points.positions());
-            columns.add((problem, grid, Part::Value), place, &at_points.balances, space.shapes());
+            columns.add((&film.problem, grid, Part::Value), place, &at_points.balances, space.shapes());
             columns.ended()
         });
         let (mut on_boundary, mut on_boundary_by_place) = (Vec::new(), Vec::new());
         for (dof, (cell, position), by_gap) in changes.of_boundary() {
             grid.each_at(position, |spline, value| on_boundary.push((dof, spline, by_gap * value)));
-            let moved = by_place(problem, Part::Value, cell, &[position]);
+            let moved = by_place(&film.problem, Part::Value, cell, &[position]);
             on_boundary_by_place.push((dof, moved.map(|gap| by_gap * gap[0])));
         }
         Ok(Self { columns, on_boundary, on_boundary_by_place, splines: grid.number(), per_time: unit.0.rate })
     }
 
     /// Of a film without a film fraction: by the quadrature of its residual.
-    fn integrated(
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        film: &FilmSolution,
-        (grid, unit): (&Grid, Unit),
-    ) -> Self {
-        let space = system.space();
+    fn integrated(film: &SolvedFilm, (grid, unit): (&Grid, Unit)) -> Self {
+        let space = film.system.space();
         let rule = Rule::for_degree(space.degree());
         let mut units = vec![(Part::Value, unit)];
-        if problem.form == Form::AsPrinted {
+        if film.problem.form == Form::AsPrinted {
             units.extend([(Part::SlopeAround, Unit::slope(0)), (Part::SlopeAlong, Unit::slope(1))]);
         }
         let columns = integrate(space.mesh(), |t| {
             let mut nodal = Nodal::default();
             for (value, &dof) in nodal.iter_mut().zip(&space.element_dofs(t)[..space.shapes()]) {
-                *value = film.unknown[dof];
+                *value = film.solution.unknown[dof];
             }
             let columns: Columns = rule.integrate(space.mesh(), t, |points, columns: &mut Columns| {
                 for (part, unit) in &units {
-                    let law = FilmLaw::changed(problem, FilmChange::Gap(unit));
+                    let law = FilmLaw::changed(&film.problem, FilmChange::Gap(unit));
                     let shares = residuals(&law, points, &nodal, space.shapes());
                     let place = (points.cell, points.positions);
-                    columns.add((problem, grid, *part), place, &shares, space.shapes());
+                    columns.add((&film.problem, grid, *part), place, &shares, space.shapes());
                 }
             });
             columns.ended()

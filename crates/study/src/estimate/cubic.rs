@@ -2,12 +2,12 @@
 
 use oilwedge_bearing::{Coefficients, Dynamics};
 use oilwedge_fem::Field;
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 use oilwedge_reynolds::quantities::inlet::inlet_flows;
 use oilwedge_reynolds::quantities::load::rim_error;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
-use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::places::{self, PlacedPair};
 use super::{CoefficientErrors, Estimate, ExtentEnd, Scaled};
@@ -20,8 +20,8 @@ const OF_FLOWS: f64 = 0.5;
 /// A film in quadratic elements beside that in cubic ones.
 pub(super) struct CubicPair<'a> {
     pub(super) film: &'a Film,
-    pub(super) quadratic: &'a FilmSolution,
-    pub(super) cubic: &'a FilmSolution,
+    pub(super) quadratic: &'a SolvedFilm,
+    pub(super) cubic: &'a SolvedFilm,
     pub(super) error: &'a FilmError,
     /// On the quadratic and on the cubic film.
     pub(super) measured: [&'a Measured; 2],
@@ -91,7 +91,7 @@ impl Estimate for CubicPair<'_> {
         let extremes = self.measured.map(|measured| measured.extremes);
         let [quadratic, cubic] = extremes.map(|extremes| extremes.least);
         let triangles = extremes.into_iter().filter_map(|extremes| extremes.least_in);
-        match self.quadratic.cavity.contains(&true) {
+        match self.quadratic.solution.cavity.contains(&true) {
             true => Bar::default(),
             false => Bar::of(self.apart((cubic - quadratic).abs(), triangles)),
         }
@@ -112,10 +112,7 @@ impl Estimate for CubicPair<'_> {
 
     /// Differences of the gradients along the line cancel in that of the flow: they are summed without their signs too.
     fn inlet_flow(&self, number: Scaled) -> f64 {
-        let Film { problem, system, .. } = self.film;
-        let flows =
-            [inlet_flows(problem, system, self.quadratic), inlet_flows(problem, &system.cubic().system, self.cubic)];
-        let apart = match flows {
+        let apart = match [self.quadratic, self.cubic].map(inlet_flows) {
             [Some(quadratic), Some(cubic)] => quadratic.iter().zip(&cubic).map(|(a, b)| (a - b).abs()).sum(),
             _ => 0.0,
         };
@@ -232,9 +229,9 @@ impl CubicPair<'_> {
 
     /// Bar [Pa] of an extreme pressure: how far the two films are apart in the triangles that hold their extremes.
     fn apart(&self, change: f64, triangles: impl IntoIterator<Item = usize>) -> f64 {
-        let Film { problem, system, .. } = self.film;
-        let quadratic = Field { space: system.space(), values: &self.quadratic.unknown };
-        let cubic = Field { space: system.cubic().system.space(), values: &self.cubic.unknown };
+        let problem = &self.film.problem;
+        let [quadratic, cubic] = [self.quadratic, self.cubic]
+            .map(|film| Field { space: film.system.space(), values: &film.solution.unknown });
         const LATTICE: u32 = 6;
         let step = 1.0 / f64::from(LATTICE);
         let apart = |t: usize| {
@@ -285,21 +282,18 @@ impl CubicPair<'_> {
 
     /// Share of the area [1] in which a cavity may hide where the mesh shows none.
     fn hidden_share(&self) -> f64 {
-        let Film { problem, system, .. } = self.film;
         if self.front_share() > 0.0 {
             return 0.0;
         }
-        hidden_share(problem, system, self.quadratic, self.least_pressure().total())
+        hidden_share(self.quadratic, self.least_pressure().total())
     }
 
     /// Share of the area [1] in triangles through which the edge of the cavity runs.
     fn front_share(&self) -> f64 {
-        let system: &FilmSystem = &self.film.system.cubic().system;
+        let SolvedFilm { problem, system, solution } = self.cubic;
         let (space, mesh) = (system.space(), system.space().mesh());
-        let problem = &self.film.problem;
         let dropped = problem.cavitation.kink().map(|p| problem.unknown_at(p));
-        let in_cavity =
-            |dof: usize| self.cubic.cavity[dof] || dropped.is_some_and(|floor| self.cubic.unknown[dof] < floor);
+        let in_cavity = |dof: usize| solution.cavity[dof] || dropped.is_some_and(|floor| solution.unknown[dof] < floor);
         let (mut edge, mut whole) = (0.0, 0.0);
         for t in 0..mesh.triangles().len() {
             let [a, b, c] = mesh.corners(t);

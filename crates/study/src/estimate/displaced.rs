@@ -48,9 +48,8 @@ impl Estimated {
 
 /// How much `errors` change each of these numbers, all together.
 fn changes(solved: &Solved, coordinates: Coordinates, list: &[Quantity], errors: &[Displacement]) -> Vec<f64> {
-    let film = &solved.film;
-    let parts = (&film.problem, &*film.system, &solved.solution);
-    let here = || measure(parts.0, parts.1, parts.2);
+    let film = &solved.primary;
+    let here = || measure(film);
     let base = numbers(solved, &film.problem, &here());
     let column = |there: Option<Vec<Quantity>>, size: f64| -> Vec<f64> {
         let change = |quantity: &Quantity| {
@@ -65,8 +64,8 @@ fn changes(solved: &Solved, coordinates: Coordinates, list: &[Quantity], errors:
         let size = size(&|error| error.by[k]);
         let along = unit(k).map(|part| size * part);
         let change = coordinates.change(&film.problem.journal, &CentreVelocity::default(), along);
-        let moved = displaced(parts.0, parts.1, parts.2, &change).ok();
-        let there = moved.map(|(problem, moved)| numbers(solved, &problem, &measure(&problem, parts.1, &moved)));
+        let moved = displaced(film, &change).ok();
+        let there = moved.map(|moved| numbers(solved, &moved.problem, &measure(&moved)));
         (size > 0.0).then(|| column(there, size))
     };
     let by_force = |k: usize| {

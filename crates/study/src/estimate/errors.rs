@@ -12,7 +12,7 @@ use oilwedge_reynolds::error_bar::conserving::{ConservingError, ErrorDirection};
 use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
 use oilwedge_reynolds::sharp::SharpFilm;
-use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
+use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use super::Estimate;
 use super::coarse::CoarseComparison;
@@ -80,21 +80,19 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
     Estimated { seconds: clock.elapsed().as_secs_f64(), ..estimated }
 }
 
-fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
+fn by_cubic(solved: &Solved, cubic: &SolvedFilm) -> Estimated {
     let film = &solved.film;
     let reported = of_cubic(film, cubic);
-    let Ok(following) = following_wall(&film.problem, &film.system, &solved.solution) else {
+    let Ok(following) = following_wall(&solved.primary) else {
         return Estimated::without_bars(film, reported);
     };
-    let Ok(error) =
-        film_error(&film.problem, &film.system, &solved.solution, cubic, &reported.load.total, following.as_ref())
-    else {
+    let Ok(error) = film_error(&solved.primary, cubic, &reported.load.total, following.as_ref()) else {
         return Estimated::without_bars(film, reported);
     };
     let quadratic = of_quadratic(solved, Some(&reported));
     let pair = CubicPair {
         film,
-        quadratic: &solved.solution,
+        quadratic: &solved.primary,
         cubic,
         error: &error,
         measured: [&quadratic, &reported],
@@ -118,7 +116,7 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
 
 fn by_coarse(
     solved: &Solved,
-    coarse: &FilmSolution,
+    coarse: &SolvedFilm,
     error: Option<&ConservingError>,
     hill: Option<&SharpFilm>,
 ) -> Estimated {
@@ -140,11 +138,8 @@ fn by_coarse(
         film,
         error: &error,
         measured: &plain.measured,
-        dynamics: plain
-            .measured
-            .dynamics()
-            .and_then(|dynamics| Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()),
-        hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
+        dynamics: plain.measured.dynamics().and_then(|dynamics| Dynamics::beside(coarse, dynamics).ok()),
+        hidden: hidden_share(&solved.primary, error.pressure),
     };
     let is_free = film.load.is_some_and(|load| load.tilting.is_some());
     let load: Vec<(Vector, Bar)> = match is_free {
@@ -181,11 +176,11 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
     };
     let film = &solved.film;
     let better = of_cubic(film, cubic);
-    let error = film_error(&film.problem, &film.system, &solved.solution, cubic, &better.load.total, None).ok()?;
+    let error = film_error(&solved.primary, cubic, &better.load.total, None).ok()?;
     let quadratic = of_quadratic(solved, Some(&better));
     let pair = CubicPair {
         film,
-        quadratic: &solved.solution,
+        quadratic: &solved.primary,
         cubic,
         error: &error,
         measured: [&quadratic, &better],
@@ -196,23 +191,20 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
 }
 
 /// What is measured on the film in cubic elements.
-fn of_cubic(film: &Film, cubic: &FilmSolution) -> Measured {
-    let parts = (&film.problem, &film.system.cubic().system, cubic);
-    measure(parts.0, parts.1, parts.2).with_dynamics(film, parts, None)
+fn of_cubic(film: &Film, cubic: &SolvedFilm) -> Measured {
+    measure(cubic).with_dynamics(film, cubic, None)
 }
 
 /// What is measured on the film itself, beside that in cubic elements if there is one.
 fn of_quadratic(solved: &Solved, beside: Option<&Measured>) -> Measured {
-    let film = &solved.film;
-    let parts = (&film.problem, &*film.system, &solved.solution);
-    measure(parts.0, parts.1, parts.2).with_dynamics(film, parts, beside)
+    measure(&solved.primary).with_dynamics(&solved.film, &solved.primary, beside)
 }
 
 /// What the edge of the cavity of the film in cubic elements leaves open of stiffness and damping.
-fn edge_of(film: &Film, cubic: &FilmSolution) -> Option<Vec<Coefficients>> {
+fn edge_of(film: &Film, cubic: &SolvedFilm) -> Option<Vec<Coefficients>> {
     film.dynamics.as_ref()?;
     match film.problem.cavitation.has_free_boundary() {
-        true => edge_parts(&film.problem, &film.system.cubic().system, cubic).ok(),
+        true => edge_parts(cubic).ok(),
         false => Some(Vec::new()),
     }
 }

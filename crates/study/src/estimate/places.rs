@@ -12,7 +12,7 @@ use oilwedge_fem::lagrange;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::extent::EndKind;
-use oilwedge_reynolds::{FilmSolution, Theory};
+use oilwedge_reynolds::{SolvedFilm, Theory};
 
 use super::ExtentEnd;
 use crate::film::Film;
@@ -21,7 +21,7 @@ use crate::measure::Measured;
 /// A film in quadratic and in cubic elements.
 pub(super) struct PlacedPair<'a> {
     pub(super) film: &'a Film,
-    pub(super) solutions: [&'a FilmSolution; 2],
+    pub(super) solutions: [&'a SolvedFilm; 2],
     pub(super) measured: [&'a Measured; 2],
 }
 
@@ -86,7 +86,7 @@ struct High {
 /// Where the greatest pressure may be, whose bar is `bar` [Pa].
 fn high(pair: &PlacedPair, bar: f64) -> High {
     let (space, extremes) = (pair.film.system.cubic().system.space(), pair.measured[1].extremes);
-    let pressure = |dof: usize| pair.film.problem.pressure_at(pair.solutions[1].unknown[dof]);
+    let pressure = |dof: usize| pair.film.problem.pressure_at(pair.solutions[1].solution.unknown[dof]);
     let highest = (0..space.dofs()).map(pressure).fold(f64::NEG_INFINITY, f64::max);
     let depth = PER_BAR * bar + PER_NODE * (extremes.greatest - highest).max(0.0);
     let (least, top) = (extremes.greatest - depth, extremes.summit.position);
@@ -137,8 +137,8 @@ pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
 fn fields<'a>(pair: &PlacedPair<'a>) -> [Field<'a>; 2] {
     let system = &pair.film.system;
     [
-        Field { space: system.space(), values: &pair.solutions[0].unknown },
-        Field { space: system.cubic().system.space(), values: &pair.solutions[1].unknown },
+        Field { space: system.space(), values: &pair.solutions[0].solution.unknown },
+        Field { space: system.cubic().system.space(), values: &pair.solutions[1].solution.unknown },
     ]
 }
 

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use oilwedge_bearing::deflection::displaced_with_wall;
 use oilwedge_bearing::{NEAR, Vector};
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution};
 use rayon::prelude::*;
 
 use crate::measure::{Measured, measure};
@@ -35,11 +35,10 @@ pub(super) fn position_bars(
         let by = balance.stiffness.solve(direction.map(|d| d * (bar + balance.unbalanced)));
         let change = (balance.coordinates).change(&base.problem.journal, &base.centre_velocity, by);
         let wall = solved.wall.times(by);
-        let moved = displaced_with_wall(&base.problem, &base.system, &solved.solution, &change, &wall);
-        let moved = moved.map(|(problem, film)| {
-            let there = measure(&problem, &base.system, &film);
-            let there = with_dynamics(solved, there, &problem, film, reported);
-            measured(&View::new(base, &problem, &there))
+        let moved = displaced_with_wall(&solved.primary, &change, &wall);
+        let moved = moved.map(|moved| {
+            let there = with_dynamics(solved, measure(&moved), &moved, reported);
+            measured(&View::new(base, &moved.problem, &there))
         });
         let moved = moved.unwrap_or_default();
         let change = |here: &Quantity| {
@@ -54,23 +53,16 @@ pub(super) fn position_bars(
 }
 
 /// With the stiffness and damping of the film there, whose tangent is its own: a film moved along the tangent has that of the place that it comes from.
-pub(super) fn with_dynamics(
-    solved: &Solved,
-    there: Measured,
-    problem: &FilmProblem,
-    moved: FilmSolution,
-    reported: &Measured,
-) -> Measured {
-    let system = &solved.film.system;
+pub(super) fn with_dynamics(solved: &Solved, there: Measured, moved: &SolvedFilm, reported: &Measured) -> Measured {
     if solved.film.dynamics.is_none() {
         return there;
     }
-    let film = match moved.film_fraction {
-        Some(_) => Ok(moved),
-        None => problem.solve_from(system, Neighbour::Start(&solved.solution)),
+    let film = match moved.solution.film_fraction {
+        Some(_) => Ok(moved.clone()),
+        None => moved.problem.solve_from(&moved.system, Neighbour::Start(&solved.primary)),
     };
     match film {
-        Ok(film) => there.with_dynamics(&solved.film, (problem, system, &film), Some(reported)),
+        Ok(film) => there.with_dynamics(&solved.film, &film, Some(reported)),
         Err(_) => there,
     }
 }

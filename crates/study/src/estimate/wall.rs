@@ -11,7 +11,7 @@ use oilwedge_bearing::Vector;
 use oilwedge_bearing::deflection::{bent, touched};
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::load::{Resultant, load};
-use oilwedge_reynolds::{FilmSystem, Gap, Thinnest};
+use oilwedge_reynolds::{Gap, SolvedFilm, Thinnest};
 
 use super::position_sensitivity::with_dynamics;
 use crate::measure::{Measured, measure};
@@ -55,30 +55,27 @@ impl WallBars {
 
 /// For each quantity of `list`, numbers of the film itself, how much it changes with what is uncertain of the wall.
 pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured) -> WallBars {
-    let film = &solved.film;
-    let (problem, system) = (&film.problem, &film.system);
+    let SolvedFilm { problem, system, solution } = &solved.primary;
     let mut bars = WallBars::default();
     let Some(deflection) = problem.deflection() else {
         return bars;
     };
-    let here = load(problem, system, &solved.solution).total.resultant();
+    let here = load(&solved.primary).total.resultant();
     let wall = &deflection.wall;
     let by_other = solved.reference.as_ref().map(|reference| {
         // Contact presses alike under both.
-        let by = |system: &FilmSystem, unknown: &[f64]| wall.deflection((problem, system), unknown, None);
-        let own = by(system, &solved.solution.unknown);
-        let other = by(reference.system(system), &reference.film().unknown);
+        let by = |film: &SolvedFilm| wall.deflection((problem, &film.system), &film.solution.unknown, None);
+        let (own, other) = (by(&solved.primary), by(reference.film()));
         other.iter().zip(own).map(|(other, own)| other - own).collect::<Vec<f64>>()
     });
-    let by_grid = wall.grid_error(problem, system, &solved.solution.unknown);
+    let by_grid = wall.grid_error(problem, system, &solution.unknown);
     for (by, free) in [(By::OtherFilm, by_other), (By::Grid, by_grid)] {
         let Some(free) = free else { continue };
-        let moved = bent(problem, system, &solved.solution, &free).ok().flatten();
-        let there = moved.map(|(problem, film)| {
-            let forces = load(&problem, system, &film).total.resultant();
-            let there = measure(&problem, system, &film);
-            let there = with_dynamics(solved, there, &problem, film, reported);
-            (forces, measured(&View::new(&solved.film, &problem, &there)))
+        let moved = bent(&solved.primary, &free).ok().flatten();
+        let there = moved.map(|moved| {
+            let forces = load(&moved).total.resultant();
+            let there = with_dynamics(solved, measure(&moved), &moved, reported);
+            (forces, measured(&View::new(&solved.film, &moved.problem, &there)))
         });
         let (forces, numbers) = there.unwrap_or((Resultant::default(), Vec::new()));
         let is_in_dual = |quantity: &Quantity| by == By::OtherFilm && quantity.row.error.is_of_load();
@@ -99,7 +96,7 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
             Gap::of(&bent, system).thinnest_film(&bent, system)
         };
         // The pressure there is given: contact alone answers.
-        let moved = touched(problem, system, &solved.solution, &free).ok().flatten();
+        let moved = touched(&solved.primary, &free).ok().flatten();
         let [here, there] = [Some(thinnest(deflection)), moved.map(|moved| thinnest(&moved))];
         let mut add = |row: &'static Row, of: fn(Thinnest) -> f64| {
             let change = here.zip(there).map_or(f64::NAN, |(here, there)| row.difference(of(here), of(there)).abs());

@@ -157,7 +157,7 @@ pub(super) fn between(motion: &Motion, (step, span): (&Step, Span), time: f64) -
     let shape = (s * (1.0 - s)).powi(2);
     // s^2 (1 - s)^2 and its derivative 2 s (1 - s) (1 - 2 s) at s = 1/4.
     let (value, slope) = (9.0 / 256.0, 3.0 / 16.0);
-    if instant.problem.deflection().is_some() {
+    if instant.film.problem.deflection().is_some() {
         let differs = moved(instant.at, -1.0, span.at(at));
         return Ok(length(differs) / value * shape);
     }

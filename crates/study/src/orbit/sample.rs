@@ -4,9 +4,10 @@ use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::deflection::{displaced, hastened};
 use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
 use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
+use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::Power;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+use oilwedge_reynolds::{JournalChange, NoFilm, SolvedFilm};
 use rayon::prelude::*;
 
 use crate::estimate::estimate_errors;
@@ -62,14 +63,14 @@ pub(super) struct Tangents {
 pub(super) fn samples(film: &Film, motion: &Motion, steps: &[Step], errors: Errors) -> Result<Vec<Sampled>, NoAnswer> {
     let groups: Result<Vec<Vec<Sampled>>, NoAnswer> = (steps.par_chunks(GROUP))
         .map(|group| {
-            let mut before: Option<FilmSolution> = None;
+            let mut before: Option<SolvedFilm> = None;
             let mut sampled = Vec::with_capacity(group.len());
             for step in group {
                 let near = before.as_ref().map_or(Neighbour::None, Neighbour::Start);
                 let instant = motion.film_at(step, near)?;
-                let (one, solution) = sample(film, motion, instant, errors)?;
+                let (one, solved) = sample(film, motion, instant, errors)?;
                 sampled.push(one);
-                before = Some(solution);
+                before = Some(solved);
             }
             Ok(sampled)
         })
@@ -147,8 +148,8 @@ pub(super) fn solved_at(
     isothermal(&film.at_instant(&instant), &options)
 }
 
-/// One film, measured; and its solution for the next one to start from.
-fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Result<(Sampled, FilmSolution), NoAnswer> {
+/// One film, measured; and solved, for the next one to start from.
+fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Result<(Sampled, SolvedFilm), NoAnswer> {
     let time = instant.time;
     let tangents = match errors {
         Errors::Estimated => Some(motion.slow_tangents(&instant)?),
@@ -166,8 +167,10 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
     };
     let solved = isothermal(&here, &options)?;
     let estimated = estimate_errors(&solved);
+    // The film by which the orbit was followed.
+    let followed = here.solved_by(solved.primary.solution);
     let quantities = match errors {
-        Errors::Estimated => with_forces_of_path(&here, &solved, estimated.quantities),
+        Errors::Estimated => with_forces_of_path(&here, &followed, estimated.quantities),
         Errors::Omitted => estimated.quantities,
     };
     let flows = (film.thermal.as_ref()).map(|model| thermal_flows(model, &here, &estimated.measured));
@@ -177,19 +180,19 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         Some([stiffness, damping]) => {
             let carried = estimated.measured.load.total.resultant();
             let [x, y, z_x, z_y] = motion.coordinates().forces(&carried);
-            let quadratic = motion.coordinates().forces(&quadratic_force(&here, &solved));
-            let [by_offset, by_rate] = sensitivities(motion, &here, &solved.solution, &quantities)?;
+            let quadratic = motion.coordinates().forces(&load(&followed).total.resultant());
+            let [by_offset, by_rate] = sensitivities(motion, &here, &followed, &quantities)?;
             Some(Tangents { stiffness, damping, defect: moved([x, y, z_x, z_y], -1.0, quadratic), by_offset, by_rate })
         }
     };
     let sample = Sample { time, journal: here.problem.journal, quantities, drift: Vec::new() };
     let sampled = Sampled { sample, tangents, power, imbalance, flows };
-    Ok((sampled, solved.solution))
+    Ok((sampled, followed))
 }
 
 /// These numbers, but what the film carries is that of the film by which the orbit was followed: it balances the load. Its bar is that of the path.
-fn with_forces_of_path(film: &Film, solved: &Solved, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
-    let of_path = measure(&film.problem, &film.system, &solved.solution);
+fn with_forces_of_path(film: &Film, followed: &SolvedFilm, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
+    let of_path = measure(followed);
     let of_path = measured(&View::new(film, &film.problem, &of_path));
     for quantity in quantities.iter_mut().filter(|quantity| quantity.row.error.is_of_load()) {
         let Some(balanced) = of_path.iter().find(|other| other.name == quantity.name) else {
@@ -201,27 +204,18 @@ fn with_forces_of_path(film: &Film, solved: &Solved, mut quantities: Vec<Quantit
     quantities
 }
 
-/// Force of the film by which the orbit was followed.
-fn quadratic_force(film: &Film, solved: &Solved) -> oilwedge_reynolds::quantities::load::Resultant {
-    oilwedge_reynolds::quantities::load::load(&film.problem, &film.system, &solved.solution).total.resultant()
-}
-
 /// How a film moves with its journal, as place or as rate.
-type Moved =
-    fn(&FilmProblem, &FilmSystem, &FilmSolution, &JournalChange) -> Result<(FilmProblem, FilmSolution), NoFilm>;
+type Moved = fn(&SolvedFilm, &JournalChange) -> Result<SolvedFilm, NoFilm>;
 
 /// Change of each number for each coordinate of the journal, and for its rate.
 fn sensitivities(
     motion: &Motion,
     film: &Film,
-    solution: &FilmSolution,
+    followed: &SolvedFilm,
     quantities: &[Quantity],
 ) -> Result<[Vec<Vector>; 2], NoAnswer> {
-    let values = |film_problem: &FilmProblem, solution: &FilmSolution| {
-        let measured_film = measure(film_problem, &film.system, solution);
-        measured(&View::new(film, film_problem, &measured_film))
-    };
-    let base = values(&film.problem, solution);
+    let values = |solved: &SolvedFilm| measured(&View::new(film, &solved.problem, &measure(solved)));
+    let base = values(followed);
     let journal = film.problem.journal;
     let bearing = &film.problem.bearing;
     let gap = SMALL * motion.gap.least(&journal);
@@ -230,8 +224,7 @@ fn sensitivities(
     let column = |k: usize, size: f64, moved: Moved| -> Result<Vec<f64>, NoAnswer> {
         let along = unit(k).map(|part| size * part);
         let change = coordinates.change(&journal, &oilwedge_reynolds::CentreVelocity::default(), along);
-        let (problem, moved) = moved(&film.problem, &film.system, solution, &change)?;
-        let there = values(&problem, &moved);
+        let there = values(&moved(followed, &change)?);
         let value = |list: &[Quantity], name: &str| list.iter().find(|it| it.name == name).map(|it| it.value);
         let per = |quantity: &Quantity| {
             let name = &*quantity.name;

@@ -82,7 +82,7 @@ fn left_of_power(films: &Films, instants: &[Instant], loads: &[NodeForce], angle
     let by_shaft = films.shaft.forces(&displaced, angle);
     let [mut left, mut dissipated] = [0.0; 2];
     for (bearing, (here, film)) in instants.iter().zip(&films.films).enumerate() {
-        let Measured { power, load, .. } = measure(&here.problem, film.system, &here.film);
+        let Measured { power, load, .. } = measure(&here.film);
         let by_asperities = load.contact.map_or([0.0; 4], |share| film.coordinates.forces(&share.resultant()));
         let driving = |k: usize| (asked[bearing][k] - by_shaft[bearing][k] - by_asperities[k]) * here.velocity[k];
         let lost = power.shear + power.driven + power.contact;

@@ -7,7 +7,6 @@ use oilwedge_bearing::coordinates::{Vector, length, moved};
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::shaft::{Balance, Films, NoBalance, NoFilmAt};
 use oilwedge_reynolds::quantities::load::{Resultant, load};
-use oilwedge_reynolds::{FilmSolution, FilmSystem, ReferenceFilm};
 use oilwedge_scene::{Scene, ShaftScene};
 use rayon::prelude::*;
 
@@ -114,12 +113,12 @@ fn reported(
     for _ in 0..MOST_BALANCES {
         let solve = |(bearing, here): (&Bearing, &Instant)| {
             let solve = SolveOptions { errors: options.errors(), ..SolveOptions::default() };
-            isothermal(&at_rest(bearing.film.with_journal(here.problem.journal)), &solve)
+            isothermal(&at_rest(bearing.film.with_journal(here.film.problem.journal)), &solve)
         };
         let at: Vec<(&Bearing, &Instant)> = compiled.bearings.iter().zip(&balance.instants).collect();
         let solved: Result<Vec<Solved>, NoAnswer> = at.into_par_iter().map(solve).collect();
         let solved = solved.map_err(|reason| (Status::without(&reason), reason.to_string()))?;
-        let carried: Vec<Resultant> = solved.iter().map(carried).collect();
+        let carried: Vec<Resultant> = solved.iter().map(|solved| load(solved.reported()).total.resultant()).collect();
         left = 0.0;
         for ((film, here), carried) in films.films.iter_mut().zip(&balance.instants).zip(&carried) {
             let more = match options.errors() {
@@ -139,16 +138,6 @@ fn reported(
     let (bearing, gap) = films.thinnest(&at);
     let residual = left / size;
     Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled, options.cause()))
-}
-
-/// What the film of a bearing carries whose numbers are reported.
-fn carried(solved: &Solved) -> Resultant {
-    let film = &solved.film;
-    let of = |system: &FilmSystem, solution: &FilmSolution| load(&film.problem, system, solution).total.resultant();
-    match &solved.reference {
-        Some(ReferenceFilm::Cubic(cubic)) => of(&film.system.cubic().system, cubic),
-        _ => of(&film.system, &solved.solution),
-    }
 }
 
 /// Fills in the numbers of a balance.

@@ -5,11 +5,11 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
-use super::measured;
 use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::limits::design_criteria;
+use crate::measure::measure;
 use crate::position::Position;
 use crate::quantities::{CYCLE_LOAD_MAX, LOAD, Quantity};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
@@ -100,7 +100,7 @@ fn film_at(temperature: f64, near: &Solved, positions: &[Visited], deadline: Dea
     }
     let options = SolveOptions {
         deadline,
-        guess: InitialGuess::Near(Neighbour::Kept(&near.solution)),
+        guess: InitialGuess::Near(Neighbour::Kept(&near.primary)),
         accuracy: Some(ROUGHLY),
         ..SolveOptions::default()
     };
@@ -110,7 +110,7 @@ fn film_at(temperature: f64, near: &Solved, positions: &[Visited], deadline: Dea
 
 fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> TemperaturePoint {
     let balance = &model.balance;
-    let film = thermal_flows(model, &solved.film, &measured(solved));
+    let film = thermal_flows(model, &solved.film, &measure(solved.reported()));
     TemperaturePoint {
         temperature: temperature - ZERO_CELSIUS,
         viscosity: solved.film.problem.lubricant.viscosity,

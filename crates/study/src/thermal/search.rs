@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
@@ -13,10 +14,11 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
-use super::{measured, none, reported};
+use super::none;
 use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::isothermal::isothermal;
+use crate::measure::measure;
 use crate::no_answer::NoAnswer;
 use crate::oil::first_temperature;
 use crate::position::Position;
@@ -177,21 +179,21 @@ impl<'a> Search<'a> {
             film.problem.journal = solved.film.problem.journal;
             film = self.predicted(film);
             options.guess = InitialGuess::Near(match kind {
-                _ if !conserves_oil => Neighbour::Start(&solved.solution),
+                _ if !conserves_oil => Neighbour::Start(&solved.primary),
                 Kind::Chosen => Neighbour::None,
-                Kind::Leading | Kind::Kept | Kind::Last => Neighbour::Kept(&solved.solution),
+                Kind::Leading | Kind::Kept | Kind::Last => Neighbour::Kept(&solved.primary),
             });
         }
         let solved = from_near_or_cold(&film, &options)?;
         self.positions += solved.balance.map_or(0, |balance| balance.steps);
         self.visited.push(visited(&solved.film));
-        let measured = measured(&solved);
+        let measured = measure(solved.reported());
         let flows = thermal_flows(&self.model, &solved.film, &measured);
         let surplus = self.model.balance.surplus(temperature, &flows);
         let is_kept = kind == Kind::Kept || kind == Kind::Leading && !conserves_oil;
         // How numbers change with temperature is shown by balanced films alone.
         if is_kept && !solved.is_ended() {
-            let measured = measured.with_dynamics(&solved.film, reported(&solved), None);
+            let measured = measured.with_dynamics(&solved.film, solved.reported(), None);
             let view = View::new(&solved.film, &solved.film.problem, &measured);
             self.numbers.push(Numbers { temperature, surplus, quantities: quantities::measured(&view) });
         }
@@ -359,7 +361,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     if search.is_restless {
         let fallback =
             "the advection schemes did not come to rest at the balanced temperature: those chosen near it are kept";
-        solved.solution.fallbacks.push(fallback.to_owned());
+        Arc::make_mut(&mut solved.primary.solution).fallbacks.push(fallback.to_owned());
     }
     solved.temperature = Some(TemperatureFound {
         balanced: Balanced { films: search.solved, ..balanced },

@@ -86,15 +86,7 @@ fn indicator(solve: &Solve) -> Option<Vec<f64>> {
         return None;
     };
     let study = &solve.solved.film;
-    let error = film_error(
-        &study.problem,
-        &study.system,
-        &solve.solved.solution,
-        cubic,
-        &solve.judged.measured.load.total,
-        None,
-    )
-    .ok()?;
+    let error = film_error(&solve.solved.primary, cubic, &solve.judged.measured.load.total, None).ok()?;
     let force = error.force[0].hypot(error.force[1]);
     let flows = &solve.judged.measured.flows;
     let goals = error.goals[..2].iter().map(|goal| (goal, force));

@@ -173,7 +173,7 @@ impl Tally {
             return;
         };
         let study = &solve.solved.film;
-        let film = measure(&study.problem, &study.system, &solve.solved.solution);
+        let film = measure(&solve.solved.primary);
         let quadratic = measured(&View::new(study, &study.problem, &film));
         let load = |list: &[Quantity]| list.iter().find(|quantity| quantity.name == "load").map(|load| load.value);
         if let (Some(better), Some(worse)) = (load(&solve.judged.quantities), load(&quadratic)) {

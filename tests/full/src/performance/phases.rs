@@ -120,12 +120,12 @@ pub fn equilibrium(study: &Film) -> Equilibrium {
 pub fn file_to_load(scene: &Scene) -> f64 {
     let study = study(scene);
     let film = film(&study);
-    load(&study.problem, &study.system, &film).magnitude()
+    load(&film).magnitude()
 }
 
 /// **Measure.** Everything that is reported of a film.
 pub fn measured(study: &Film, film: &FilmSolution) -> Measured {
-    measure(&study.problem, &study.system, film)
+    measure(film)
 }
 
 /// **The run of a scene**, all but its output, with error bars or without.

@@ -17,8 +17,8 @@ fn film(study: &Film) -> FilmSolution {
 
 fn bars(study: &Film, film: &FilmSolution) -> ConservingError {
     let (problem, system) = (&study.problem, &study.system);
-    let companion = problem.coarse_comparison(system, film).unwrap_or_else(|reason| panic!("{reason}"));
-    let bars = conserving_error(problem, system, film, &companion, None).expect("a mass-conserving film");
+    let companion = film.coarse_comparison().unwrap_or_else(|reason| panic!("{reason}"));
+    let bars = conserving_error(film, &companion, None).expect("a mass-conserving film");
     let greatest = bars.load.total().max(bars.across.total());
     assert!(bars.indicator.iter().sum::<f64>() > (1.0 - 1e-12) * greatest);
     bars
@@ -33,7 +33,7 @@ fn finer(scene: &Scene, study: &Film, times: usize) -> Measured {
     let study = compile_on(scene, mesh, Position::start(scene), 2).unwrap_or_else(|error| panic!("{error}"));
     {
         let film = film(&study);
-        measure(&study.problem, &study.system, &film)
+        measure(&film)
     }
 }
 
@@ -54,7 +54,7 @@ fn finer_meshes_lie_inside() {
         let coarse_film = film(&study);
         let bars = bars(&study, &coarse_film);
         assert!(bars.is_resolved, "{name}");
-        let (coarse, fine) = (measure(&study.problem, &study.system, &coarse_film), finer(&scene, &study, times));
+        let (coarse, fine) = (measure(&coarse_film), finer(&scene, &study, times));
         let side = |measured: &Measured| -measured.flows.regions[..2].iter().map(|flow| flow.net).sum::<f64>();
         let cavity = |measured: &Measured| measured.cavity.expect("a cavity");
         let turned = (coarse.load.angle() - fine.load.angle()).sin();
@@ -120,7 +120,7 @@ fn a_film_thin_at_one_end_errs_in_one_direction() {
     let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
     let coarse_film = film(&study);
     let bars = bars(&study, &coarse_film);
-    let here = forces(&measure(&study.problem, &study.system, &coarse_film));
+    let here = forces(&measure(&coarse_film));
     let there = forces(&finer(&scene, &study, 1));
     let mut totals = Vec::new();
     for direction in &bars.directions {
@@ -137,11 +137,11 @@ fn a_film_thin_at_one_end_errs_in_one_direction() {
 #[test]
 fn coarser_meshes_of_a_starved_film_carry_nearly_what_it_carries() {
     let study = compile(&thin_end("5 mm")).unwrap_or_else(|error| panic!("{error}"));
-    let here = forces(&measure(&study.problem, &study.system, &film(&study)));
+    let here = forces(&measure(&film(&study)));
     let coarser = study.system.coarser.as_ref().expect("a coarser mesh");
     let problem = coarser.problem(&study.problem);
     let coarse_film = problem.solve(&coarser.system).unwrap_or_else(|reason| panic!("{reason}"));
-    let there = forces(&measure(&problem, &coarser.system, &coarse_film));
+    let there = forces(&measure(&coarse_film));
     let size = here.iter().map(|x| x * x).sum::<f64>().sqrt();
     let off = (0..4).map(|k| (there[k] - here[k]).powi(2)).sum::<f64>().sqrt() / size;
     assert!(off < 0.05, "{off}");

@@ -1,6 +1,8 @@
 //! The Swift-Stieber film as the guide of a film that conserves oil: it is nowhere under less pressure, its balance leads to that of the other, and where it has none
 //! the reason says whose film it was.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::{Cavitation, FilmSystem};
 use oilwedge_study::RunOptions;
 use oilwedge_study::result::Status;
@@ -17,7 +19,7 @@ fn excess(eccentricity: f64, around: u32) -> f64 {
     let mesh = ring(around, around / 4, LENGTH, 0.0);
     let mut regions = ends(&mesh, LENGTH, None);
     regions.iter_mut().for_each(|region| region.pressure = ENDS);
-    let system = FilmSystem::new(std::sync::Arc::new(mesh), 2, regions).expect("the ends close the ring");
+    let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring"));
     let mut film = plain_film(LENGTH, eccentricity, 0.3, SPEED);
     film.cavitation = Cavitation::Jfo { pressure: 0.0 };
     let conserving = film.solve(&system).expect("a film that conserves oil");

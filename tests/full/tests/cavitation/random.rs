@@ -2,7 +2,7 @@
 //! found in few iterations.
 
 use oilwedge_reynolds::quantities::flow::flows;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmSolution, SolvedFilm};
 use oilwedge_study::compile::compile;
 use oilwedge_tests::journal_bearings::each;
 use oilwedge_tests::random_bearings::{PRESSURE_UNIT, RandomBearing};
@@ -21,13 +21,13 @@ fn every_bearing_has_its_film() {
         let mut study = compile(&bearing.scene()).map_err(|reason| told(reason.to_string()))?;
         let film = study.problem.solve(&study.system);
         let film = film.map_err(|reason| told(reason.to_string()))?;
-        conserves(&study.problem, &study.system, &film).map_err(told)?;
+        conserves(&film).map_err(told)?;
 
         let pressure = study.problem.cavitation.pressure().expect("a cavity");
         study.problem.cavitation = Cavitation::Reynolds { pressure };
         let film = study.problem.solve(&study.system);
         let film = film.map_err(|reason| told(reason.to_string()))?;
-        has_signs(&study.problem, &study.system, &film).map_err(told)
+        has_signs(&film).map_err(told)
     });
 }
 
@@ -36,18 +36,18 @@ fn at_most(film: &FilmSolution, most: usize) -> Result<(), String> {
     (count <= most).then_some(()).ok_or_else(|| format!("{count} iterations"))
 }
 
-fn conserves(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<(), String> {
+fn conserves(film: &SolvedFilm) -> Result<(), String> {
     at_most(film, MOST_CONSERVING)?;
-    let fraction = &film.film_fraction.as_ref().ok_or("no film fraction")?.values;
-    let cavity = problem.unknown_at(problem.cavitation.pressure().unwrap_or(f64::NAN));
-    for (dof, (&theta, &unknown)) in fraction.iter().zip(&film.unknown).enumerate() {
+    let fraction = &film.solution.film_fraction.as_ref().ok_or("no film fraction")?.values;
+    let cavity = film.problem.unknown_at(film.problem.cavitation.pressure().unwrap_or(f64::NAN));
+    for (dof, (&theta, &unknown)) in fraction.iter().zip(&film.solution.unknown).enumerate() {
         let full = theta == 1.0 && unknown >= cavity - 1e-11 * PRESSURE_UNIT;
         let broken = theta > 0.0 && theta <= 1.0 + 1e-12 && unknown == cavity;
         if !(full || broken) {
             return Err(format!("film fraction {theta} and pressure {unknown} at {dof}"));
         }
     }
-    let imbalance = flows(problem, system, film).imbalance;
+    let imbalance = flows(film).imbalance;
     // Written so that NaN is refused.
     match imbalance < 1e-10 {
         true => Ok(()),
@@ -55,15 +55,16 @@ fn conserves(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     }
 }
 
-fn has_signs(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<(), String> {
+fn has_signs(film: &SolvedFilm) -> Result<(), String> {
+    let SolvedFilm { problem, system, solution } = film;
     at_most(film, MOST_SWIFT_STIEBER)?;
     let cavity = problem.unknown_at(problem.cavitation.pressure().unwrap_or(f64::NAN));
-    let most = film.inflow.iter().fold(0.0f64, |most, flow| most.max(flow.abs()));
+    let most = solution.inflow.iter().fold(0.0f64, |most, flow| most.max(flow.abs()));
     for edge in 0..system.space().mesh().topology().edges.len() as u32 {
         let dof = system.space().edge_dof(edge);
-        let (unknown, inflow) = (film.unknown[dof], film.inflow[dof]);
+        let (unknown, inflow) = (solution.unknown[dof], solution.inflow[dof]);
         // The film of Swift and Stieber makes oil in its cavity; it never takes any.
-        let signs = unknown >= cavity - 1e-11 * PRESSURE_UNIT && (!film.cavity[dof] || inflow >= -1e-11 * most);
+        let signs = unknown >= cavity - 1e-11 * PRESSURE_UNIT && (!solution.cavity[dof] || inflow >= -1e-11 * most);
         if !signs {
             return Err(format!("pressure {unknown}, inflow {inflow:e} of {most:e} at {dof}"));
         }

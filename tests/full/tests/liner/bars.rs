@@ -82,20 +82,21 @@ fn shares_are_those_of_films_under_walls_of_their_own() {
     for (cavitation, touches) in [(Cavitation::None, false), (Cavitation::Reynolds { pressure: 0.0 }, true)] {
         let mut problem = tilted(walled(RADIUS, 0.8, cavitation, |_| layer(0.05)), [2e-5, -1e-5]);
         problem.contact = touches.then(|| contacts().into_iter().next().expect("a law"));
-        let (problem, film) = closed(problem, &system);
+        let film = closed(problem, &system);
+        let problem = &film.problem;
         let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
         let (problem, cubic) = (&pair.problem, &system.cubic().system);
-        let following = following_wall(problem, &system, &pair.film).expect("a tangent");
-        let share = load(problem, cubic, &pair.cubic).total;
+        let following = following_wall(&pair.film).expect("a tangent");
+        let share = load(&pair.cubic).total;
         let eta = |following| {
-            let error = film_error(problem, &system, &pair.film, &pair.cubic, &share, following).expect("duals");
+            let error = film_error(&pair.film, &pair.cubic, &share, following).expect("duals");
             let [x, y] = error.moments.expect("the journal can tilt");
             [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
         };
         let (held, found) = (eta(None), eta(following.as_ref()));
         let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Kept(&pair.film))
             .unwrap_or_else(|reason| panic!("{reason}"));
-        let [better, worse] = [carried(problem, cubic, &pair.cubic), carried(&own, &system, &of_own)];
+        let [better, worse] = [carried(&pair.cubic), carried(&of_own)];
         let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];
         let wanted: Vec<f64> = parts(&better).iter().zip(parts(&worse)).map(|(a, b)| a - b).collect();
         for (range, name) in [(0..2, "force"), (2..4, "moment")] {

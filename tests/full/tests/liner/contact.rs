@@ -12,7 +12,7 @@ use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::load_change;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::wall::GapTangent;
-use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, JournalChange, terms};
+use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, JournalChange, SolvedFilm, terms};
 use oilwedge_tests::elastic_liner::{carried, closed, force_scale, layer, walled};
 use oilwedge_tests::tilted_bearings::{run, slope, tilted};
 use oilwedge_tests::*;
@@ -24,7 +24,7 @@ const LENGTH: f64 = 0.06;
 const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
 
 /// Films whose surfaces touch at one end of a soft wall, smooth and rough, with both laws of contact.
-fn films() -> [(String, FilmProblem, FilmSystem); 3] {
+fn films() -> [(String, FilmProblem, Arc<FilmSystem>); 3] {
     let [elastic, plastic] = contacts();
     [(Cavitation::None, plastic, false), (REYNOLDS, elastic, true), (Cavitation::Jfo { pressure: 0.0 }, elastic, false)]
         .map(|(model, contact, is_rough)| {
@@ -59,17 +59,18 @@ fn unit_change(k: usize, by: f64) -> JournalChange {
 #[test]
 fn tangents_of_film_wall_and_contact_are_differences() {
     for (what, problem, system) in films() {
-        let (problem, film) = closed(problem, &system);
+        let film = closed(problem, &system);
+        let problem = &film.problem;
         let closing = problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-10, "{what}: {closing:?}");
         let changes: [JournalChange; 4] = std::array::from_fn(|k| unit_change(k, 1.0));
-        let changed = carried_changes(&problem, &system, &film, &changes, EXACT).expect("a tangent");
+        let changed = carried_changes(&film, &changes, EXACT).expect("a tangent");
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| forces(&changed[k].by_film));
         let at = |change: &JournalChange| {
             let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() };
             let (moved, film) =
                 closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
-            forces(&carried(&moved, &system, &film))
+            forces(&carried(&film))
         };
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
             for (k, column) in tangent.iter().enumerate() {
@@ -82,7 +83,7 @@ fn tangents_of_film_wall_and_contact_are_differences() {
                 }
             }
         }
-        let slow = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
+        let slow = Coefficients::of(&film, 0.0).expect("coefficients");
         for d in 0..2 {
             for k in 0..2 {
                 let off = (slow.stiffness[d][k] - tangent[k][d]).abs() / tangent[k][k].abs();
@@ -96,14 +97,15 @@ fn tangents_of_film_wall_and_contact_are_differences() {
 #[test]
 fn the_gap_tangent_answers_to_the_journal() {
     for (what, problem, system) in films() {
-        let (problem, film) = closed(problem, &system);
+        let film = closed(problem, &system);
+        let problem = &film.problem;
         let deflection = problem.deflection().expect("a wall");
-        let tangent = GapTangent::of(&problem, &system, &film, deflection).expect("a tangent");
+        let tangent = GapTangent::of(&film, deflection).expect("a tangent");
         for k in 0..4 {
             let change = unit_change(k, 1.0);
             let residual = tangent.by_journal(&system, &change).expect("a wall at rest");
-            let found = problem.answer(&film, &residual, 0.0).expect("an answer");
-            let wanted = problem.unknown_change(&system, &film, &change).expect("a change");
+            let found = film.answer(&residual, 0.0).expect("an answer");
+            let wanted = film.unknown_change(&change).expect("a change");
             let size = wanted.iter().fold(0.0f64, |most, x| most.max(x.abs()));
             let off = found.iter().zip(&wanted).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
             assert!(size > 0.0 && off < 1e-11 * size, "{what}: {k}: {off:e} of {size:e}");
@@ -121,8 +123,9 @@ fn a_layer_under_contact_alone_gives_way_place_by_place() {
         let mut problem = walled(LENGTH, eps, REYNOLDS, |_| per_pressure);
         problem.journal.speed = 0.0;
         problem.contact = Some(contact);
-        let (problem, film) = closed(problem, &system);
-        let carried = carried(&problem, &system, &film).force;
+        let film = closed(problem, &system);
+        let problem = &film.problem;
+        let carried = carried(&film).force;
         let (force, rigid) = (contact_force(&contact, eps, per_pressure), contact_force(&contact, eps, 0.0));
         let off = carried[0].hypot(carried[1]) / force - 1.0;
         assert!(off.abs() < 2e-4, "{off:e}");
@@ -166,15 +169,16 @@ fn loads_are_balanced_where_coarse_triangles_are_divided() {
 #[test]
 fn the_gradient_of_the_load_is_its_change() {
     for (what, problem, system) in films() {
-        let (problem, film) = closed(problem, &system);
+        let film = closed(problem, &system);
+        let problem = &film.problem;
         let bent = problem.deflection().expect("a wall");
         let of =
             |number: usize, scale: f64| -> Vec<f64> { (0..number).map(|k| scale * (7.0 * k as f64).sin()).collect() };
         let (unknown, wall) = (of(film.unknown.len(), 1e5), of(bent.coefficients.len(), 1e-3 * CLEARANCE));
         let shape = bent.change(wall.clone());
-        let change = load_change(&problem, &system, &film, &[FilmChange::Gap(&shape)], &unknown);
+        let change = load_change(&film, &[FilmChange::Gap(&shape)], &unknown);
         let contact = ContactPoints::of(&problem, &system);
-        let gradient = LoadGradient::of(&problem, &system, &film, contact.as_ref());
+        let gradient = LoadGradient::of(&film, contact.as_ref());
         let (change, gradient) = (forces(&change), forces(&gradient.change(&unknown, &wall)));
         let size = change.iter().fold(0.0_f64, |size, part| size.max(part.abs()));
         for (change, gradient) in change.iter().zip(gradient) {
@@ -191,7 +195,7 @@ fn contact_alone_is_solved_in_closed_form() {
         let mut problem = walled(LENGTH, 0.97, REYNOLDS, |n| layer(5e-4) / (1.0 + n as f64));
         problem.journal.speed = 0.0;
         problem.contact = Some(contact);
-        let (problem, _) = closed(problem, &system);
+        let SolvedFilm { problem, .. } = closed(problem, &system);
         let closing = problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-10, "{closing:?}");
         // Each step solves a film; the first one is that of the unbent wall.
@@ -243,7 +247,7 @@ fn loads_are_balanced_in_mixed_films_on_soft_walls() {
 #[test]
 fn points_of_contact_follow_the_wall() {
     for (what, problem, system) in films() {
-        let (problem, _) = closed(problem, &system);
+        let SolvedFilm { problem, .. } = closed(problem, &system);
         let (bent, contact) = (problem.deflection().expect("a wall"), problem.contact.expect("contact"));
         let more: Vec<f64> = (0..bent.coefficients.len()).map(|k| 1e-3 * CLEARANCE * (7.0 * k as f64).sin()).collect();
         let points = ContactPoints::of(&problem, &system).expect("contact");

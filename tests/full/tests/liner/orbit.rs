@@ -27,7 +27,7 @@ fn squeezed(cavitation: Cavitation, per_pressure: f64) -> FilmProblem {
     problem
 }
 
-fn ring() -> FilmSystem {
+fn ring() -> Arc<FilmSystem> {
     ring_system(36, 4, RADIUS, None)
 }
 
@@ -44,7 +44,7 @@ fn load_with(turning: f64) -> DutyCycle {
     DutyCycle::of_harmonics(orders, TAU, Frame::Shell, rotation)
 }
 
-fn motion<'a>(problem: &'a FilmProblem, system: &'a FilmSystem, cycle: &'a DutyCycle) -> Motion<'a> {
+fn motion<'a>(problem: &'a FilmProblem, system: &'a Arc<FilmSystem>, cycle: &'a DutyCycle) -> Motion<'a> {
     Motion { problem, system, gap: Gap::of(problem, system), cycle, support: None, mass: 0.0 }
 }
 
@@ -57,7 +57,7 @@ const CONSERVING: Cavitation = Cavitation::Jfo { pressure: 0.0 };
 const START: [f64; 4] = [0.4 * CLEARANCE, 0.3 * CLEARANCE, 0.0, 0.0];
 
 /// A ring with a groove, which feeds a film that conserves its oil.
-fn fed_ring() -> FilmSystem {
+fn fed_ring() -> Arc<FilmSystem> {
     ring_system(36, 4, RADIUS, Some(PI))
 }
 
@@ -67,7 +67,7 @@ fn a_wall_that_hardly_moves_leaves_the_orbit_as_it_is() {
     hardly_moves(CONSERVING, &fed_ring());
 }
 
-fn hardly_moves(model: Cavitation, system: &FilmSystem) {
+fn hardly_moves(model: Cavitation, system: &Arc<FilmSystem>) {
     let cycle = load_with(1.0);
     let soft = squeezed(model, 1e-30);
     let mut rigid = soft.clone();
@@ -121,7 +121,7 @@ struct Way {
 }
 
 /// The film at rest under so many units of force is that to which the path leads; its eccentricity [m].
-fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, units: f64, way: &Way, within: f64) -> f64 {
+fn comes_to_rest(problem: &FilmProblem, system: &Arc<FilmSystem>, units: f64, way: &Way, within: f64) -> f64 {
     let force = units * force_scale();
     let duty = Duty { force: [force, 0.0], moment: [0.0; 2], speed: SPEED };
     let cycle = DutyCycle::constant(duty, way.turns * TAU, SPEED);
@@ -136,13 +136,13 @@ fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, units: f64, way: &W
     };
     let rest = find(&begin, system, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     for k in 0..2 {
-        let apart = (end.at[k] - rest.problem.journal.offset[k]).abs() / CLEARANCE;
+        let apart = (end.at[k] - rest.film.problem.journal.offset[k]).abs() / CLEARANCE;
         assert!(apart < within, "{apart:e}");
     }
-    let wall = rest.problem.deflection().expect("a wall");
+    let wall = rest.film.problem.deflection().expect("a wall");
     let apart = end.wall.as_ref().expect("a wall").distance(wall) / CLEARANCE;
     assert!(apart < within, "{apart:e}");
-    rest.problem.journal.eccentricity()
+    rest.film.problem.journal.eccentricity()
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
                 let mut offset = here;
                 offset[k] += sign * step;
                 let (moved, film) = at(offset, Some((&staged, Neighbour::Kept(&film))));
-                carried(&moved, &system, &film).force
+                carried(&film).force
             };
             let (ahead, behind) = (by(1.0), by(-1.0));
             let tangent = column(&staged, &system, &film, k, per_time);
@@ -224,7 +224,7 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
             let mut offset = here;
             offset[k] += sign * step;
             let (moved, film) = at(offset, (&staged, Neighbour::Kept(&film)));
-            carried(&moved, &system, &film).force
+            carried(&film).force
         };
         let (ahead, behind) = (by(1.0), by(-1.0));
         let tangent = column(&staged, &system, &film, k, per_time);
@@ -239,7 +239,7 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
 /// How the force changes [N/m] where a coordinate changes, and its rate in a stage.
 fn column(
     problem: &FilmProblem,
-    system: &FilmSystem,
+    system: &Arc<FilmSystem>,
     film: &oilwedge_reynolds::FilmSolution,
     k: usize,
     per_time: f64,
@@ -247,13 +247,13 @@ fn column(
     let along = [0, 1].map(|d| if d == k { 1.0 } else { 0.0 });
     let change =
         JournalChange { offset: along, velocity: along.map(|part| per_time * part), ..JournalChange::default() };
-    let changed = carried_changes(problem, system, film, &[change], EXACT);
+    let changed = carried_changes(film, &[change], EXACT);
     changed.expect("a tangent")[0].by_film.force
 }
 
 /// Place and wall after a quarter of the second cycle in even steps, `fewest` and 4 times as many, against 8 times as many. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
 /// clearance, with a rigid wall too. The stages are solved far more exactly than that.
-fn converges_with_the_step(model: Cavitation, system: &FilmSystem, fewest: u32) {
+fn converges_with_the_step(model: Cavitation, system: &Arc<FilmSystem>, fewest: u32) {
     let cycle = load_with(1.0);
     let problem = squeezed(model, layer(0.05));
     let motion = motion(&problem, system, &cycle);

@@ -26,8 +26,9 @@ fn a_search_takes_the_wall_along() {
         problem.contact = Some(contact);
         let found =
             find(&problem, &coarse, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
-        let eccentricity = found.problem.journal.eccentricity() / CLEARANCE;
-        let begun = FilmProblem { journal: found.problem.journal, ..problem.deflected(found.problem.deflection()) };
+        let eccentricity = found.film.problem.journal.eccentricity() / CLEARANCE;
+        let begun =
+            FilmProblem { journal: found.film.problem.journal, ..problem.deflected(found.film.problem.deflection()) };
         let options = SearchOptions { guess: InitialGuess::NearlyBalanced, ..SearchOptions::default() };
         let finer = find(&begun, &fine, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         assert!(found.residual < 1e-10 && finer.residual < 1e-10);
@@ -87,7 +88,7 @@ fn balance(number: u64, carrier: Carrier) -> (FilmProblem, usize) {
     let found = find(&film.problem, &film.system, film.load.expect("a load"), &options);
     let found = found.unwrap_or_else(|reason| panic!("{number}: {reason}"));
     assert!(found.residual < 1e-10, "{number}: {:e}", found.residual);
-    (found.problem, FILMS.0.swap(0, Ordering::Relaxed))
+    (found.film.problem, FILMS.0.swap(0, Ordering::Relaxed))
 }
 
 /// The systems of the film in cubic elements are nearly solved by those of the quadratic film: from the balance of that one few films lead to its own, with few products each.

@@ -7,22 +7,20 @@ use super::blocks::{Block, Points, blocks_and_changes};
 use super::rows::Rows;
 use super::{FilmFraction, cavity_floor};
 use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
-use crate::{FilmChange, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmChange, FilmPoint, SolvedFilm};
 
 /// First-order change of every balance where the film changes by `change`.
 ///
 /// # Errors
 /// A system that does not fit in memory.
 pub(crate) fn residual_change(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
+    film: &SolvedFilm,
     fraction: &FilmFraction,
     change: FilmChange<'_>,
 ) -> Result<Vec<f64>, Error> {
-    let changes = PointChanges::new(problem, system, film, fraction, change)?;
-    let blocks = blocks_and_changes(&changes.law, change, system.space(), changes.volumes);
-    let mut residual = vec![0.0; film.unknown.len()];
+    let changes = PointChanges::new(film, fraction, change)?;
+    let blocks = blocks_and_changes(&changes.law, change, film.system.space(), changes.volumes);
+    let mut residual = vec![0.0; film.solution.unknown.len()];
     for (t, block) in blocks.iter().enumerate() {
         let nodes = changes.volumes.triangles[t];
         for (node, balance) in nodes.into_iter().zip(changes.of_block(t, block)) {
@@ -37,9 +35,7 @@ pub(crate) fn residual_change(
 
 /// A film and a change of its law, which acts point by point.
 pub(crate) struct PointChanges<'a> {
-    problem: &'a FilmProblem,
-    system: &'a FilmSystem,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
     fraction: &'a FilmFraction,
     volumes: &'a ControlVolumes,
     law: FilmLaw<'a>,
@@ -63,27 +59,13 @@ impl AtPointsOf {
 impl<'a> PointChanges<'a> {
     /// # Errors
     /// A system that does not fit in memory.
-    pub(crate) fn new(
-        problem: &'a FilmProblem,
-        system: &'a FilmSystem,
-        film: &'a FilmSolution,
-        fraction: &'a FilmFraction,
-        change: FilmChange<'a>,
-    ) -> Result<Self, Error> {
-        Ok(Self {
-            problem,
-            system,
-            film,
-            fraction,
-            volumes: system.volumes()?,
-            law: FilmLaw::new(problem, 1.0),
-            change,
-        })
+    pub(crate) fn new(film: &'a SolvedFilm, fraction: &'a FilmFraction, change: FilmChange<'a>) -> Result<Self, Error> {
+        Ok(Self { film, fraction, volumes: film.system.volumes()?, law: FilmLaw::new(&film.problem, 1.0), change })
     }
 
     /// What each point of a triangle does to the balances, the others unchanged.
     pub(crate) fn of_triangle(&self, cell: usize) -> AtPointsOf {
-        let points = Points::new(self.system.space(), cell);
+        let points = Points::new(self.film.system.space(), cell);
         let [at, change] = (self.law).oil_and_flows_with_change(self.change, cell, points.positions());
         let mut balances = AtPoints::<Nodal>::default();
         let mut single = FilmAndFlows::default();
@@ -104,7 +86,7 @@ impl<'a> PointChanges<'a> {
 
     /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, the triangle of the piece and where it is [m], and the change [m3/s].
     pub(crate) fn of_boundary(&self) -> Vec<(usize, (usize, [f64; 2]), f64)> {
-        let Self { problem, system, volumes, .. } = self;
+        let (SolvedFilm { problem, system, .. }, volumes) = (self.film, self.volumes);
         let rows = Rows::new(problem, system, volumes, &self.law, cavity_floor(problem));
         let changed = FilmLaw::changed(problem, self.change);
         let mut changes = Vec::new();
@@ -125,7 +107,9 @@ impl<'a> PointChanges<'a> {
         let nodes = self.volumes.triangles[t].map(|node| node as usize);
         [0, 1, 2].map(|i| {
             let parts = nodes.iter().enumerate();
-            parts.map(|(j, &node)| k[i][j] * self.film.unknown[node] + b[i][j] * self.fraction.values[node]).sum()
+            parts
+                .map(|(j, &node)| k[i][j] * self.film.solution.unknown[node] + b[i][j] * self.fraction.values[node])
+                .sum()
         })
     }
 }

@@ -4,16 +4,18 @@
 //! middles the scheme works on the triangles themselves: cells twice as wide, a quarter of the unknowns, the
 //! same holes, grooves and lines. Its search starts from the film that is there, so it takes few steps.
 
+use std::sync::Arc;
+
 use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::InitialGuess;
 
 use super::{Choice, solve};
-use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
+use crate::{FilmSystem, NoFilm, SolvedFilm};
 
 impl FilmSystem {
     /// The system of linear elements on this mesh with the same given pressures; made once.
-    pub fn vertices_only(&self) -> &Self {
-        self.vertices.get_or_init(|| Box::new(self.on_vertices()))
+    pub fn vertices_only(&self) -> &Arc<Self> {
+        self.vertices.get_or_init(|| Arc::new(self.on_vertices()))
     }
 
     /// A system of linear elements on this mesh with the same given pressures.
@@ -24,31 +26,28 @@ impl FilmSystem {
     }
 }
 
-impl FilmProblem {
-    /// The film on [`FilmSystem::vertices_only`], started from a mass-conserving `film` of `system`.
+impl SolvedFilm {
+    /// The film on [`FilmSystem::vertices_only`], started from this mass-conserving one.
     ///
     /// # Errors
-    /// [`NoFilm`]: the reason why there is none; the film itself may still be sound, but for [`NoFilm::NearLimit`].
-    pub fn coarse_comparison(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
-        let coarse = self.coarse_comparison_unchecked(system, film)?;
-        self.check_resolved(system, film, &coarse)?;
-        self.check_existence(system.vertices_only(), &coarse)?;
+    /// [`NoFilm`]: the reason why there is none; this one may still be sound, but for [`NoFilm::NearLimit`].
+    pub fn coarse_comparison(&self) -> Result<Self, NoFilm> {
+        let coarse = self.coarse_comparison_unchecked()?;
+        self.check_resolved(&coarse)?;
+        coarse.check_existence()?;
         Ok(coarse)
     }
 
     /// The film on the vertices alone whether or not the viscosity law has a pressure for it.
-    pub(crate) fn coarse_comparison_unchecked(
-        &self,
-        system: &FilmSystem,
-        film: &FilmSolution,
-    ) -> Result<FilmSolution, NoFilm> {
+    pub(crate) fn coarse_comparison_unchecked(&self) -> Result<Self, NoFilm> {
+        let Self { problem, system, solution } = self;
         let vertices = system.vertices_only();
         let dofs = vertex_dofs(system.space());
         let start = InitialGuess {
-            u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
-            held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
+            u: dofs.iter().map(|&dof| solution.unknown[dof]).collect(),
+            held: dofs.iter().map(|&dof| solution.cavity[dof]).collect(),
         };
-        solve(self, vertices, 1.0, start, Choice::Anew)
+        Ok(Self::new(problem.clone(), vertices, solve(problem, vertices, 1.0, start, Choice::Anew)?))
     }
 }
 

@@ -56,7 +56,7 @@ pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem, Storage};
+use crate::{FilmProblem, FilmSolution, FilmSystem, SolvedFilm, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
 const ROUNDING: f64 = 1e-9;
@@ -162,15 +162,11 @@ fn cavity_floor(problem: &FilmProblem) -> f64 {
 }
 
 /// Volume [m3] of the cell of each node of the cavity when it is full; zero of all others.
-pub(crate) fn held_volume(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-) -> Result<Vec<f64>, oilwedge_fem::Error> {
-    let volumes = system.volumes()?;
-    let blocks = blocks(&FilmLaw::new(problem, 1.0), system.space(), volumes);
-    let mut held = volumes_of(volumes, &blocks, film.cavity.len());
-    let full = held.iter_mut().zip(&film.cavity).filter(|(_, cavity)| !**cavity);
+pub(crate) fn held_volume(film: &SolvedFilm) -> Result<Vec<f64>, oilwedge_fem::Error> {
+    let volumes = film.system.volumes()?;
+    let blocks = blocks(&FilmLaw::new(&film.problem, 1.0), film.system.space(), volumes);
+    let mut held = volumes_of(volumes, &blocks, film.solution.cavity.len());
+    let full = held.iter_mut().zip(&film.solution.cavity).filter(|(_, cavity)| !**cavity);
     full.for_each(|(held, _)| *held = 0.0);
     Ok(held)
 }

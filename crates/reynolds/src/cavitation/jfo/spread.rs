@@ -16,8 +16,8 @@
 use super::FilmFraction;
 use super::blocks::{Block, Square, blocks};
 use super::rows::Parts;
+use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Part of the oil in a sub-triangle below which nothing is spread but rounding.
 const ROUNDING: f64 = 1e-9;
@@ -35,12 +35,8 @@ pub(crate) struct Spread {
 ///
 /// # Errors
 /// The sub-mesh does not fit in memory.
-pub(crate) fn spread(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    fraction: &FilmFraction,
-) -> Result<Spread, oilwedge_fem::Error> {
+pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Spread, oilwedge_fem::Error> {
+    let SolvedFilm { problem, system, solution } = film;
     let volumes = system.volumes()?;
     let law = FilmLaw::new(problem, 1.0);
     let velocity = law.velocity();
@@ -50,18 +46,18 @@ pub(crate) fn spread(
     let blocks = blocks(&law, system.space(), volumes);
     let of = |(block, corners): (&Block, &[u32; 3])| {
         let corners = corners.map(|node| node as usize);
-        if !block.is_starved(corners.map(|node| film.cavity[node])) {
+        if !block.is_starved(corners.map(|node| solution.cavity[node])) {
             return 0.0;
         }
         let theta = corners.map(|node| fraction.values[node]);
         let sent = |square: &Square, i: usize| (0..3).map(|j| square[i][j] * theta[j]).sum::<f64>();
         let [n, lda] = [block.n_scheme(), block.low_diffusion()];
-        let to_cavity = (0..3).filter(|&i| film.cavity[corners[i]]);
+        let to_cavity = (0..3).filter(|&i| solution.cavity[corners[i]]);
         let spread = 0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag;
         if spread > ROUNDING * width(block, speed) { spread } else { 0.0 }
     };
     let pieces: Vec<f64> = blocks.iter().zip(&volumes.triangles).map(of).collect();
-    let mut patches = Patches::new(film.unknown.len());
+    let mut patches = Patches::new(solution.unknown.len());
     let spreading = || (0..pieces.len()).filter(|&s| pieces[s] > 0.0);
     spreading().for_each(|s| patches.join(volumes.triangles[s]));
     spreading().for_each(|s| patches.add(volumes.triangles[s], &blocks[s], width(&blocks[s], speed)));
