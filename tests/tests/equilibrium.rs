@@ -123,12 +123,12 @@ fn positions_come_back_from_their_loads() {
             let (problem, system) = bearing(cavitation, eps, angle, speed);
             let asked = force(&problem, &system);
             let start = started_at(&problem, 0.4, angle + 0.7);
-            let Equilibrium { problem: found, residual, .. } =
+            let Equilibrium { film: found, residual, .. } =
                 find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
             assert!(residual < 1e-10, "{residual:e}");
-            let back = found.journal.eccentricity() / CLEARANCE;
+            let back = found.problem.journal.eccentricity() / CLEARANCE;
             assert!((back / eps - 1.0).abs() < 1e-8, "{cavitation:?} {eps}: {back}");
-            let turn = (found.journal.min_film_angle() - angle).sin();
+            let turn = (found.problem.journal.min_film_angle() - angle).sin();
             assert!(turn.abs() < 1e-8, "{cavitation:?} {eps}: {turn:e}");
         }
     }
@@ -161,7 +161,7 @@ fn loads_out_of_reach_are_told() {
     let (problem, system) = half_shell(Cavitation::Reynolds { pressure: 0.0 }, None);
     let carried =
         find(&problem, &system, [500.0, 0.0], &SearchOptions::default()).expect("it is pushed into the shell");
-    assert!(carried.problem.journal.offset[0] > 0.0);
+    assert!(carried.film.problem.journal.offset[0] > 0.0);
     match find(&problem, &system, [-500.0, 0.0], &SearchOptions::default()) {
         Err(reason @ NoEquilibrium::Unreachable { asked, towards, .. }) => {
             assert_eq!((asked, towards), (500.0, 180.0));

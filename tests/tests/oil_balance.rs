@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use oilwedge_mesh::{Mesh, gmsh};
 use oilwedge_reynolds::quantities::flow::Flows;
-use oilwedge_reynolds::{FilmSystem, NoFilm};
+use oilwedge_reynolds::{Fallback, FilmSystem, NoFilm};
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
@@ -219,10 +219,12 @@ fn what_the_plain_models_get_wrong_is_told() {
 fn every_way_out_is_a_warning() {
     let mut film = solved(&LINERS[0].scene("jfo", 3000.0, ""));
     let before = warnings(&film.study, &film.measured).len();
-    assert_eq!(before, film.film.fallbacks.len());
-    film.measured.fallbacks = vec!["one".to_owned(), "two".to_owned()];
+    assert_eq!(before, film.film.solution.fallbacks.len());
+    film.measured.fallbacks = vec![Fallback::PseudoTime, Fallback::NScheme];
     let told = warnings(&film.study, &film.measured);
-    assert!(told[0].starts_with("one: ") && told[1].starts_with("two: "), "{told:?}");
+    for (told, fallback) in told.iter().zip(&film.measured.fallbacks) {
+        assert!(told.starts_with(&format!("{fallback}: ")), "{told}");
+    }
 }
 
 /// A ring whose triangles are long and obtuse, fed from its ends, compiled from a file.

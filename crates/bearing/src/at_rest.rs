@@ -5,9 +5,9 @@
 
 use std::sync::Arc;
 
-use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::cavitation::AdvectionScheme;
 use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{Fallback, NoFilm};
 
 use crate::NoEquilibrium;
 use crate::balance::Balance;
@@ -61,8 +61,7 @@ impl Search<'_> {
         }
         let at_rest = at_rest(&trial);
         if !at_rest && !deadline.is_over() {
-            let note = "the advection schemes did not settle at the balanced position: those chosen near it are kept";
-            Arc::make_mut(&mut trial.film.solution).fallbacks.push(note.to_owned());
+            Arc::make_mut(&mut trial.film.solution).fallbacks.push(Fallback::SchemesNearPosition);
         }
         let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
         let is_balanced = at_rest && is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);

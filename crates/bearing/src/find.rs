@@ -11,7 +11,7 @@ use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::load_capacity::yields_to_contact;
-use crate::no_equilibrium::FAR;
+use crate::no_equilibrium::SearchEnd;
 use crate::search::{OF_BALANCE, Search, Trial};
 use crate::tangent::Tangent;
 use crate::with_wall::WITHIN;
@@ -165,7 +165,7 @@ impl Search<'_> {
         {
             return Err(beyond);
         }
-        if matches!(reason, NoEquilibrium::Unreachable { why, .. } if why == FAR) {
+        if matches!(reason, NoEquilibrium::Unreachable { why: SearchEnd::FarBelow, .. }) {
             return Err(reason);
         }
         // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
@@ -256,14 +256,14 @@ impl Search<'_> {
                 // Round-off is reached.
                 None if residual < BALANCED_ENOUGH && is_closed => return Ok((trial, None)),
                 None if residual < BALANCED_ENOUGH => trial = self.closed_further(&trial, tried)?,
-                None => return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load")),
+                None => return Err(self.unreachable(&trial, SearchEnd::NoStep)),
                 Some(next) => {
                     kept = (keeps_tangent || next.is_continued).then(|| self.corrected(tangent, &trial, &next));
                     trial = next;
                 }
             }
             if self.least_film(&trial) < self.contact(&trial) * trial.film.problem.bearing.clearance {
-                return Err(self.unreachable(&trial, "the journal touches the bearing"));
+                return Err(self.unreachable(&trial, SearchEnd::Touching));
             }
         }
         match self.residual(&trial) {
@@ -273,7 +273,7 @@ impl Search<'_> {
                 journal: Box::new(trial.film.problem.journal),
                 history: self.tried.borrow().clone(),
             }),
-            _ => Err(self.unreachable(&trial, "the force does not approach the load")),
+            _ => Err(self.unreachable(&trial, SearchEnd::NoProgress)),
         }
     }
 

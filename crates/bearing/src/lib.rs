@@ -59,7 +59,7 @@ pub use estimate::{GREATEST_ECCENTRICITY, first_contact, first_position, is_cont
 pub use find::{find, find_after};
 pub use hill::balance_hill;
 pub use load::{Load, Tilting};
-pub use no_equilibrium::{NoEquilibrium, Waypoint};
+pub use no_equilibrium::{NoEquilibrium, SearchEnd, Waypoint};
 pub use observer::SearchObserver;
 pub use prediction::{Point, Predicted, Visited, predicted};
 pub use search_options::{Carrier, InitialGuess, Purpose, SearchOptions};

@@ -9,7 +9,7 @@ use oilwedge_reynolds::{FilmProblem, JournalState, SolvedFilm};
 
 use crate::coordinates::{Vector, moved};
 use crate::estimate::GREATEST_ECCENTRICITY;
-use crate::no_equilibrium::{DISTINCT, FAR, FAR_BELOW};
+use crate::no_equilibrium::{DISTINCT, FAR_BELOW, SearchEnd};
 use crate::search::{Search, Trial};
 use crate::{NoEquilibrium, Purpose};
 
@@ -161,7 +161,7 @@ impl Search<'_> {
         let greatest = known?.into_iter().fold(0.0, f64::max);
         // A wall that is pressed out may carry many times what a rigid one does.
         if guide.is_none() && greatest < FAR_BELOW * self.load.magnitude() {
-            return Some(self.unreachable_from(self.nearest.get()?, FAR));
+            return Some(self.unreachable_from(self.nearest.get()?, SearchEnd::FarBelow));
         }
         let mut best: Option<(f64, JournalState)> = None;
         for pair in around.windows(2) {

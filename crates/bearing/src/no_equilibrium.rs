@@ -11,12 +11,31 @@ pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
 pub(crate) const DISTINCT: f64 = 2.0;
 /// A film whose force is nowhere this part of the load carries none.
 pub(crate) const AT_REST: f64 = 1e-3;
-/// What is said of it.
-pub(crate) const FAR: &str =
-    "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 
-/// What is said of a load that no pressure balances.
-pub(crate) const OUT: &str = "the load points out of the shell, and the film only pushes";
+/// What stopped a search that found no balance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum SearchEnd {
+    /// The film carries too little in contact, all around the bearing.
+    #[error(
+        "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load"
+    )]
+    FarBelow,
+    /// No pressure balances the load.
+    #[error("the load points out of the shell, and the film only pushes")]
+    OutOfShell,
+    /// The tangent leads no nearer.
+    #[error("no shorter step brings the force nearer to the load")]
+    NoStep,
+    /// The steps lead into contact.
+    #[error("the journal touches the bearing")]
+    Touching,
+    /// All steps are made.
+    #[error("the force does not approach the load")]
+    NoProgress,
+    /// The time is over.
+    #[error("the search was ended")]
+    Ended,
+}
 
 /// A balance on the way from that of the force alone to that of the moment.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +83,7 @@ pub enum NoEquilibrium {
         /// The journal where the search ended.
         journal: Box<JournalState>,
         /// What stopped the search.
-        why: &'static str,
+        why: SearchEnd,
     },
     /// The load exceeds what the film carries at the greatest eccentricity at which a position is sought.
     #[error(
@@ -222,7 +241,9 @@ impl NoEquilibrium {
         match self {
             Self::Film(reason) => reason.is_unreached(),
             Self::BeyondCapacity { .. } => false,
-            Self::Unreachable { asked, nearest, why, .. } => ![FAR, OUT].contains(why) && *nearest > AT_REST * asked,
+            Self::Unreachable { asked, nearest, why, .. } => {
+                !matches!(why, SearchEnd::FarBelow | SearchEnd::OutOfShell) && *nearest > AT_REST * asked
+            }
             // What carries all of the moment in contact has no thicker film.
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)
@@ -236,7 +257,7 @@ impl NoEquilibrium {
     pub(crate) fn is_beyond(&self) -> bool {
         match self {
             Self::BeyondCapacity { .. } | Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
-            Self::Unreachable { why, .. } => *why == FAR,
+            Self::Unreachable { why, .. } => *why == SearchEnd::FarBelow,
             Self::OfGuide(_)
             | Self::Film(_)
             | Self::BelowRounding { .. }
@@ -253,7 +274,7 @@ impl NoEquilibrium {
             }
             // The thin film all along a parallel journal needs a fine mesh.
             Self::BeyondCapacity { ratio, journal, .. } => journal.tilt != [0.0; 2] && FAR_BELOW * ratio > 1.0,
-            reason => matches!(reason, Self::Unreachable { why, .. } if *why == FAR),
+            reason => matches!(reason, Self::Unreachable { why: SearchEnd::FarBelow, .. }),
         }
     }
 
@@ -305,7 +326,7 @@ impl NoEquilibrium {
 
 #[cfg(test)]
 mod tests {
-    use super::{FAR, NoEquilibrium, OUT, percent, told};
+    use super::{NoEquilibrium, SearchEnd, percent, told};
     use oilwedge_reynolds::JournalState;
 
     /// That the film in contact carries this part of a moment, with its error.
@@ -323,7 +344,7 @@ mod tests {
     }
 
     /// That a search found no better position than one that carries `nearest` of 1000 N.
-    fn unreachable(nearest: f64, why: &'static str) -> NoEquilibrium {
+    fn unreachable(nearest: f64, why: SearchEnd) -> NoEquilibrium {
         NoEquilibrium::Unreachable {
             asked: 1e3,
             towards: 0.0,
@@ -349,10 +370,10 @@ mod tests {
             assert_eq!(is_near, known == (0.8, None), "{known:?}");
         }
         for (nearest, why, is_unreached) in [
-            (500.0, "no shorter step brings the force nearer to the load", true),
-            (0.0, "no shorter step brings the force nearer to the load", false),
-            (500.0, FAR, false),
-            (500.0, OUT, false),
+            (500.0, SearchEnd::NoStep, true),
+            (0.0, SearchEnd::NoStep, false),
+            (500.0, SearchEnd::FarBelow, false),
+            (500.0, SearchEnd::OutOfShell, false),
         ] {
             let reason = unreachable(nearest, why);
             assert_eq!(reason.is_unreached(), is_unreached, "{nearest} {why}");

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use oilwedge_reynolds::FilmSystem;
 
 use crate::NoEquilibrium;
-use crate::no_equilibrium::{AT_REST, FAR, OUT};
+use crate::no_equilibrium::{AT_REST, SearchEnd};
 use crate::search::{Nearest, Search, Trial};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
@@ -28,10 +28,10 @@ impl Search<'_> {
                 NoEquilibrium::Ended { asked, nearest, journal, history: self.tried.take() }
             }
             // What the film carries in contact all around is known, unless a force like the load was found on the way.
-            NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
+            NoEquilibrium::Unreachable { why: SearchEnd::FarBelow, .. } if !self.found_alike() => reason,
             mut reason @ NoEquilibrium::Unreachable { .. } if self.points_out() => {
                 if let NoEquilibrium::Unreachable { why, .. } = &mut reason {
-                    *why = OUT;
+                    *why = SearchEnd::OutOfShell;
                 }
                 reason
             }
@@ -67,7 +67,7 @@ impl Search<'_> {
     }
 
     /// The reason with the nearest of all trials, where the search ended with this one.
-    pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
+    pub(crate) fn unreachable(&self, trial: &Trial, why: SearchEnd) -> NoEquilibrium {
         self.unreachable_from(
             Nearest { distance: self.distance(trial), force: trial.carried.force, journal: trial.film.problem.journal },
             why,
@@ -75,7 +75,7 @@ impl Search<'_> {
     }
 
     /// As [`Self::unreachable`].
-    pub(crate) fn unreachable_from(&self, last: Nearest, why: &'static str) -> NoEquilibrium {
+    pub(crate) fn unreachable_from(&self, last: Nearest, why: SearchEnd) -> NoEquilibrium {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
         let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
         let nearest = nearest.unwrap_or(last);

@@ -18,7 +18,7 @@ use crate::balance::Balance;
 use crate::coordinates::{Vector, length, moved};
 use crate::deflection::Moves;
 use crate::equilibrium::ROUGHLY_BALANCED;
-use crate::no_equilibrium::Waypoint;
+use crate::no_equilibrium::{SearchEnd, Waypoint};
 use crate::search::{Search, Trial};
 use crate::with_wall::Tangents;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
@@ -227,7 +227,7 @@ impl Branch<'_, '_> {
             false => (self.carried(at.part), None),
         };
         if search.options.deadline.is_over() {
-            return search.confirmed(search.unreachable(&here.trial, "the search was ended"));
+            return search.confirmed(search.unreachable(&here.trial, SearchEnd::Ended));
         }
         match has_turned {
             true => {

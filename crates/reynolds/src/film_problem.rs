@@ -26,7 +26,7 @@ use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::wall::{GapTangent, Grid, Pressing};
-use crate::{Bearing, Cavitation, FilmPoint, JournalState, Storage, Theory};
+use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
 /// unknowns; on one core a factor is as quick up to a million (docs/performance.md);
@@ -245,8 +245,8 @@ pub struct FilmSolution {
     pub seconds: Seconds,
     /// Films solved on coarser levels to start from.
     pub levels: usize,
-    /// Ways out that had to be taken, in words.
-    pub fallbacks: Vec<String>,
+    /// Ways out that had to be taken.
+    pub fallbacks: Vec<Fallback>,
 }
 
 /// What of a solved film is kept to solve it again: it is small beside its factor.

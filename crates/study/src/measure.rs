@@ -12,7 +12,7 @@ use oilwedge_reynolds::quantities::load::{self, Load, Share};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::sharp::HillNumbers;
-use oilwedge_reynolds::{FilmProblem, Gap, JournalState, SolvedFilm, Thinnest};
+use oilwedge_reynolds::{Fallback, FilmProblem, Gap, JournalState, SolvedFilm, Thinnest};
 
 use crate::film::Film;
 
@@ -56,8 +56,8 @@ pub struct Measured {
     pub cavity: Option<Cavity>,
     /// Share of the meshed area [1] below the pressure of the ends, of a full Sommerfeld film with tension; else zero.
     pub under_tension: f64,
-    /// Ways out that the solver had to take, in words.
-    pub fallbacks: Vec<String>,
+    /// Ways out that the solver had to take.
+    pub fallbacks: Vec<Fallback>,
     /// How the film answers to small motions of its journal, or why that could not be computed; none where it is not asked.
     pub dynamics: Option<Result<Dynamics, oilwedge_fem::Error>>,
 }

@@ -4,7 +4,9 @@ use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{NoEquilibrium, Waypoint};
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::LawKind;
+use oilwedge_scene::wording::celsius;
 
 use crate::reasons::flags::MORE_SECONDS;
 use crate::reasons::{Cause, Limit};
@@ -54,7 +56,7 @@ impl NoAnswer {
     pub(crate) fn told(&self, cause: Cause) -> String {
         let limit = match self {
             Self::Orbit(NoOrbit::Ended { angle }) => Limit::FirstCycle(*angle, cause),
-            Self::Temperature(reason) if reason.is_ended => Limit::FirstTemperature(cause),
+            Self::Temperature(NoTemperature::Ended) => Limit::FirstTemperature(cause),
             Self::Equilibrium(reason) => match reason.cause() {
                 NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
                 _ => return self.to_string(),
@@ -70,7 +72,7 @@ impl NoAnswer {
             Self::Film(reason) => reason.is_unreached(),
             Self::Equilibrium(reason) => reason.is_unreached(),
             Self::Orbit(reason) => reason.is_unreached(),
-            Self::Temperature(reason) => reason.is_unreached,
+            Self::Temperature(reason) => reason.is_unreached(),
         }
     }
 
@@ -106,15 +108,62 @@ impl NoAnswer {
     }
 }
 
-/// Why there is no temperature.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{told}")]
-pub struct NoTemperature {
-    pub(crate) told: String,
+/// Why there is no temperature at which the heat is balanced.
+#[derive(Debug, thiserror::Error)]
+pub enum NoTemperature {
+    /// The search was ended before a first film was solved.
+    #[error("the search for the temperature was ended")]
+    Ended,
+    /// Friction heats the film to a temperature beyond which none is found.
+    #[error(
+        "no temperature balances the heat: at {} {last}, and there is no film beyond: {}",
+        celsius(last.temperature),
+        reason.as_ref().map_or_else(|| "the search was ended".to_owned(), ToString::to_string)
+    )]
+    NoFilmBeyond {
+        /// The last film found.
+        last: HeatFlows,
+        /// Why there is none beyond; `None`: the search was ended.
+        reason: Option<Box<NoAnswer>>,
+    },
+    /// The greatest temperature that is sought balances nothing yet.
+    #[error(
+        "no temperature balances the heat: at {} still {hottest}; feed more oil, or give [heat] housing",
+        celsius(hottest.temperature)
+    )]
+    TooHot {
+        /// The film there.
+        hottest: HeatFlows,
+    },
+}
+
+impl NoTemperature {
     /// True if there may be one.
-    pub(crate) is_unreached: bool,
-    /// True if the search was ended before a first temperature was solved.
-    pub(crate) is_ended: bool,
+    fn is_unreached(&self) -> bool {
+        match self {
+            Self::Ended => true,
+            Self::NoFilmBeyond { reason, .. } => reason.as_ref().is_none_or(|reason| reason.is_unreached()),
+            Self::TooHot { .. } => false,
+        }
+    }
+}
+
+/// What heats a film and what cools it, at one temperature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeatFlows {
+    /// The temperature [K].
+    pub temperature: f64,
+    /// Power of friction [W].
+    pub friction: f64,
+    /// What oil and housing take [W].
+    pub carried_off: f64,
+}
+
+impl std::fmt::Display for HeatFlows {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { friction, carried_off, .. } = *self;
+        write!(out, "friction makes {} W, and {} W are carried off", readable(friction), readable(carried_off))
+    }
 }
 
 /// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
@@ -138,7 +187,8 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
             return Some("give a wider bearing.arc, or turn it under the load");
         }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
-        NoAnswer::Temperature(reason) => return reason.is_ended.then_some(MORE_SECONDS),
+        NoAnswer::Temperature(NoTemperature::Ended) => return Some(MORE_SECONDS),
+        NoAnswer::Temperature(_) => return None,
     };
     Some(match film {
         NoFilm::AboveLimit { law: LawKind::Roelands, .. } => {

@@ -5,19 +5,16 @@
 
 use oilwedge_bearing::thermal_balance::Start;
 use oilwedge_bearing::{NoBalance, ThermalBalance, ThermalFlows};
-use oilwedge_reynolds::existence::readable;
 
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::grading::graded;
 use crate::liner_mesh::resized;
-use crate::no_answer::NoAnswer;
-use crate::no_answer::NoTemperature;
+use crate::no_answer::{HeatFlows, NoAnswer, NoTemperature};
 use crate::observer::Watch;
 use crate::oil::{at_temperature, first_temperature};
 use crate::solved::SolveOptions;
 use oilwedge_scene::Scene;
-use oilwedge_scene::wording::celsius;
 
 mod bars;
 mod curve;
@@ -34,43 +31,25 @@ const COARSE: f64 = 3.0;
 /// and its most nodes, if it has coarser ones.
 const COARSE_NODES: usize = 2500;
 
-/// Why there is no temperature, in words.
+/// Why there is no temperature.
 pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
-    let watts = |film: &ThermalFlows, t: f64| {
-        let off = balance.carried(t, film) + balance.given_off(t);
-        format!("friction makes {} W, and {} W are carried off", readable(film.power), readable(off))
+    let heat = |temperature: f64, film: &ThermalFlows| HeatFlows {
+        temperature,
+        friction: film.power,
+        carried_off: balance.carried(temperature, film) + balance.given_off(temperature),
     };
-    let (mut is_unreached, mut is_ended) = (false, false);
-    let told = match reason {
+    NoAnswer::Temperature(match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
-        NoBalance::NoFilm(Left::Ended) => {
-            (is_unreached, is_ended) = (true, true);
-            "the search for the temperature was ended".to_owned()
-        }
-        NoBalance::Ends { temperature, film, reason } => {
-            let why = match reason {
-                Left::NoAnswer(reason) => {
-                    is_unreached = reason.is_unreached();
-                    reason.to_string()
-                }
-                Left::Ended => {
-                    is_unreached = true;
-                    "the search was ended".to_owned()
-                }
-            };
-            format!(
-                "no temperature balances the heat: at {} {}, and there is no film beyond: {why}",
-                celsius(temperature),
-                watts(&film, temperature)
-            )
-        }
-        NoBalance::TooHot { temperature, film } => format!(
-            "no temperature balances the heat: at {} still {}; feed more oil, or give [heat] housing",
-            celsius(temperature),
-            watts(&film, temperature)
-        ),
-    };
-    NoAnswer::Temperature(NoTemperature { told, is_unreached, is_ended })
+        NoBalance::NoFilm(Left::Ended) => NoTemperature::Ended,
+        NoBalance::Ends { temperature, film, reason } => NoTemperature::NoFilmBeyond {
+            last: heat(temperature, &film),
+            reason: match reason {
+                Left::NoAnswer(reason) => Some(Box::new(reason)),
+                Left::Ended => None,
+            },
+        },
+        NoBalance::TooHot { temperature, film } => NoTemperature::TooHot { hottest: heat(temperature, &film) },
+    })
 }
 
 /// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.

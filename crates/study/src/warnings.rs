@@ -179,15 +179,14 @@ mod tests {
             cavitation = { model = \"reynolds\" }\ndynamics = {}\n";
         let scene = crate::parse(text, Path::new("ring.toml")).expect("a scene");
         let film = compile(&scene).expect("a film");
-        let solution = film.problem.solve(&film.system).expect("a solution");
-        let parts = (&film.problem, &*film.system, &solution);
-        let plain = measure(parts.0, parts.1, parts.2);
+        let solved = film.problem.solve(&film.system).expect("a solution");
+        let plain = measure(&solved);
         let said = |measured: &Measured| {
             let mut warnings = warnings(&film, measured).into_iter();
             warnings.find(|warning| warning.kind == &warning::NO_COEFFICIENTS)
         };
         assert_eq!(said(&plain), None);
-        let mut measured = plain.with_dynamics(&film, parts, None);
+        let mut measured = plain.with_dynamics(&film, &solved, None);
         assert!(measured.dynamics().is_some());
         assert_eq!(said(&measured), None);
         measured.dynamics = Some(Err(oilwedge_fem::Error::TooLarge { unknowns: 1_234_567 }));

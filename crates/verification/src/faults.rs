@@ -7,6 +7,7 @@ use oilwedge_study::effects::Socket;
 use oilwedge_study::picture::{FieldValues, FilmPicture};
 use oilwedge_study::quantities::{CAVITY_SHARE, PRESSURE_MAX, PRESSURE_MIN, Row};
 use oilwedge_study::result::RunResult;
+use oilwedge_study::warning;
 
 use crate::answer::{Answer, sockets};
 use crate::cases::Case;
@@ -89,7 +90,8 @@ fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
 fn bars(result: &RunResult, faults: &mut Vec<String>) {
     let bare: Vec<&str> =
         (result.quantities.iter()).filter(|quantity| quantity.bar.is_none()).map(|quantity| &*quantity.name).collect();
-    let explained = result.warnings.iter().any(|warning| warning.contains("resolve"));
+    let unresolved = [&warning::NO_BAR, &warning::UNRESOLVED];
+    let explained = result.warnings.iter().any(|warning| unresolved.contains(&warning.kind));
     if !bare.is_empty() && !explained {
         faults.push(format!("no bar, and no warning: {}", bare.join(", ")));
     }

@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let solved = solve(&oilwedge_study::read(Path::new(scene))?)?;
     let space = solved.study.system.space();
     let problem = &solved.study.problem;
-    let pressure: Vec<f64> = solved.film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
+    let pressure: Vec<f64> = solved.film.solution.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
     let thickness: Vec<f64> =
         (space.positions().iter()).flat_map(|&position| problem.thickness_at(0, &[position])).collect();
     let (mut points, mut pressures, mut thicknesses) = (Vec::new(), Vec::new(), Vec::new());

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::quantities::flow::flows;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
-use oilwedge_reynolds::{Cavitation, FilmSystem, NoFilm};
+use oilwedge_reynolds::{Cavitation, FilmSystem, NoFilm, SolvedFilm};
 use oilwedge_tests::*;
 
 const LENGTH: f64 = 0.06;
@@ -22,7 +22,7 @@ fn a_ring_without_supply_is_refused_with_a_place() {
             Err(NoFilm::NoSupply { angle, z }) => {
                 assert!(angle.abs() < 7.0 && z.abs() <= 0.5 * LENGTH, "{angle} {z}");
             }
-            other => panic!("{:?}", other.map(|film| film.history)),
+            other => panic!("{:?}", other.map(|film| film.solution.history)),
         }
     }
 }
@@ -57,8 +57,8 @@ fn the_land_between_two_full_grooves_is_a_bearing_of_its_own() {
     let whole = Arc::new(FilmSystem::new(Arc::new(ring(columns, 12, LENGTH, 0.0)), 2, regions).unwrap());
     let mut film = plain_film(LENGTH, 0.8, 0.3, SPEED);
     film.cavitation = JFO;
-    let solution = film.solve(&whole).unwrap_or_else(|reason| panic!("{reason}"));
-    assert!(flows(&film, &whole, &solution).imbalance < 1e-12);
+    let solved = film.solve(&whole).unwrap_or_else(|reason| panic!("{reason}"));
+    assert!(flows(&solved).imbalance < 1e-12);
 
     // The same triangles: its diagonals begin the other way round in row 3.
     let land = 0.03;
@@ -70,17 +70,17 @@ fn the_land_between_two_full_grooves_is_a_bearing_of_its_own() {
     short.cavitation = JFO;
     short.bearing.end_pressure = pressure;
     let expected = short.solve(&alone).unwrap_or_else(|reason| panic!("{reason}"));
-    assert!(expected.cavity.contains(&true));
-    let theta = |solution: &oilwedge_reynolds::FilmSolution, dof: usize| {
-        solution.film_fraction.as_ref().map_or(f64::NAN, |fraction| fraction.values[dof])
+    assert!(expected.solution.cavity.contains(&true));
+    let theta = |film: &SolvedFilm, dof: usize| {
+        film.solution.film_fraction.as_ref().map_or(f64::NAN, |fraction| fraction.values[dof])
     };
     for z in [-0.01, -0.005, 0.0, 0.01] {
         for k in 0..columns {
             let x = RADIUS_OF_COLUMN * RADIUS * f64::from(k);
             let (a, b) = (vertex_dof_at(whole.space(), [x, z]), nearest_on_ring(&alone, [x, z]));
-            let error = (solution.unknown[a] - expected.unknown[b]).abs();
+            let error = (solved.solution.unknown[a] - expected.solution.unknown[b]).abs();
             assert!(error < 1e-9 * pressure_scale(), "{error:e} at {x} {z}");
-            let error = (theta(&solution, a) - theta(&expected, b)).abs();
+            let error = (theta(&solved, a) - theta(&expected, b)).abs();
             assert!(error < 1e-9, "{error:e} at {x} {z}");
         }
     }

@@ -3,7 +3,7 @@
 use oilwedge_reynolds::quantities::power::{PressurePower, power};
 use oilwedge_reynolds::quantities::{load::load, pressure::extremes};
 use oilwedge_reynolds::sharp::{HillNumbers, HillStart, SharpFilm};
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, JournalChange, ReferenceFilm};
+use oilwedge_reynolds::{Cavitation, JournalChange, ReferenceFilm, SolvedFilm};
 use oilwedge_study::analysis::solve;
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
@@ -71,7 +71,6 @@ fn a_flooded_ring_is_a_swift_stieber_film() {
         problem.cavitation = Cavitation::Reynolds { pressure: 0.0 };
         let quadratic = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
         let cubic = quadratic.cubic_film(None).unwrap_or_else(|reason| panic!("{reason}"));
-        let system = &system.cubic().system;
         close("load", magnitude(&sharp.cubic), load(&cubic).magnitude(), 2e-4);
         close("p_max", sharp.cubic.greatest, extremes(&cubic).greatest, 1e-6);
         close("power", pressure_power(&study, &sharp.cubic), power(&cubic).pressure, 3e-4);
@@ -142,7 +141,7 @@ fn the_force_over_kept_cavities_is_smooth() {
     let mut place = Place::of(&study);
     let mut differences = Vec::new();
     for _ in 0..6 {
-        place = place.moved(&study, 1e-4);
+        place = place.moved(1e-4);
         differences.push(place.hill.cubic.load.force[0]);
     }
     for _ in 0..3 {
@@ -150,7 +149,7 @@ fn the_force_over_kept_cavities_is_smooth() {
     }
     let load = magnitude(&place.hill.cubic);
     assert!(differences.iter().all(|jump| jump.abs() < 1e-8 * load), "{differences:?} of {load}");
-    let Place { problem, film, hill } = place.moved(&study, 5e-3);
+    let Place { film, hill } = place.moved(5e-3);
     let checked = film.cavities_checked(hill).expect("a hill");
     let by_cavities = magnitude(&checked.by_cavities) / load;
     assert!((1e-10..1e-6).contains(&by_cavities), "{by_cavities:e}");
@@ -158,26 +157,23 @@ fn the_force_over_kept_cavities_is_smooth() {
 
 /// A film and its hill.
 struct Place {
-    problem: FilmProblem,
-    film: FilmSolution,
+    film: SolvedFilm,
     hill: SharpFilm,
 }
 
 impl Place {
     fn of(study: &Film) -> Self {
-        let problem = study.problem.clone();
-        let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
+        let film = study.problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
         let hill = film.sharp_film(HillStart::Film);
-        Self { hill: hill.expect("a hill").expect("a hill"), problem, film }
+        Self { hill: hill.expect("a hill").expect("a hill"), film }
     }
 
     /// Moves along x by this part of the clearance over the cavities that are there.
-    fn moved(self, study: &Film, part: f64) -> Self {
-        let change = JournalChange { offset: [part * self.problem.bearing.clearance, 0.0], ..JournalChange::default() };
-        let there = self.film.displaced(&change);
-        let (problem, film) = there.unwrap_or_else(|reason| panic!("{reason}"));
+    fn moved(self, part: f64) -> Self {
+        let change = JournalChange { offset: [part * self.film.problem.bearing.clearance, 0.0], ..JournalChange::default() };
+        let film = self.film.displaced(&change).unwrap_or_else(|reason| panic!("{reason}"));
         let hill = film.sharp_film(HillStart::SameCavities(self.hill));
-        Self { hill: hill.expect("a hill").expect("a hill"), problem, film }
+        Self { hill: hill.expect("a hill").expect("a hill"), film }
     }
 }
 

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use oilwedge_reynolds::film_thickness::{FilmContribution, GrooveDepth};
 use oilwedge_reynolds::quantities::{flow::flows, load::load};
 use oilwedge_reynolds::supply::BoundaryKind;
-use oilwedge_reynolds::{Bearing, Cavitation, FilmPoint, FilmProblem, FilmSolution, FilmSystem, JournalState};
+use oilwedge_reynolds::{Bearing, Cavitation, FilmPoint, FilmProblem, FilmSystem, JournalState, SolvedFilm};
 use oilwedge_tests::*;
 
 const ROWS: u32 = 400;
@@ -80,32 +80,32 @@ fn closed_form(fraction: f64) -> f64 {
 }
 
 /// Pressure [Pa] and film fraction at `x` [m] from the inlet.
-fn state(film: &FilmSolution, system: &Arc<FilmSystem>, sense: f64, x: f64) -> (f64, f64) {
-    let dof = vertex_dof_at(system.space(), [0.0, sense * (x - 0.5 * LENGTH)]);
-    let fraction = film.film_fraction.as_ref().expect("a mass-conserving film");
-    (film.unknown[dof], fraction.values[dof])
+fn state(film: &SolvedFilm, sense: f64, x: f64) -> (f64, f64) {
+    let dof = vertex_dof_at(film.system.space(), [0.0, sense * (x - 0.5 * LENGTH)]);
+    let fraction = film.solution.film_fraction.as_ref().expect("a mass-conserving film");
+    (film.solution.unknown[dof], fraction.values[dof])
 }
 
 #[test]
 fn starved_inlet_has_the_closed_form_in_either_sense() {
     let load_of = |sense: f64| {
         let (film, system, width) = slider(sense, FRACTION, None);
-        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let flow = flows(&solution);
+        let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+        let flow = flows(&solved);
         assert!(flow.imbalance < 1e-12, "{:e}", flow.imbalance);
         // What the inlet was told to bring is what is reported.
         let told = FRACTION * INLET * SLIDING / 2.0 * width;
         assert!((flow.throughput / told - 1.0).abs() < 1e-9, "{:e} {told:e}", flow.throughput);
         for x in [0.1, 0.2, 0.4, 0.48] {
-            let (p, theta) = state(&solution, &system, sense, x * LENGTH);
+            let (p, theta) = state(&solved, sense, x * LENGTH);
             let expected = FRACTION * INLET / (INLET + x * (OUTLET - INLET));
             assert!(p == 0.0 && (theta - expected).abs() < 2e-3, "{p} {theta} {expected}");
         }
         for x in [0.505, 0.6, 0.95] {
-            let (p, theta) = state(&solution, &system, sense, x * LENGTH);
+            let (p, theta) = state(&solved, sense, x * LENGTH);
             assert!(p > 0.0 && theta == 1.0, "{p} {theta} at {x}");
         }
-        load(&solution).total.pressure / width
+        load(&solved).total.pressure / width
     };
     let (ahead, back) = (load_of(1.0), load_of(-1.0));
     let expected = closed_form(FRACTION);
@@ -118,10 +118,10 @@ fn starved_inlet_has_the_closed_form_in_either_sense() {
 fn an_inlet_with_plenty_of_oil_is_full_and_has_pressure() {
     for fraction in [0.66, 0.67, 0.8] {
         let (film, system, _) = slider(1.0, fraction, None);
-        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let (p, theta) = state(&solution, &system, 1.0, 0.0);
+        let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+        let (p, theta) = state(&solved, 1.0, 0.0);
         assert_eq!((p > 0.0, theta == 1.0), (fraction > 2.0 / 3.0, fraction > 2.0 / 3.0), "{fraction}: {p} {theta}");
-        assert!(flows(&solution).imbalance < 1e-12);
+        assert!(flows(&solved).imbalance < 1e-12);
     }
 }
 
@@ -131,22 +131,22 @@ fn an_inlet_with_plenty_of_oil_is_full_and_has_pressure() {
 fn jumps_of_the_film_in_the_cavity_and_at_its_edge() {
     let depth = 1.5e-5;
     let (film, system, width) = slider(1.0, FRACTION, Some(([0.1 * LENGTH, 0.3 * LENGTH], depth)));
-    let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+    let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
     for (x, more) in [(0.05, 0.0), (0.15, depth), (0.25, depth), (0.35, 0.0), (0.45, 0.0)] {
-        let (p, theta) = state(&solution, &system, 1.0, x * LENGTH);
+        let (p, theta) = state(&solved, 1.0, x * LENGTH);
         let expected = FRACTION * INLET / (INLET + x * (OUTLET - INLET) + more);
         assert!(p == 0.0 && (theta - expected).abs() < 2e-3, "{p} {theta} {expected}");
     }
-    let carried = load(&solution).total.pressure / width;
+    let carried = load(&solved).total.pressure / width;
     let expected = closed_form(FRACTION);
     assert!((carried / expected - 1.0).abs() < 2e-3, "{carried} {expected}");
 
     for pocket in [[0.3, 0.5], [0.5, 0.7], [0.45, 0.55], [0.9, 1.0]] {
         let (film, system, _) = slider(1.0, FRACTION, Some((pocket.map(|x| x * LENGTH), depth)));
-        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{pocket:?}: {reason}"));
-        let flow = flows(&solution);
+        let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{pocket:?}: {reason}"));
+        let flow = flows(&solved);
         assert!(flow.imbalance < 1e-12, "{pocket:?}: {:e}", flow.imbalance);
-        let fraction = solution.film_fraction.as_ref().expect("a mass-conserving film");
+        let fraction = solved.solution.film_fraction.as_ref().expect("a mass-conserving film");
         assert!(fraction.values.iter().all(|&theta| theta > 0.0 && theta <= 1.0 + 1e-12));
     }
 }

@@ -28,18 +28,18 @@ fn system(film: &FilmProblem, pressure: f64) -> Arc<FilmSystem> {
 /// Solves, and checks the signs at the middles of edges and the number of iterations.
 #[track_caller]
 fn solved(film: &FilmProblem, system: &Arc<FilmSystem>, most: usize) -> SolvedFilm {
-    let solution = film.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
+    let solved = film.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
     let cavity = film.unknown_at(film.cavitation.pressure().expect("a cavity"));
-    let flow = solution.inflow.iter().fold(0.0f64, |most, flow| most.max(flow.abs()));
+    let flow = solved.solution.inflow.iter().fold(0.0f64, |most, flow| most.max(flow.abs()));
     for edge in 0..system.space().mesh().topology().edges.len() as u32 {
         let dof = system.space().edge_dof(edge);
-        let (unknown, inflow) = (solution.unknown[dof], solution.inflow[dof]);
+        let (unknown, inflow) = (solved.solution.unknown[dof], solved.solution.inflow[dof]);
         assert!(unknown >= cavity - 1e-10 * pressure_scale(), "{unknown} at {dof}");
-        assert!(!solution.cavity[dof] || inflow >= -1e-9 * flow, "{inflow} of {flow} at {dof}");
+        assert!(!solved.solution.cavity[dof] || inflow >= -1e-9 * flow, "{inflow} of {flow} at {dof}");
     }
-    assert!(solution.cavity.contains(&true));
-    assert!(solution.history.len() <= most, "{} iterations", solution.history.len());
-    solution
+    assert!(solved.solution.cavity.contains(&true));
+    assert!(solved.solution.history.len() <= most, "{} iterations", solved.solution.history.len());
+    solved
 }
 
 #[track_caller]
@@ -56,10 +56,10 @@ fn obstacle_above_and_below_zero() {
         let reference = solved(&zero, &system(&zero, 0.0), 12);
         for level in [5e4, -3e5] {
             let shifted = film(eccentricity, level);
-            let solution = solved(&shifted, &system(&shifted, level), 12);
-            assert_eq!(solution.cavity, reference.cavity);
-            let back: Vec<f64> = solution.unknown.iter().map(|p| p - level).collect();
-            same(&back, &reference.unknown, 1e-10);
+            let found = solved(&shifted, &system(&shifted, level), 12);
+            assert_eq!(found.solution.cavity, reference.solution.cavity);
+            let back: Vec<f64> = found.solution.unknown.iter().map(|p| p - level).collect();
+            same(&back, &reference.solution.unknown, 1e-10);
         }
     }
 }
@@ -70,11 +70,11 @@ fn barus_film_is_that_of_constant_viscosity_in_the_reduced_pressure() {
     let law = Barus { alpha: 1e-8 };
     let mut thick = film(0.6, -5e4);
     thick.lubricant.pressure_law = PressureLaw::Barus(law);
-    let solution = solved(&thick, &system(&thick, 2e4), 12);
+    let found = solved(&thick, &system(&thick, 2e4), 12);
     let level = thick.unknown_at(-5e4);
     let thin = film(0.6, level);
     let expected = solved(&thin, &system(&thin, thick.unknown_at(2e4)), 12);
-    same(&solution.unknown, &expected.unknown, 1e-10);
+    same(&found.solution.unknown, &expected.solution.unknown, 1e-10);
 }
 
 /// The as-printed form is not linear; towards constant viscosity its film changes in proportion to alpha.
@@ -84,14 +84,14 @@ fn as_printed_barus_film() {
         let thin = film(eccentricity, pressure);
         let system = system(&thin, pressure);
         let reference = solved(&thin, &system, 12);
-        let greatest = reference.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
+        let greatest = reference.solution.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
         let change = |share: f64| {
             let mut thick = thin.clone();
             let law = Barus { alpha: share / greatest };
             thick.lubricant.pressure_law = PressureLaw::Barus(law);
             thick.form = Form::AsPrinted;
-            let solution = solved(&thick, &system, 20);
-            let raised = solution.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
+            let solved = solved(&thick, &system, 20);
+            let raised = solved.solution.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
             raised / greatest - 1.0
         };
         let (small, half, large) = (change(1e-4), change(2e-4), change(0.1));
@@ -110,10 +110,10 @@ fn linear_elements_come_to_the_same_film() {
         let regions = ends(&mesh, LENGTH, None);
         let system = FilmSystem::new(Arc::new(mesh), degree, regions).expect("the ends close the ring");
         let system = Arc::new(system.with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows));
-        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        let least = solution.unknown.iter().copied().fold(f64::INFINITY, f64::min);
+        let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+        let least = solved.solution.unknown.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(least >= -1e-10 * pressure_scale() || degree > 1, "{least}");
-        (load(&solution).magnitude(), cavity(&solution).share)
+        (load(&solved).magnitude(), cavity(&solved).share)
     };
     let (exact, share) = of_degree(2, 64);
     let linear = [8, 16, 32].map(|rows| of_degree(1, rows));

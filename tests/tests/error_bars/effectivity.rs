@@ -47,7 +47,7 @@ fn the_estimate_is_the_error_of_the_quadratic_load() {
 #[test]
 fn the_reported_load_of_a_smooth_film_converges_at_order_five_at_least() {
     let problem = plain_film(0.1, 0.5, 1.0, SPEED);
-    let load = |rows| Judged::of(problem.clone(), ring_system(3 * rows, rows, 0.1, None)).cubic_load();
+    let load = |rows| Judged::of(problem.clone(), &ring_system(3 * rows, rows, 0.1, None)).cubic_load();
     let exact = load(48).magnitude();
     let errors: Vec<f64> = [4, 8, 16].map(|rows| (load(rows).magnitude() - exact).abs()).into();
     assert!(order(&errors) > 5.0, "{errors:?}");

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_bearing::Clock;
 use oilwedge_reynolds::error_bar::{FilmError, film_error};
 use oilwedge_reynolds::quantities::load::{Load, load};
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, SolvedFilm};
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
@@ -16,26 +16,23 @@ use oilwedge_tests::scenes::{table, variant};
 
 /// A film in quadratic and in cubic elements, and what is known of the error.
 pub(crate) struct Judged {
-    pub(crate) problem: FilmProblem,
-    pub(crate) system: Arc<FilmSystem>,
-    pub(crate) film: FilmSolution,
-    pub(crate) cubic: FilmSolution,
+    pub(crate) film: SolvedFilm,
+    pub(crate) cubic: SolvedFilm,
     pub(crate) error: FilmError,
 }
 
 impl Judged {
-    pub(crate) fn of(problem: FilmProblem, system: impl Into<Arc<FilmSystem>>) -> Self {
-        let system = system.into();
-        let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+    pub(crate) fn of(problem: FilmProblem, system: &Arc<FilmSystem>) -> Self {
+        let film = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
         let cubic = film.cubic_film(None).unwrap_or_else(|reason| panic!("{reason}"));
         let carried = load(&cubic).total;
         let error = film_error(&film, &cubic, &carried, None).expect("duals");
-        Self { problem, system, film, cubic, error }
+        Self { film, cubic, error }
     }
 
     pub(crate) fn of_scene(scene: &Scene) -> Self {
         let Film { problem, system, .. } = compile(scene).unwrap_or_else(|error| panic!("{error}"));
-        Self::of(problem, system)
+        Self::of(problem, &system)
     }
 
     pub(crate) fn quadratic_load(&self) -> Load {
@@ -48,8 +45,8 @@ impl Judged {
 
     /// Nodes whose pressure was sought in quadratic elements.
     pub(crate) fn unknowns(&self) -> usize {
-        let dofs = 0..self.system.space().dofs();
-        dofs.filter(|&dof| self.system.supply.owner(dof).is_none()).count()
+        let dofs = 0..self.film.system.space().dofs();
+        dofs.filter(|&dof| self.film.system.supply.owner(dof).is_none()).count()
     }
 }
 

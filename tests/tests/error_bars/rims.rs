@@ -34,7 +34,7 @@ fn chords() -> Judged {
         region
     });
     let system = Arc::new(FilmSystem::new(mesh.clone(), 2, regions.collect()).expect("the same system"));
-    Judged::of(study.problem, system)
+    Judged::of(study.problem, &system)
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn a_straight_rim_raises_the_geometry_part() {
 /// Few triangles where the film is thin: no number of it is worth a bar.
 #[test]
 fn a_mesh_that_does_not_resolve_the_film_is_refused_a_bar() {
-    let judged = Judged::of(plain_film(0.05, 0.99, 0.3, SPEED), ring_system(18, 4, 0.05, None));
+    let judged = Judged::of(plain_film(0.05, 0.99, 0.3, SPEED), &ring_system(18, 4, 0.05, None));
     assert!((200..260).contains(&judged.unknowns()), "{}", judged.unknowns());
     assert!(!judged.error.is_resolved());
     let folder = tempfile::tempdir().expect("a folder");

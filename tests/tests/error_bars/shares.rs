@@ -1,24 +1,23 @@
 //! The shares of the triangles are all of the difference: nothing is lost where it is told where the error comes from.
 
-use std::sync::Arc;
-
 use std::sync::OnceLock;
 
 use oilwedge_reynolds::error_bar::FlowGoal;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::power;
 use oilwedge_reynolds::supply::BoundaryKind;
-use oilwedge_reynolds::{FilmSolution, FilmSystem};
+use oilwedge_reynolds::{FilmSolution, SolvedFilm};
 
 use super::films::{Judged, constant, drawn, set};
 
 /// The quadratic film as a cubic one, so that both loads are integrated by one rule.
-fn raised(judged: &Judged) -> FilmSolution {
-    let film = &judged.film;
-    FilmSolution {
-        unknown: judged.system.cubic().prolongation.prolong(&film.unknown),
+fn raised(judged: &Judged) -> SolvedFilm {
+    let film = &judged.film.solution;
+    let cubic = &judged.cubic;
+    let solution = FilmSolution {
+        unknown: judged.film.system.cubic().prolongation.prolong(&film.unknown),
         inflow: Vec::new(),
-        cavity: vec![false; judged.cubic.unknown.len()],
+        cavity: vec![false; cubic.solution.unknown.len()],
         film_fraction: None,
         linearisation: film.linearisation.clone(),
         gap_tangent: OnceLock::new(),
@@ -26,22 +25,23 @@ fn raised(judged: &Judged) -> FilmSolution {
         seconds: film.seconds,
         levels: 0,
         fallbacks: Vec::new(),
-    }
+    };
+    SolvedFilm::new(cubic.problem.clone(), &cubic.system, solution)
 }
 
-fn net(film: &FilmSolution, system: &Arc<FilmSystem>, is_asked: impl Fn(&str, BoundaryKind) -> bool) -> f64 {
+fn net(film: &SolvedFilm, is_asked: impl Fn(&str, BoundaryKind) -> bool) -> f64 {
+    let SolvedFilm { system, solution, .. } = film;
     let regions = system.supply.regions();
     let owned = |dof: usize| {
         let owner = system.supply.owner(dof);
         owner.is_some_and(|k| is_asked(&regions[k].name, regions[k].kind))
     };
-    let dofs = film.inflow.iter().enumerate();
+    let dofs = solution.inflow.iter().enumerate();
     dofs.filter(|(dof, _)| owned(*dof)).map(|(_, inflow)| inflow).sum()
 }
 
 #[track_caller]
 fn add_up(judged: &Judged) {
-    let system = &judged.system.cubic().system;
     let before = load(&raised(judged)).total;
     let after = load(&judged.cubic).total;
     let wanted = [after.force[0] - before.force[0], after.force[1] - before.force[1], after.pressure - before.pressure];
@@ -77,14 +77,13 @@ fn of_flows() {
     // Where no two regions meet: a node that two share is booked to one of them.
     for scene in [drawn("04_flexpde_ring", 8.0, constant), drawn("04_flexpde_ring", 8.0, |_| ())] {
         let judged = Judged::of_scene(&scene);
-        let better = &judged.system.cubic().system;
         for (goal, error) in &judged.error.flows {
             let is_asked = |name: &str, kind: BoundaryKind| match goal {
                 FlowGoal::Ends => kind == BoundaryKind::End,
                 FlowGoal::Region(region) => name == region,
             };
-            let after = net(&judged.cubic, better, is_asked);
-            let wanted = after - net(&judged.film, &judged.system, is_asked);
+            let after = net(&judged.cubic, is_asked);
+            let wanted = after - net(&judged.film, is_asked);
             let sum: f64 = error.shares.iter().sum();
             // The functions differ by one that the cubic film balances, to the residual of its iterations.
             assert!((sum - wanted).abs() < 1e-5 * wanted.abs(), "{sum:e} is not {wanted:e}");

@@ -35,9 +35,7 @@ fn a_stiff_wall_is_none() {
         rigid.film_thickness.pop();
         let film = rigid.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let wanted = carried(&film).force;
-        let film = closed(stiff, &system);
-        let problem = &film.problem;
-        let found = carried(&film).force;
+        let found = carried(&closed(stiff, &system)).force;
         let size = wanted[0].hypot(wanted[1]);
         for d in 0..2 {
             let off = (found[d] - wanted[d]).abs() / size;
@@ -57,7 +55,6 @@ fn layers_carry_what_a_second_code_has() {
         let (length, eps) = (2.0 * RADIUS * number("b"), number("eps"));
         let system = ring_system(240, 12, length, None);
         let film = closed(walled(length, eps, SWIFT_STIEBER, |_| layer(number("lam"))), &system);
-        let problem = &film.problem;
         let force = carried(&film).force.map(|part| part / force_scale());
         let wanted = [0, 1].map(|d| row["W"][d].as_f64().expect("a force"));
         let size = wanted[0].hypot(wanted[1]);
@@ -66,7 +63,7 @@ fn layers_carry_what_a_second_code_has() {
         }
         let greatest = extremes(&film).greatest / pressure_scale();
         assert!((greatest / number("p_max") - 1.0).abs() < 1e-3, "{row}: {greatest}");
-        let middle = least_at_middle(&problem) / CLEARANCE;
+        let middle = least_at_middle(&film.problem) / CLEARANCE;
         assert!((middle / number("hmin_mid") - 1.0).abs() < 1e-3, "{row}: {middle}");
     }
 }
@@ -82,7 +79,6 @@ fn a_thick_wall_carries_what_a_second_code_has() {
         let number = |key: &str| row[key].as_f64().expect("a number");
         let system = ring_system(240, 12, RADIUS, None);
         let film = closed(walled(RADIUS, number("eps"), SWIFT_STIEBER, by_wave), &system);
-        let problem = &film.problem;
         let force = carried(&film).force.map(|part| part / force_scale());
         for d in 0..2 {
             let wanted = row["W"][d].as_f64().expect("a force");
@@ -139,11 +135,7 @@ fn condensed_layer(problem: &FilmProblem, angles: usize, along: usize, per_press
 #[test]
 fn a_matrix_of_a_layer_has_the_film_of_the_layer() {
     let system = ring_system(120, 8, RADIUS, Some(std::f64::consts::PI));
-    let force = |problem: FilmProblem, system: &Arc<FilmSystem>| {
-        let film = closed(problem, system);
-        let problem = &film.problem;
-        carried(&film).force
-    };
+    let force = |problem: FilmProblem, system: &Arc<FilmSystem>| carried(&closed(problem, system)).force;
     let slices = walled(RADIUS, 0.8, SWIFT_STIEBER, |_| layer(0.02));
     let mut rigid = slices.clone();
     rigid.film_thickness.pop();
@@ -169,12 +161,11 @@ fn soft_walls_close_with_every_model() {
             problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha });
         }
         let film = closed(problem, &system);
-        let problem = &film.problem;
-        let closing = problem.deflection().expect("a wall").closing;
+        let closing = film.problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-8, "{}: {closing:?}", model.name());
         if model.is_symmetric() {
-            let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
-            let both = pair.problem.deflection().expect("a wall").closing;
+            let pair = closed_pair(film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
+            let both = pair.film.problem.deflection().expect("a wall").closing;
             assert!(both.residual < 1e-8, "{} in cubics: {both:?}", model.name());
             // The film in quadratic elements nearly solves the systems of the one in cubic elements.
             let [steps, products] = [both.outer - closing.outer, both.inner - closing.inner];
@@ -188,18 +179,18 @@ fn soft_walls_close_with_every_model() {
 fn place_and_wall_are_those_of_one_another() {
     for model in MODELS {
         let system = Arc::new(ring_alone(96, 8, RADIUS, Some(std::f64::consts::PI)).for_many_solves());
-        let (near, film) = closed(walled(RADIUS, 0.8, model, |_| layer(0.3)), &system);
+        let film = closed(walled(RADIUS, 0.8, model, |_| layer(0.3)), &system);
+        let near = &film.problem;
         let load = carried(&film).force.map(|part| 1.1 * part);
         let options = SearchOptions { guess: InitialGuess::Near(Neighbour::Start(&film)), ..SearchOptions::default() };
-        let found = find(&near, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
+        let found = find(near, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         let closing = |problem: &FilmProblem| problem.deflection().expect("a wall").closing;
-        let films = closing(&found.film.problem).outer - closing(&near).outer;
+        let films = closing(&found.film.problem).outer - closing(near).outer;
         // A mass-conserving film chooses its advection schemes until they settle.
         let most = if model.conserves_oil() { 30 } else { 6 };
         assert!(films <= most, "{}: {films}", model.name());
         assert!(found.residual < 1e-10 && closing(&found.film.problem).residual < 1e-10);
-        let (again, film) = closed(found.film.problem.deflected(near.deflection()), &system);
-        let force = carried(&film).force;
+        let force = carried(&closed(found.film.problem.deflected(near.deflection()), &system)).force;
         let off = (force[0] - load[0]).hypot(force[1] - load[1]) / load[0].hypot(load[1]);
         // The film by itself chooses its advection schemes once more.
         let to = if model.conserves_oil() { 1e-3 } else { 1e-9 };

@@ -97,14 +97,14 @@ fn pocketed_pad() {
     let (setup, results) = (&case["setup"], &case["results"]);
     let depth = number(setup, "pocket_depth");
     let (film, system, width) = pad(setup, depth, Cavitation::Jfo { pressure: 0.0 });
-    let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+    let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
     let flow = number(results, "flow_per_width_m2_s");
-    let found = flows(&solution);
+    let found = flows(&solved);
     assert!(found.imbalance < 1e-12, "{:e}", found.imbalance);
     close(found.regions[0].net / width, flow, 1e-4 * flow);
     close(-found.regions[1].net / width, flow, 1e-4 * flow);
 
-    let line = pressures(&film, &system, &solution.unknown);
+    let line = pressures(&film, &system, &solved.solution.unknown);
     let at = |x: f64| {
         let nearest = line.iter().min_by(|a, b| (a[0] - x).abs().total_cmp(&(b[0] - x).abs()));
         nearest.map_or(f64::NAN, |node| node[1])
@@ -124,7 +124,7 @@ fn pocketed_pad() {
     close(front, number(results, "reformation_x_m"), 1e-3 * number(setup, "L"));
 
     let carried = number(results, "load_N_per_m_gauge");
-    let above_ambient = load(&solution).total.pressure / width - number(setup, "p_amb") * film.bearing.length;
+    let above_ambient = load(&solved).total.pressure / width - number(setup, "p_amb") * film.bearing.length;
     close(above_ambient, carried, 1e-3 * carried);
 }
 
@@ -138,9 +138,9 @@ fn plain_pad() {
     let flow = 0.5 * number(setup, "U") * (1.0 / h2 - 1.0 / h1) / (0.5 * (h2.powi(-2) - h1.powi(-2)));
     for cavitation in [Cavitation::None, Cavitation::Jfo { pressure: 0.0 }] {
         let (film, system, width) = pad(setup, 0.0, cavitation);
-        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-        close(flows(&solution).regions[0].net / width, flow, 1e-6 * flow);
-        let lowest = pressures(&film, &system, &solution.unknown);
+        let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+        close(flows(&solved).regions[0].net / width, flow, 1e-6 * flow);
+        let lowest = pressures(&film, &system, &solved.solution.unknown);
         let lowest = lowest.iter().map(|node| node[1]).fold(f64::INFINITY, f64::min);
         close(lowest, 1e5, 1.0);
     }

@@ -23,13 +23,13 @@ fn pressure_at_mid_length() {
     // Widest film at 0, the sense of rotation positive, film start at the widest film.
     let film = plain_film(length, ECCENTRICITY, PI, SPEED);
     let system = ring_system(768, 64, length, Some(0.0));
-    let solution = film.solve(&system).unwrap();
+    let solved = film.solve(&system).unwrap();
     let greatest = pressure_scale() * sommerfeld::pressure(ECCENTRICITY, 2.0);
     for k in 0..24 {
         let theta = 2.0 * PI * f64::from(k) / 24.0;
         let dof = vertex_dof_at(system.space(), [RADIUS * theta, 0.0]);
         let expected = pressure_scale() * sommerfeld::pressure(ECCENTRICITY, theta);
-        let error = (solution.unknown[dof] - expected) / greatest;
+        let error = (solved.solution.unknown[dof] - expected) / greatest;
         assert!(error.abs() < 1e-6, "theta {theta}: {error:.2e}");
     }
 }
@@ -42,8 +42,8 @@ fn load_approaches_the_limit_like_the_inverse_length() {
         let film = plain_film(length, ECCENTRICITY, PI, SPEED);
         let rows = (16.0 * slenderness) as u32;
         let system = ring_system(96, rows, length, Some(0.0));
-        let solution = film.solve(&system).unwrap();
-        let load = load(&solution);
+        let solved = film.solve(&system).unwrap();
+        let load = load(&solved);
         let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
         1.0 - number.unwrap() / sommerfeld::sommerfeld_number(ECCENTRICITY)
     };
@@ -64,14 +64,14 @@ fn long_film(columns: u32) -> [f64; 2] {
         region.kind = BoundaryKind::Sealed;
     }
     let system = Arc::new(FilmSystem::new(Arc::new(mesh), 2, regions).expect("the film start closes the ring"));
-    let solution = film.solve(&system).unwrap();
+    let solved = film.solve(&system).unwrap();
     let greatest = sommerfeld::pressure(ECCENTRICITY, 2.0);
     let errors = (0..24).flat_map(|k| [-0.5, 0.0, 0.5].map(|z| (2.0 * PI * f64::from(k) / 24.0, z * SHORT)));
     let errors = errors.map(|(theta, z)| {
         let dof = vertex_dof_at(system.space(), [RADIUS * theta, z]);
-        (solution.unknown[dof] / pressure_scale() - sommerfeld::pressure(ECCENTRICITY, theta)).abs() / greatest
+        (solved.solution.unknown[dof] / pressure_scale() - sommerfeld::pressure(ECCENTRICITY, theta)).abs() / greatest
     });
-    let load = load(&solution);
+    let load = load(&solved);
     let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
     [number.unwrap(), errors.fold(0.0, f64::max)]
 }
@@ -98,8 +98,8 @@ fn finite_length_tends_to_the_theory_of_long_bearings() {
         let length = slenderness * 2.0 * RADIUS;
         let film = plain_film(length, ECCENTRICITY, PI, SPEED);
         let system = ring_system(96, (16.0 * slenderness) as u32, length, Some(0.0));
-        let solution = film.solve(&system).unwrap();
-        let load = load(&solution).magnitude();
+        let solved = film.solve(&system).unwrap();
+        let load = load(&solved).magnitude();
         1.0 - similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load).unwrap() / long
     });
     assert!(deficits.iter().all(|deficit| *deficit > 0.0), "{deficits:?}");

@@ -10,7 +10,7 @@ use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmPoint, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
+use oilwedge_reynolds::{Cavitation, FilmPoint, FilmProblem, FilmSystem, JournalChange, JournalState, SolvedFilm};
 use oilwedge_tests::*;
 
 /// Length of the stage by which a motion begins, over the first step.
@@ -19,7 +19,7 @@ const BEGINNING: f64 = 1e-6;
 /// The end of a step.
 struct Seen<'a> {
     time: f64,
-    film: &'a FilmSolution,
+    film: &'a SolvedFilm,
     oil: &'a Oil,
     /// Impulse [N s] of the film's force over the step: the forces of the stages with the weights of the method, as it sums what flows.
     impulse: [f64; 2],
@@ -165,9 +165,9 @@ fn errors_of_plates(columns: u32, number: u32) -> [f64; 2] {
     // The steps meet every hundredth.
     follow(&problem, &system, journal, &steps(0.0, 0.75, 75 * number), |&Seen { time, film, oil, .. }| {
         let size = 1.0 / f64::from(columns);
-        let fraction = film.film_fraction.as_ref().expect("a fraction");
+        let fraction = film.solution.film_fraction.as_ref().expect("a fraction");
         let broken = |(dof, place): (usize, &[f64; 2])| {
-            (place[1] == 0.0 && film.cavity[dof]).then_some((place[0], fraction.values[dof]))
+            (place[1] == 0.0 && film.solution.cavity[dof]).then_some((place[0], fraction.values[dof]))
         };
         let mut broken: Vec<(f64, f64)> = places.iter().enumerate().filter_map(broken).collect();
         broken.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -71,7 +71,7 @@ fn a_film_start_counts_unless_it_lies_at_the_widest_film() {
         let space = started.study.system.space();
         let turns = |x: f64| x / (std::f64::consts::TAU * 0.0375);
         let on_line = |x: f64| (turns(x) - turns(x).round()).abs() < 1e-9;
-        let nodes = space.positions().into_iter().zip(&started.film.unknown);
+        let nodes = space.positions().into_iter().zip(&started.film.solution.unknown);
         let pressures: Vec<f64> = nodes.filter(|([x, _], _)| on_line(*x)).map(|(_, &p)| p).collect();
         // 12 edges: 13 vertices and 12 middles.
         assert!(pressures.len() == 25 && pressures.iter().all(|&p| p == 0.0), "{pressures:?}");

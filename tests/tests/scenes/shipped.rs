@@ -36,11 +36,11 @@ fn the_plain_scene_is_poiseuille_couette_and_one_linear_solve() {
     let terms: Vec<_> = film.study.problem.terms.iter().map(|term| term.name()).collect();
     assert_eq!(terms, ["poiseuille", "couette"]);
     assert_eq!(film.study.problem.film_thickness.len(), 1);
-    assert_eq!(film.film.history.len(), 1);
+    assert_eq!(film.film.solution.history.len(), 1);
     // Nothing is made for effects that it does not name.
     assert!(film.study.system.coarser.is_none(), "meshes to start from");
-    assert_eq!(film.film.levels, 0);
-    assert!(film.film.film_fraction.is_none());
+    assert_eq!(film.film.solution.levels, 0);
+    assert!(film.film.solution.film_fraction.is_none());
 }
 
 #[test]

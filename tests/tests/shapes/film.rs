@@ -92,7 +92,7 @@ fn the_tangent_matches_differences() {
         let at = |place| {
             let problem = FilmProblem { journal: coordinates.placed(&problem.journal, place), ..problem.clone() };
             let moved = problem.solve_from(&system, Neighbour::Kept(&film)).expect("a film");
-            assert_eq!(moved.cavity, film.cavity, "the set has changed");
+            assert_eq!(moved.solution.cavity, film.solution.cavity, "the set has changed");
             coordinates.forces(&load(&moved).total.resultant())
         };
         let columns: Vec<_> = (0..4)

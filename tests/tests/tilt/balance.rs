@@ -106,8 +106,8 @@ fn a_stiff_support_gives_the_tilt() {
     let held = find(&start, &system, by_support, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     let given = find(&problem, &system, force, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     for d in 0..2 {
-        assert!((held.problem.journal.tilt[d] - problem.journal.tilt[d]).abs() < 1e-9 * 1e-3);
-        let apart = held.problem.journal.offset[d] - given.film.problem.journal.offset[d];
+        assert!((held.film.problem.journal.tilt[d] - problem.journal.tilt[d]).abs() < 1e-9 * 1e-3);
+        let apart = held.film.problem.journal.offset[d] - given.film.problem.journal.offset[d];
         assert!(apart.abs() < 1e-7 * CLEARANCE, "{apart:e}");
     }
 }
@@ -128,7 +128,7 @@ fn the_tilt_follows_the_place_of_the_load() {
         let options = SearchOptions { centre_velocity: velocity, ..SearchOptions::default() };
         find(&problem, &system, asked, &options)
     };
-    let tilt = |place: f64| at(place).unwrap_or_else(|reason| panic!("{reason}")).problem.journal.tilt;
+    let tilt = |place: f64| at(place).unwrap_or_else(|reason| panic!("{reason}")).film.problem.journal.tilt;
     let unit = CLEARANCE / LENGTH;
     assert!(tilt(0.0).iter().all(|g| g.abs() < 1e-9 * unit));
     let (up, down) = (tilt(0.003), tilt(-0.003));

@@ -140,7 +140,7 @@ fn nowhere_do_the_parts_together_press_less_than_the_film() {
         problem.terms.push(std::sync::Arc::new(terms::squeeze::Squeeze));
         problem.journal =
             JournalState { velocity: [squeeze * CLEARANCE, 0.0], tilt_rate: slope([g_x, g_y]), ..problem.journal };
-        problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}")).unknown
+        problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}")).solution.unknown.clone()
     };
     for tilt in [[0.0; 2], [0.3, 0.2]] {
         for rates in [[SPEED, 0.1 * SPEED, 0.2 * SPEED, 0.1 * SPEED], [SPEED, -0.1 * SPEED, 0.0, -0.3 * SPEED]] {

@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
 use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited};
+use oilwedge_reynolds::Fallback;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -359,9 +360,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     };
     let mut solved = best.solved;
     if search.is_restless {
-        let fallback =
-            "the advection schemes did not come to rest at the balanced temperature: those chosen near it are kept";
-        Arc::make_mut(&mut solved.primary.solution).fallbacks.push(fallback.to_owned());
+        Arc::make_mut(&mut solved.primary.solution).fallbacks.push(Fallback::SchemesNearTemperature);
     }
     solved.temperature = Some(TemperatureFound {
         balanced: Balanced { films: search.solved, ..balanced },

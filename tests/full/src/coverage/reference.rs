@@ -85,7 +85,6 @@ fn indicator(solve: &Solve) -> Option<Vec<f64>> {
     let Some(ReferenceFilm::Cubic(cubic)) = &solve.solved.reference else {
         return None;
     };
-    let study = &solve.solved.film;
     let error = film_error(&solve.solved.primary, cubic, &solve.judged.measured.load.total, None).ok()?;
     let force = error.force[0].hypot(error.force[1]);
     let flows = &solve.judged.measured.flows;

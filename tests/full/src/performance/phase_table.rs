@@ -84,7 +84,7 @@ fn timed_paths(films: &Films, unknowns: usize, threads: usize, machine: &Machine
     drop((factor, linear, analysis));
     add("film", Path::Film, median(runs, || phases::film(&study)));
     let film = phases::film(&study);
-    add("measure", Path::Measure, median(runs, || phases::measured(&study, &film)));
+    add("measure", Path::Measure, median(runs, || phases::measured(&film)));
     drop((film, study));
     add(FILE_TO_LOAD, Path::FileToLoad, median(runs, || phases::file_to_load(&ring)));
     if unknowns <= MOST_ITERATED {

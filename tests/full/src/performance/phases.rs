@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_bearing::{Equilibrium, SearchOptions, find};
 use oilwedge_fem::{Analysis, Assembler, Constraints, Factorization, Matrix, Space};
 use oilwedge_mesh::Mesh;
-use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::compile;
@@ -102,7 +102,7 @@ pub fn study(scene: &Scene) -> Film {
 ///
 /// # Panics
 /// If there is none.
-pub fn film(study: &Film) -> FilmSolution {
+pub fn film(study: &Film) -> SolvedFilm {
     (study.problem.solve(&study.system)).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
@@ -124,7 +124,7 @@ pub fn file_to_load(scene: &Scene) -> f64 {
 }
 
 /// **Measure.** Everything that is reported of a film.
-pub fn measured(study: &Film, film: &FilmSolution) -> Measured {
+pub fn measured(film: &SolvedFilm) -> Measured {
     measure(film)
 }
 

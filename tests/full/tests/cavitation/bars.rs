@@ -1,7 +1,7 @@
 //! Error bars of mass-conserving films: what finer meshes give lies inside, and they are not many times too wide.
 
 use oilwedge_mesh::refine;
-use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::{compile, compile_on};
@@ -11,11 +11,11 @@ use oilwedge_study::position::Position;
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{table, variant, written};
 
-fn film(study: &Film) -> FilmSolution {
+fn film(study: &Film) -> SolvedFilm {
     study.problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
-fn bars(study: &Film, film: &FilmSolution) -> ConservingError {
+fn bars(study: &Film, film: &SolvedFilm) -> ConservingError {
     let (problem, system) = (&study.problem, &study.system);
     let companion = film.coarse_comparison().unwrap_or_else(|reason| panic!("{reason}"));
     let bars = conserving_error(film, &companion, None).expect("a mass-conserving film");

@@ -14,9 +14,9 @@ fn few(study: &Film, least_levels: usize) {
     for (cavitation, most) in [(Cavitation::Reynolds { pressure: 0.0 }, 12), (Cavitation::Jfo { pressure: 0.0 }, 18)] {
         let problem = FilmProblem { cavitation, ..study.problem.clone() };
         let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
-        let iterations = film.history.len();
-        assert!(iterations <= most, "{iterations} at {} unknowns", film.unknown.len());
-        assert!(film.levels >= least_levels && film.fallbacks.is_empty());
+        let iterations = film.solution.history.len();
+        assert!(iterations <= most, "{iterations} at {} unknowns", film.solution.unknown.len());
+        assert!(film.solution.levels >= least_levels && film.solution.fallbacks.is_empty());
     }
 }
 

@@ -25,8 +25,8 @@ fn excess(eccentricity: f64, around: u32) -> f64 {
     let conserving = film.solve(&system).expect("a film that conserves oil");
     film.cavitation = film.cavitation.guide().expect("its guide");
     let guide = film.solve(&system).expect("a Swift-Stieber film");
-    let pairs = conserving.unknown.iter().zip(&guide.unknown);
-    let greatest = guide.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
+    let pairs = conserving.solution.unknown.iter().zip(&guide.solution.unknown);
+    let greatest = guide.solution.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
     pairs.fold(0.0f64, |most, (p, q)| most.max(p - q)) / greatest
 }
 

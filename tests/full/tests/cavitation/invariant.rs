@@ -46,10 +46,10 @@ fn film(min_film_angle: f64, speed: f64) -> FilmProblem {
 
 /// Load [N], its angle [rad], throughput [m3/s].
 fn answer(film: &FilmProblem, system: &Arc<FilmSystem>) -> [f64; 3] {
-    let solution = film.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
-    assert!(solution.cavity.contains(&true));
-    let load = load(&solution);
-    [load.magnitude(), load.angle(), flows(&solution).throughput]
+    let solved = film.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
+    assert!(solved.solution.cavity.contains(&true));
+    let load = load(&solved);
+    [load.magnitude(), load.angle(), flows(&solved).throughput]
 }
 
 #[track_caller]
@@ -130,14 +130,14 @@ cavitation = {{ model = "jfo", pressure = "0 bar" }}
         ));
         let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
         let (problem, system) = (&study.problem, &study.system);
-        let solution = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
-        let flow = flows(&solution);
+        let solved = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
+        let flow = flows(&solved);
         assert!(flow.imbalance < 1e-12, "{:e}", flow.imbalance);
         let leaving = if speed > 0.0 { "arc_to" } else { "arc_from" };
         let index = system.supply.regions().iter().position(|region| region.name == leaving);
         let region = &system.supply.regions()[index.expect("an edge of the arc")];
         let mesh = system.space().mesh();
-        let theta = &solution.film_fraction.as_ref().expect("a mass-conserving film").values;
+        let theta = &solved.solution.film_fraction.as_ref().expect("a mass-conserving film").values;
         let carried: f64 = (region.edges.iter())
             .map(|&edge| {
                 let nodes = mesh.edge_nodes(edge);

@@ -2,7 +2,7 @@
 //! found in few iterations.
 
 use oilwedge_reynolds::quantities::flow::flows;
-use oilwedge_reynolds::{Cavitation, FilmSolution, SolvedFilm};
+use oilwedge_reynolds::{Cavitation, SolvedFilm};
 use oilwedge_study::compile::compile;
 use oilwedge_tests::journal_bearings::each;
 use oilwedge_tests::random_bearings::{PRESSURE_UNIT, RandomBearing};
@@ -31,8 +31,8 @@ fn every_bearing_has_its_film() {
     });
 }
 
-fn at_most(film: &FilmSolution, most: usize) -> Result<(), String> {
-    let count = film.history.len();
+fn at_most(film: &SolvedFilm, most: usize) -> Result<(), String> {
+    let count = film.solution.history.len();
     (count <= most).then_some(()).ok_or_else(|| format!("{count} iterations"))
 }
 

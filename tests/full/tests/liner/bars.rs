@@ -82,10 +82,7 @@ fn shares_are_those_of_films_under_walls_of_their_own() {
     for (cavitation, touches) in [(Cavitation::None, false), (Cavitation::Reynolds { pressure: 0.0 }, true)] {
         let mut problem = tilted(walled(RADIUS, 0.8, cavitation, |_| layer(0.05)), [2e-5, -1e-5]);
         problem.contact = touches.then(|| contacts().into_iter().next().expect("a law"));
-        let film = closed(problem, &system);
-        let problem = &film.problem;
-        let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
-        let (problem, cubic) = (&pair.problem, &system.cubic().system);
+        let pair = closed_pair(closed(problem, &system), None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
         let following = following_wall(&pair.film).expect("a tangent");
         let share = load(&pair.cubic).total;
         let eta = |following| {
@@ -94,9 +91,9 @@ fn shares_are_those_of_films_under_walls_of_their_own() {
             [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
         };
         let (held, found) = (eta(None), eta(following.as_ref()));
-        let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Kept(&pair.film))
+        let own = closed_film(pair.film.problem.clone(), &system, Neighbour::Kept(&pair.film))
             .unwrap_or_else(|reason| panic!("{reason}"));
-        let [better, worse] = [carried(&pair.cubic), carried(&of_own)];
+        let [better, worse] = [carried(&pair.cubic), carried(&own)];
         let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];
         let wanted: Vec<f64> = parts(&better).iter().zip(parts(&worse)).map(|(a, b)| a - b).collect();
         for (range, name) in [(0..2, "force"), (2..4, "moment")] {

@@ -68,9 +68,8 @@ fn tangents_of_film_wall_and_contact_are_differences() {
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| forces(&changed[k].by_film));
         let at = |change: &JournalChange| {
             let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() };
-            let (moved, film) =
-                closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
-            forces(&carried(&film))
+            let moved = closed_film(moved, &system, Neighbour::Kept(&film));
+            forces(&carried(&moved.unwrap_or_else(|reason| panic!("{what}: {reason}"))))
         };
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
             for (k, column) in tangent.iter().enumerate() {
@@ -98,8 +97,7 @@ fn tangents_of_film_wall_and_contact_are_differences() {
 fn the_gap_tangent_answers_to_the_journal() {
     for (what, problem, system) in films() {
         let film = closed(problem, &system);
-        let problem = &film.problem;
-        let deflection = problem.deflection().expect("a wall");
+        let deflection = film.problem.deflection().expect("a wall");
         let tangent = GapTangent::of(&film, deflection).expect("a tangent");
         for k in 0..4 {
             let change = unit_change(k, 1.0);
@@ -123,9 +121,7 @@ fn a_layer_under_contact_alone_gives_way_place_by_place() {
         let mut problem = walled(LENGTH, eps, REYNOLDS, |_| per_pressure);
         problem.journal.speed = 0.0;
         problem.contact = Some(contact);
-        let film = closed(problem, &system);
-        let problem = &film.problem;
-        let carried = carried(&film).force;
+        let carried = carried(&closed(problem, &system)).force;
         let (force, rigid) = (contact_force(&contact, eps, per_pressure), contact_force(&contact, eps, 0.0));
         let off = carried[0].hypot(carried[1]) / force - 1.0;
         assert!(off.abs() < 2e-4, "{off:e}");
@@ -174,7 +170,7 @@ fn the_gradient_of_the_load_is_its_change() {
         let bent = problem.deflection().expect("a wall");
         let of =
             |number: usize, scale: f64| -> Vec<f64> { (0..number).map(|k| scale * (7.0 * k as f64).sin()).collect() };
-        let (unknown, wall) = (of(film.unknown.len(), 1e5), of(bent.coefficients.len(), 1e-3 * CLEARANCE));
+        let (unknown, wall) = (of(film.solution.unknown.len(), 1e5), of(bent.coefficients.len(), 1e-3 * CLEARANCE));
         let shape = bent.change(wall.clone());
         let change = load_change(&film, &[FilmChange::Gap(&shape)], &unknown);
         let contact = ContactPoints::of(&problem, &system);

@@ -10,7 +10,7 @@ use oilwedge_bearing::{Deadline, Load, SearchOptions, find};
 use oilwedge_reynolds::film_thickness::WallStage;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, JournalChange, JournalState, Storage};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, JournalChange, JournalState, SolvedFilm, Storage};
 use oilwedge_tests::elastic_liner::{carried, force_scale, layer, walled};
 use oilwedge_tests::*;
 use serde_json::Value;
@@ -161,12 +161,12 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
         };
         // A wall that was bent by a film before, and has followed in part.
         let here = [0.57 * CLEARANCE, -0.22 * CLEARANCE];
-        let (before, film) = at(here, None);
-        let bent = before.deflection().expect("a wall");
+        let before = at(here, None);
+        let bent = before.problem.deflection().expect("a wall");
         let stage = WallStage { per_time, known: bent.coefficients.iter().map(|d| 0.9 * d).collect() };
-        let staged = before.clone().deflected(Some(&bent.in_stage(stage)));
-        let (staged, film) = at(here, Some((&staged, Neighbour::Start(&film))));
-        let size = (0..2).map(|k| column(&staged, &system, &film, k, per_time)[k].abs());
+        let staged = before.problem.clone().deflected(Some(&bent.in_stage(stage)));
+        let staged = at(here, Some((&staged, Neighbour::Start(&before))));
+        let size = (0..2).map(|k| column(&staged, k, per_time)[k].abs());
         let size = size.fold(0.0, f64::max);
         for k in 0..2 {
             // Where negative pressures are left out, each point of quadrature that the zero line passes within a step is missed.
@@ -174,11 +174,10 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
             let by = |sign: f64| {
                 let mut offset = here;
                 offset[k] += sign * step;
-                let (moved, film) = at(offset, Some((&staged, Neighbour::Kept(&film))));
-                carried(&film).force
+                carried(&at(offset, Some((&staged.problem, Neighbour::Kept(&staged))))).force
             };
             let (ahead, behind) = (by(1.0), by(-1.0));
-            let tangent = column(&staged, &system, &film, k, per_time);
+            let tangent = column(&staged, k, per_time);
             for d in 0..2 {
                 let difference = (ahead[d] - behind[d]) / (2.0 * step);
                 let error = (difference - tangent[d]).abs() / size;
@@ -203,8 +202,8 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
     // The wall as a film without memory bends it, and the oil of a full film under it.
     let swift =
         FilmProblem { cavitation: Cavitation::Reynolds { pressure: 0.0 }, journal: placed(known), ..problem.clone() };
-    let (before, _) = closed_film(swift, &system, Neighbour::None).expect("a film");
-    let bent = before.deflection().expect("a wall");
+    let before = closed_film(swift, &system, Neighbour::None).expect("a film");
+    let bent = before.problem.deflection().expect("a wall");
     let full = FilmProblem { journal: placed(known), ..problem.clone() };
     let full = full.deflected(Some(bent)).oil_of_full_film(&system).expect("oil");
     let begin = FilmProblem { storage: Some(Arc::new(Storage { per_time, known: full })), ..problem.clone() };
@@ -213,21 +212,20 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
         let moved = FilmProblem { journal: placed(offset), ..from.clone() };
         closed_film(moved, &system, near).unwrap_or_else(|reason| panic!("{reason}"))
     };
-    let (staged, film) = at(here, (&begin, Neighbour::None));
-    let broken = film.cavity.iter().filter(|cavity| **cavity).count();
+    let staged = at(here, (&begin, Neighbour::None));
+    let broken = staged.solution.cavity.iter().filter(|cavity| **cavity).count();
     assert!(broken > 100, "{broken}");
-    let size = (0..2).map(|k| column(&staged, &system, &film, k, per_time)[k].abs());
+    let size = (0..2).map(|k| column(&staged, k, per_time)[k].abs());
     let size = size.fold(0.0, f64::max);
     for k in 0..2 {
         let step = 1e-8 * CLEARANCE;
         let by = |sign: f64| {
             let mut offset = here;
             offset[k] += sign * step;
-            let (moved, film) = at(offset, (&staged, Neighbour::Kept(&film)));
-            carried(&film).force
+            carried(&at(offset, (&staged.problem, Neighbour::Kept(&staged)))).force
         };
         let (ahead, behind) = (by(1.0), by(-1.0));
-        let tangent = column(&staged, &system, &film, k, per_time);
+        let tangent = column(&staged, k, per_time);
         for d in 0..2 {
             let difference = (ahead[d] - behind[d]) / (2.0 * step);
             let error = (difference - tangent[d]).abs() / size;
@@ -237,13 +235,7 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
 }
 
 /// How the force changes [N/m] where a coordinate changes, and its rate in a stage.
-fn column(
-    problem: &FilmProblem,
-    system: &Arc<FilmSystem>,
-    film: &oilwedge_reynolds::FilmSolution,
-    k: usize,
-    per_time: f64,
-) -> [f64; 2] {
+fn column(film: &SolvedFilm, k: usize, per_time: f64) -> [f64; 2] {
     let along = [0, 1].map(|d| if d == k { 1.0 } else { 0.0 });
     let change =
         JournalChange { offset: along, velocity: along.map(|part| per_time * part), ..JournalChange::default() };

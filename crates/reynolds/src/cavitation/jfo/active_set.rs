@@ -16,6 +16,7 @@ use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
 use super::{Choice, Film, History, ROUNDING, volumes_of};
+use crate::Fallback;
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -27,8 +28,6 @@ const RESTLESS: u8 = 2;
 const MOST_RETURNS: u8 = 1;
 /// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
 const NEARLY: f64 = 0.3;
-/// What reports say of it.
-const IN_PSEUDO_TIME: &str = "the cavity was found in pseudo-time, since its set of nodes came back";
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -54,7 +53,7 @@ pub(super) struct Search<'a> {
     renewed: Option<(Matrix, UnsymmetricFactorization)>,
     history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
-    fallbacks: Vec<String>,
+    fallbacks: Vec<Fallback>,
 }
 
 /// A film whose signs are all right.
@@ -66,7 +65,7 @@ pub(super) struct Found {
     pub(super) linearisation: Linearisation,
     pub(super) history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
-    pub(super) fallbacks: Vec<String>,
+    pub(super) fallbacks: Vec<Fallback>,
 }
 
 /// A step of pseudo-time: what the cells take up as they fill.
@@ -123,7 +122,7 @@ impl<'a> Search<'a> {
         self.schemes.fill(AdvectionScheme::Corrected);
         let mut end = self.iterate(Pass::Kept, None)?;
         if let End::Repeated = end {
-            self.fall_back(IN_PSEUDO_TIME);
+            self.fallbacks.push(Fallback::PseudoTime);
             self.pseudo_time()?;
             end = self.iterate(Pass::Kept, None)?;
         }
@@ -162,13 +161,11 @@ impl<'a> Search<'a> {
             end = End::Repeated;
         }
         if let End::Repeated = end {
-            self.fall_back(
-                "the N scheme carries the oil all round the cavity, since a set of nodes of the cavity came back, oil goes round in it, or nodes would hold less than none",
-            );
+            self.fallbacks.push(Fallback::NScheme);
             end = self.iterate(Pass::First, None)?;
         }
         if let End::Repeated = end {
-            self.fall_back(IN_PSEUDO_TIME);
+            self.fallbacks.push(Fallback::PseudoTime);
             self.pseudo_time()?;
             end = self.iterate(Pass::Kept, None)?;
         }
@@ -214,10 +211,6 @@ impl<'a> Search<'a> {
             }
         }
         Ok(step)
-    }
-
-    fn fall_back(&mut self, how: &str) {
-        self.fallbacks.push(how.to_owned());
     }
 
     fn corners<T>(&self, t: usize, of: impl Fn(usize) -> T) -> [T; 3] {
