@@ -189,7 +189,11 @@ fn a_spoiled_film_does_not_balance() {
         assert!(spoiled > 1e-6, "{cavitation:?}, the speed: {spoiled:e}");
     }
     let mut film = solved(&scene("none", "", TURNS, "", &pressed(GROOVE)));
-    let flow = Arc::make_mut(&mut film.film.solution).inflow.iter_mut().zip(0..).filter(|(_, dof)| film.study.system.supply.owner(*dof).is_some());
+    let flow = Arc::make_mut(&mut film.film.solution)
+        .inflow
+        .iter_mut()
+        .zip(0..)
+        .filter(|(_, dof)| film.study.system.supply.owner(*dof).is_some());
     flow.for_each(|(inflow, _)| *inflow *= 1.001);
     let spoiled = power(&film.film).imbalance;
     assert!(spoiled > 1e-6, "flows: {spoiled:e}");

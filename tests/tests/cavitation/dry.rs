@@ -22,7 +22,7 @@ fn a_ring_without_supply_is_refused_with_a_place() {
             Err(NoFilm::NoSupply { angle, z }) => {
                 assert!(angle.abs() < 7.0 && z.abs() <= 0.5 * LENGTH, "{angle} {z}");
             }
-            other => panic!("{:?}", other.map(|film| film.solution.history)),
+            other => panic!("{:?}", other.map(|film| film.solution.history.clone())),
         }
     }
 }

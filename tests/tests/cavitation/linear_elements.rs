@@ -102,7 +102,8 @@ fn companion_is_the_film_of_linear_elements() {
         let study = linear(&scene, (**quadratic.system.space().mesh()).clone());
         let cold = study.problem.solve(&study.system).expect("a film");
         let most = cold.solution.unknown.iter().fold(0.0f64, |most, u| most.max(u.abs()));
-        let off = (companion.solution.unknown.iter().zip(&cold.solution.unknown)).fold(0.0f64, |off, (a, b)| off.max((a - b).abs()));
+        let off = (companion.solution.unknown.iter().zip(&cold.solution.unknown))
+            .fold(0.0f64, |off, (a, b)| off.max((a - b).abs()));
         assert!(off < 5e-3 * most, "{name}: {:e}", off / most);
     }
 }

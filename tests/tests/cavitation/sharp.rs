@@ -170,7 +170,8 @@ impl Place {
 
     /// Moves along x by this part of the clearance over the cavities that are there.
     fn moved(self, part: f64) -> Self {
-        let change = JournalChange { offset: [part * self.film.problem.bearing.clearance, 0.0], ..JournalChange::default() };
+        let change =
+            JournalChange { offset: [part * self.film.problem.bearing.clearance, 0.0], ..JournalChange::default() };
         let film = self.film.displaced(&change).unwrap_or_else(|reason| panic!("{reason}"));
         let hill = film.sharp_film(HillStart::SameCavities(self.hill));
         Self { hill: hill.expect("a hill").expect("a hill"), film }
