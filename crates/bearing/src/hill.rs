@@ -89,7 +89,7 @@ impl Search<'_> {
     ) -> Option<(Trial, SharpFilm)> {
         let place = moved(self.coordinates.at(&problem.journal), 1.0, step);
         let problem = self.placed(problem, place);
-        let film = problem.solve_from(self.system, Neighbour::Kept(film)).ok()?;
+        let film = problem.solve_from(self.system, Neighbour::Start(film)).ok()?;
         let hill = problem.sharp_film(self.system, &film, start).ok()??;
         let trial = self.recorded(Trial::of(problem, film, hill.cubic.load.resultant()));
         Some((trial, hill))

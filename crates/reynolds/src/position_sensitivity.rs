@@ -25,7 +25,7 @@ impl FilmProblem {
         let mut problem = self.clone();
         problem.journal = problem.journal.changed(change);
         if film.film_fraction.is_some() {
-            let film = problem.solve_from(system, Neighbour::Kept(film))?;
+            let film = problem.solve_from(system, Neighbour::Start(film))?;
             return Ok((problem, film));
         }
         let unknown = self.unknown_change(system, film, change).map_err(Failure::from)?;

@@ -21,14 +21,8 @@ const MOST_STEPS: usize = 12;
 const ROUGH: f64 = 0.1;
 /// and the part of what may be left at last that the system of a last step leaves.
 const SPARE: f64 = 0.3;
-/// Where more than this part is left a mass-conserving film has its advection schemes chosen anew at the first step: at each one they would make what is left jump, and take long.
-const NEAR: f64 = 0.1;
 /// A balance of the cubic film that falls by less than this factor is at round-off.
 const STALLED: f64 = 0.5;
-/// Where more than this part may be left a mass-conserving film has its advection schemes chosen once;
-const CHOSEN_ONCE: f64 = 1e-9;
-/// else they are chosen again where less than this part is left.
-const SETTLED: f64 = 1e-6;
 /// Most lengths of a step, each half of the one before.
 const MOST_LENGTHS: i32 = 4;
 /// Least gap after a step, over that before.
@@ -158,7 +152,7 @@ fn nearer(journal: &JournalState, part: f64) -> JournalState {
     JournalState { offset: journal.offset.map(|x| part * x), tilt: journal.tilt.map(|x| part * x), ..*journal }
 }
 
-/// The film by Newton's method; a mass-conserving one chooses its advection schemes again under the wall that was found.
+/// The film by Newton's method.
 fn closed(
     problem: FilmProblem,
     (system, enough): (&FilmSystem, f64),
@@ -166,13 +160,7 @@ fn closed(
     counts: &mut Closing,
 ) -> Result<Closed, NoFilm> {
     let film = solved(&problem, system, near, counts)?;
-    let is_final = film.film_fraction.is_some() && enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
-    let first = if is_final { SETTLED } else { enough };
-    let mut found = iterated(judged(problem, film, system), (system, first), counts)?;
-    if is_final {
-        let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
-        found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
-    }
+    let found = iterated(judged(problem, film, system), (system, enough), counts)?;
     let residual = found.left.residual;
     let closing = Closing { residual, ..*counts };
     Ok((found.problem.closed_by(closing), found.film, found.left.contact))
@@ -180,12 +168,12 @@ fn closed(
 
 /// Newton's method from a film.
 fn iterated(mut here: Trial, (system, enough): (&FilmSystem, f64), counts: &mut Closing) -> Result<Trial, NoFilm> {
-    for number in 0..MOST_STEPS {
+    for _ in 0..MOST_STEPS {
         if here.left.residual < enough {
             return Ok(here);
         }
         let step = newton_step(&here, system, accuracy(here.left.residual, enough), counts)?;
-        match damped(&here, (number, &step), system, counts) {
+        match damped(&here, &step, system, counts) {
             Some(next) => here = next,
             None if here.left.residual < enough.max(CLOSED_ENOUGH) => return Ok(here),
             None => break,
@@ -215,18 +203,14 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
     Ok(solved.x)
 }
 
-/// The longest of the halved steps that leaves less of the balance, the gap kept open. Far from the balance a mass-conserving film chooses its advection schemes anew at the first of all steps; where
-/// what it leaves then jumps up they are kept.
-fn damped(here: &Trial, (number, step): (usize, &[f64]), system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
+/// The longest of the halved steps that leaves less of the balance, the gap kept open.
+fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
-    let chooses = number == 0 && here.film.film_fraction.is_some() && here.left.residual >= NEAR;
-    let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
-    let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
-    for (part, near) in anew.into_iter().chain(halved) {
+    for part in (0..MOST_LENGTHS).map(|times| 0.5f64.powi(times)) {
         let problem = stepped(&here.problem, step, part)?;
         let next_gap = least_gap(&problem, system);
         let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);
-        let film = is_open.then(|| solved(&problem, system, near, counts).ok()).flatten();
+        let film = is_open.then(|| solved(&problem, system, Neighbour::Start(&here.film), counts).ok()).flatten();
         if let Some(film) = film {
             let next = judged(problem, film, system);
             if next.left.residual < here.left.residual {

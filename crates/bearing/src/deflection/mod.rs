@@ -162,7 +162,7 @@ fn with_change(
     unknown: impl FnOnce() -> Result<Vec<f64>, Error>,
 ) -> Result<FilmSolution, NoFilm> {
     if film.film_fraction.is_some() {
-        return moved.solve_from(system, Neighbour::Kept(film));
+        return moved.solve_from(system, Neighbour::Start(film));
     }
     let unknown = unknown().map_err(Failure::from)?;
     Ok(problem.along_tangent(system, film, changes, &unknown))

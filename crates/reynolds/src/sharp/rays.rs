@@ -8,7 +8,8 @@ use oilwedge_fem::Space;
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
 
-use crate::cavitation::FilmFraction;
+use crate::cavitation::{FilmFraction, thickness_dragged};
+use crate::film_law::FilmLaw;
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -138,12 +139,14 @@ impl Rays {
     /// Takes the oil of the film at another position, with cavities and the places from which it comes as they are.
     pub(super) fn refill(&mut self, problem: &FilmProblem, system: &FilmSystem, fraction: &FilmFraction) {
         let (space, mesh) = (system.space(), system.space().mesh());
+        let law = FilmLaw::new(problem, 1.0);
         for reformation in self.rays.iter_mut().flat_map(|ray| &mut ray.reformations) {
             let Source { holder, weights } = reformation.source;
             let t = holder.triangle as usize;
-            let (thickness, dofs) = (problem.thickness_at(t, &mesh.nodes(t)), space.element_dofs(t));
-            let at_corner = |k: u8| thickness[usize::from(k)] * fraction.values[dofs[usize::from(k)]];
-            reformation.oil = (holder.corners.iter().zip(weights)).map(|(&k, weight)| weight * at_corner(k)).sum();
+            let (nodes, dofs) = (mesh.nodes(t), space.element_dofs(t));
+            let corners = holder.corners.map(usize::from);
+            let fraction: f64 = corners.iter().zip(weights).map(|(&k, weight)| weight * fraction.values[dofs[k]]).sum();
+            reformation.oil = fraction * thickness_dragged(&law, t, corners.map(|k| nodes[k]));
         }
     }
 

@@ -93,7 +93,7 @@ fn shares_are_those_of_films_under_walls_of_their_own() {
             [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
         };
         let (held, found) = (eta(None), eta(following.as_ref()));
-        let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Kept(&pair.film))
+        let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Start(&pair.film))
             .unwrap_or_else(|reason| panic!("{reason}"));
         let [better, worse] = [carried(problem, cubic, &pair.cubic), carried(&own, &system, &of_own)];
         let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];

@@ -68,7 +68,7 @@ fn tangents_of_film_wall_and_contact_are_differences() {
         let at = |change: &JournalChange| {
             let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() };
             let (moved, film) =
-                closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
+                closed_film(moved, &system, Neighbour::Start(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
             forces(&carried(&moved, &system, &film))
         };
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {

@@ -174,7 +174,7 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
             let by = |sign: f64| {
                 let mut offset = here;
                 offset[k] += sign * step;
-                let (moved, film) = at(offset, Some((&staged, Neighbour::Kept(&film))));
+                let (moved, film) = at(offset, Some((&staged, Neighbour::Start(&film))));
                 carried(&moved, &system, &film).force
             };
             let (ahead, behind) = (by(1.0), by(-1.0));
@@ -223,7 +223,7 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
         let by = |sign: f64| {
             let mut offset = here;
             offset[k] += sign * step;
-            let (moved, film) = at(offset, (&staged, Neighbour::Kept(&film)));
+            let (moved, film) = at(offset, (&staged, Neighbour::Start(&film)));
             carried(&moved, &system, &film).force
         };
         let (ahead, behind) = (by(1.0), by(-1.0));

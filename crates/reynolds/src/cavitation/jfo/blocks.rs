@@ -3,21 +3,18 @@
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
 //! K_ab = |T| k grad l_a . grad l_b                           Poiseuille, linear elements
-//! B, by faces:    C_ab = |face| F.n;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
-//! B, residual:    k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i:  row i gets its part of k_0 u_0 + k_1 u_1 + k_2 u_2,
-//!                 N: k_i^+ (u_i - u_in), u_in = sum k_j^- u_j / sum k_j^-;   LDA: k_i^+ / sum k_j^+ of it;
-//!                 less what leaves through the sides of T (q = -2 k_c, opposite corner c):
-//!                 q (3 u_i + u_j)/8 from row i, q (3 u_j + u_i)/8 from row j
-//! B, history:     N, and a -> b:  max(d,0) theta_a + min(d,0) theta_b,   d_ab = (r_a - r_b)/3,   r = faces(1) - N(1)
+//! F_ab = |face| F.n                                          flow of a full film through the face between cells a and b
+//! k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i
+//! N_i = k_i^+ (u_i - u_in),  u_in = sum k_j^- u_j / sum k_j^-            N scheme: row i gets its part of k_0 u_0 + k_1 u_1 + k_2 u_2
+//!     - q (3 u_i + u_j)/8    for each side ij of T, q = -2 k_c, opposite corner c: what leaves through the side
+//! d_ab = (r_a - r_b)/3,  r_i = sum_b F_ib - N_i(1)           what the N scheme lacks of a full film
+//! B theta = N + (a -> b: max(d,0) theta_a + min(d,0) theta_b)
 //! ```
 //! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does not
-//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
-//! the crosswind smearing of faces: N is positive and of first order; LDA (low diffusion, type A) is of second order
-//! and keeps the edges of oil streaks sharp on any mesh, but may overshoot there. Columns sum to zero in all, but for
+//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). Where theta = 1 the balance is that of the finite volumes, which conserve
+//! F exactly. Where theta < 1 the N scheme carries the oil, without the crosswind smearing of upwind faces; it is positive, and so are the small flows d. The
+//! balance is a continuous function of theta, and nothing in it is chosen: the film follows from its cavity alone. Columns sum to zero, but for
 //! what is stored.
-//!
-//! A film with a history is carried by one form all along, so that what it does is continuous in time: the N scheme, with small flows that make it that of the
-//! faces where theta = 1. It is positive too.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
@@ -26,25 +23,13 @@ use oilwedge_fem::{ControlVolumes, Space};
 use rayon::prelude::*;
 
 use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
+use crate::film_point::dragged_thickness;
 use crate::{FilmChange, FilmFlow, FilmPoint};
 
 /// Sides of a sub-triangle, from corner to corner.
 pub(super) const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 /// Triangles that one task visits.
 const CELLS_A_TASK: usize = 1024;
-
-/// How the oil of a sub-triangle is carried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AdvectionScheme {
-    /// Through the faces between cells, from upstream.
-    Faces,
-    /// By the N scheme.
-    Positive,
-    /// By the LDA scheme.
-    LowDiffusion,
-    /// By the N scheme, corrected so that a full film is that of the faces.
-    Corrected,
-}
 
 /// Coefficients of one sub-triangle.
 #[derive(Debug, Clone, Copy, Default)]
@@ -61,6 +46,8 @@ pub(super) struct Block {
     pub(super) storage: [f64; 3],
     /// Volume of each cell's piece while full [m3].
     pub(super) volume: [f64; 3],
+    /// Thickness [m] that a full film of the flow F has: `2 F.U/U^2`; zero at rest.
+    pub(super) dragged: f64,
 }
 
 /// `K`, row by row.
@@ -214,6 +201,7 @@ impl Block {
             // The centroid of a cell's piece lies at (22, 7, 7)/36.
             storage: [0, 1, 2].map(|i| weighted(i, |k| flows[k].storage) * area / 3.0),
             volume: [0, 1, 2].map(|i| weighted(i, |k| film[k].thickness) * area / 3.0),
+            dragged: dragged_thickness(velocity, flow.flux),
             ..Self::default()
         };
         let centroid = [0, 1].map(|d| (x[0][d] + x[1][d] + x[2][d]) / 3.0);
@@ -239,16 +227,27 @@ impl Block {
         square
     }
 
-    /// `B`; faces take the oil from upstream as in the film `upwind` (itself, unless this is a change of it).
-    pub(super) fn transport(&self, scheme: AdvectionScheme, upwind: &Self) -> Square {
-        let mut square = match scheme {
-            AdvectionScheme::Faces => self.faces(upwind),
-            AdvectionScheme::Positive => self.n_scheme(),
-            AdvectionScheme::LowDiffusion => self.low_diffusion(),
-            AdvectionScheme::Corrected => self.corrected(upwind),
-        };
-        if matches!(scheme, AdvectionScheme::Positive | AdvectionScheme::LowDiffusion) {
-            self.take_sides(&mut square);
+    /// `B`.
+    pub(super) fn transport(&self) -> Square {
+        let by_n = self.n_and_sides();
+        let missing = self.missing(&by_n);
+        self.completed(by_n, missing, missing)
+    }
+
+    /// Change of the `B` of the film `of`, where this is the change of its block: the flows d take the oil from the same nodes.
+    pub(super) fn transport_change(&self, of: &Self) -> Square {
+        let by_n = self.n_and_sides();
+        let missing = self.missing(&by_n);
+        self.completed(by_n, missing, of.missing(&of.n_and_sides()))
+    }
+
+    /// The N scheme with the flows d and what is stored; the flows take the oil from the nodes of which more is missing in `upstream`.
+    fn completed(&self, mut square: Square, missing: [f64; 3], upstream: [f64; 3]) -> Square {
+        for (a, b) in SIDES {
+            let flow = (missing[a] - missing[b]) / 3.0;
+            let from = if upstream[a] > upstream[b] { a } else { b };
+            square[a][from] += flow;
+            square[b][from] -= flow;
         }
         for i in 0..3 {
             square[i][i] += self.storage[i];
@@ -256,12 +255,25 @@ impl Block {
         square
     }
 
-    fn faces(&self, upwind: &Self) -> Square {
-        let mut square = [[0.0; 3]; 3];
+    /// Outflow of each piece of a full film by the faces, less that by the N scheme.
+    fn missing(&self, by_n: &Square) -> [f64; 3] {
+        let mut missing = by_n.map(|row| -row.iter().sum::<f64>());
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
-            let from = if upwind.couette[k] > 0.0 { a } else { b };
-            square[a][from] += self.couette[k];
-            square[b][from] -= self.couette[k];
+            missing[a] += self.couette[k];
+            missing[b] -= self.couette[k];
+        }
+        missing
+    }
+
+    /// The N scheme, less what leaves through the sides of T, which belongs to no inner face.
+    fn n_and_sides(&self) -> Square {
+        let (mut square, h) = (self.n_scheme(), self.thickness);
+        for (i, j) in SIDES {
+            let q = -2.0 * self.weight[3 - i - j];
+            square[i][i] -= 0.375 * q * h[i];
+            square[i][j] -= 0.125 * q * h[j];
+            square[j][j] -= 0.375 * q * h[j];
+            square[j][i] -= 0.125 * q * h[i];
         }
         square
     }
@@ -279,60 +291,15 @@ impl Block {
         square
     }
 
-    pub(super) fn low_diffusion(&self) -> Square {
-        let inflow = self.inflow();
-        self.weight.map(|k| {
-            let part = k.max(0.0) / -inflow;
-            [0, 1, 2].map(|j| part * self.weight[j] * self.thickness[j])
-        })
-    }
-
-    fn corrected(&self, upwind: &Self) -> Square {
-        let mut square = self.n_scheme();
-        self.take_sides(&mut square);
-        let (missing, of_upwind) = (self.missing(), upwind.missing());
-        for (a, b) in SIDES {
-            let flow = (missing[a] - missing[b]) / 3.0;
-            let from = if of_upwind[a] > of_upwind[b] { a } else { b };
-            square[a][from] += flow;
-            square[b][from] -= flow;
-        }
-        square
-    }
-
-    /// Outflow of each piece of a full film by the faces, less that by the N scheme.
-    fn missing(&self) -> [f64; 3] {
-        let mut by_n = self.n_scheme();
-        self.take_sides(&mut by_n);
-        let mut missing = by_n.map(|row| -row.iter().sum::<f64>());
-        for (k, (a, b)) in SIDES.into_iter().enumerate() {
-            missing[a] += self.couette[k];
-            missing[b] -= self.couette[k];
-        }
-        missing
-    }
-
-    /// What leaves through the sides of T belongs to no inner face.
-    fn take_sides(&self, square: &mut Square) {
-        let h = self.thickness;
-        for (i, j) in SIDES {
-            let q = -2.0 * self.weight[3 - i - j];
-            square[i][i] -= 0.375 * q * h[i];
-            square[i][j] -= 0.125 * q * h[j];
-            square[j][j] -= 0.375 * q * h[j];
-            square[j][i] -= 0.125 * q * h[i];
-        }
-    }
-
     /// `sum k_j^-`.
-    fn inflow(&self) -> f64 {
+    pub(super) fn inflow(&self) -> f64 {
         self.weight.iter().map(|k| k.min(0.0)).sum()
     }
 
     /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
     pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
-        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i]).sum();
-        sum / self.inflow()
+        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * theta[i]).sum();
+        self.dragged * sum / self.inflow()
     }
 
     /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while none
@@ -347,6 +314,13 @@ impl Block {
         let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
         upstream || (aside && !downstream)
     }
+}
+
+/// Thickness [m] at which a full film is dragged with the mean flow F of the sub-triangle of triangle `cell` that has these `corners` [m].
+pub(crate) fn thickness_dragged(law: &FilmLaw, cell: usize, corners: [[f64; 2]; 3]) -> f64 {
+    let middles = SIDES.map(|(a, b)| [0, 1].map(|d| 0.5 * (corners[a][d] + corners[b][d])));
+    let flows = law.film_and_flows(cell, &middles).1;
+    dragged_thickness(law.velocity(), Flow::mean(&[0, 1, 2].map(|k| flows[k])).flux)
 }
 
 fn weighted(i: usize, value: impl Fn(usize) -> f64) -> f64 {

@@ -7,7 +7,7 @@
 use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::InitialGuess;
 
-use super::{Choice, solve};
+use super::solve;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 impl FilmSystem {
@@ -48,7 +48,7 @@ impl FilmProblem {
             u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
         };
-        solve(self, vertices, 1.0, start, Choice::Anew)
+        solve(self, vertices, 1.0, start)
     }
 }
 

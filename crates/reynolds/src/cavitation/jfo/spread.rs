@@ -55,7 +55,7 @@ pub(crate) fn spread(
         }
         let theta = corners.map(|node| fraction.values[node]);
         let sent = |square: &Square, i: usize| (0..3).map(|j| square[i][j] * theta[j]).sum::<f64>();
-        let [n, lda] = [block.n_scheme(), block.low_diffusion()];
+        let [n, lda] = [block.n_scheme(), low_diffusion(block)];
         let to_cavity = (0..3).filter(|&i| film.cavity[corners[i]]);
         let spread = 0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag;
         if spread > ROUNDING * width(block, speed) { spread } else { 0.0 }
@@ -73,6 +73,14 @@ pub(crate) fn spread(
         spread.times += piece / width(&blocks[s], speed);
     }
     Ok(spread)
+}
+
+/// Rows of the LDA scheme: each corner downstream gets a part of `k_0 u_0 + k_1 u_1 + k_2 u_2` as large as that of its k in their sum.
+fn low_diffusion(block: &Block) -> Square {
+    block.weight.map(|k| {
+        let part = k.max(0.0) / -block.inflow();
+        [0, 1, 2].map(|j| part * block.weight[j] * block.thickness[j])
+    })
 }
 
 /// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: 2 |k| of a corner is that of the side across from it, times half the speed.
