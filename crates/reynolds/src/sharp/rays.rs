@@ -69,7 +69,7 @@ struct Reformation {
     source: Source,
 }
 
-/// Where the oil of a cavity is taken from: a point of a sub-triangle of the mass-conserving film.
+/// Where the oil of a cavity is taken from: the point at which a ray enters a sub-triangle of the mass-conserving film.
 #[derive(Debug, Clone, Copy)]
 struct Source {
     holder: Holder,
@@ -298,12 +298,8 @@ impl Rays {
             false => 0.5 * (cavity[0].from + end),
         };
         let piece = cavity.iter().find(|piece| piece.to >= switch)?;
-        let part = match piece.to - piece.from {
-            length if length > 0.0 => ((switch - piece.from) / length).clamp(0.0, 1.0),
-            _ => 0.0,
-        };
         let nodes = mesh.nodes(piece.holder.triangle as usize);
-        let [(_, from), (_, to)] = self.crossing(ray, piece.holder.corners.map(|k| nodes[usize::from(k)]))?;
+        let [(_, weights), _] = self.crossing(ray, piece.holder.corners.map(|k| nodes[usize::from(k)]))?;
         let full = film.iter().take_while(|piece| piece.kind != Kind::Cavity);
         let full_end = full.clone().last()?.to;
         let supply = full.clone().find(|piece| piece.kind == Kind::Supply);
@@ -312,7 +308,7 @@ impl Rays {
             switch,
             until: supply.map_or(middle, |supply| middle.min(supply.from)),
             oil: 0.0,
-            source: Source { holder: piece.holder, weights: [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k])) },
+            source: Source { holder: piece.holder, weights },
         })
     }
 

@@ -3,18 +3,14 @@
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
 //! K_ab = |T| k grad l_a . grad l_b                           Poiseuille, linear elements
-//! F_ab = |face| F.n                                          flow of a full film through the face between cells a and b
-//! k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i
-//! N_i = k_i^+ (u_i - u_in),  u_in = sum k_j^- u_j / sum k_j^-            N scheme: row i gets its part of k_0 u_0 + k_1 u_1 + k_2 u_2
-//!     - q (3 u_i + u_j)/8    for each side ij of T, q = -2 k_c, opposite corner c: what leaves through the side
-//! d_ab = (r_a - r_b)/3,  r_i = sum_b F_ib - N_i(1)           what the N scheme lacks of a full film
-//! B theta = N + (a -> b: max(d,0) theta_a + min(d,0) theta_b)
+//! k_i = |T| F.grad l_i,   s = sum k_j^-                      F: flow of a full film in T
+//! B_jj = -k_j^-,   B_ij = -k_i^+ k_j^- / s                   from each corner j upstream to each corner i downstream
 //! ```
 //! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does not
-//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). Where theta = 1 the balance is that of the finite volumes, which conserve
-//! F exactly. Where theta < 1 the N scheme carries the oil, without the crosswind smearing of upwind faces; it is positive, and so are the small flows d. The
-//! balance is a continuous function of theta, and nothing in it is chosen: the film follows from its cavity alone. Columns sum to zero, but for
-//! what is stored.
+//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme (narrow) for the transport of theta by F: without the
+//! crosswind smearing of upwind faces, positive, and of first order where theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner
+//! faces: the full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is chosen by the cavity, and the film follows from its cavity alone.
+//! Columns sum to zero, but for what is stored.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
@@ -36,12 +32,8 @@ const CELLS_A_TASK: usize = 1024;
 pub(super) struct Block {
     /// `K_ab` of each side.
     pub(super) stiffness: [f64; 3],
-    /// `C_ab` of the face across each side, from its first corner to its second [m3/s].
-    pub(super) couette: [f64; 3],
-    /// `k_i` [m2/s].
-    pub(super) weight: [f64; 3],
-    /// h at the corners [m], of rough surfaces the mean gap.
-    pub(super) thickness: [f64; 3],
+    /// `k_i` [m3/s].
+    pub(super) carried: [f64; 3],
     /// Volume taken up by each cell's piece while full [m3/s].
     pub(super) storage: [f64; 3],
     /// Volume of each cell's piece while full [m3].
@@ -142,8 +134,8 @@ impl Points {
         };
         let (film, flows) = change.unwrap_or(at);
         let velocity = at.0[corners[0]].velocity;
-        let (x, middles) = (corners.map(|point| self.positions[point]), middles.map(|point| self.positions[point]));
-        Block::new(velocity, x, middles, corners.map(|point| film[point]), corners.map(|point| flows[point]), flow)
+        let x = corners.map(|point| self.positions[point]);
+        Block::new(velocity, x, corners.map(|point| film[point]), corners.map(|point| flows[point]), flow)
     }
 }
 
@@ -183,7 +175,6 @@ impl Block {
     fn new(
         velocity: [f64; 2],
         x: [[f64; 2]; 3],
-        middles: [[f64; 2]; 3],
         film: [FilmPoint; 3],
         flows: [FilmFlow; 3],
         flow: Flow,
@@ -196,20 +187,16 @@ impl Block {
             [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled]
         });
         let mut block = Self {
-            weight: gradient.map(|g| 0.5 * area * (velocity[0] * g[0] + velocity[1] * g[1])),
-            thickness: [0, 1, 2].map(|k| film[k].thickness),
+            carried: gradient.map(|g| area * (flow.flux[0] * g[0] + flow.flux[1] * g[1])),
             // The centroid of a cell's piece lies at (22, 7, 7)/36.
             storage: [0, 1, 2].map(|i| weighted(i, |k| flows[k].storage) * area / 3.0),
             volume: [0, 1, 2].map(|i| weighted(i, |k| film[k].thickness) * area / 3.0),
             dragged: dragged_thickness(velocity, flow.flux),
             ..Self::default()
         };
-        let centroid = [0, 1].map(|d| (x[0][d] + x[1][d] + x[2][d]) / 3.0);
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
             let (g, h) = (gradient[a], gradient[b]);
             block.stiffness[k] = flow.conductance * area * (g[0] * h[0] + g[1] * h[1]);
-            let along = [centroid[0] - middles[k][0], centroid[1] - middles[k][1]];
-            block.couette[k] = along[1] * flow.flux[0] - along[0] * flow.flux[1];
         }
         block
     }
@@ -229,76 +216,48 @@ impl Block {
 
     /// `B`.
     pub(super) fn transport(&self) -> Square {
-        let by_n = self.n_and_sides();
-        let missing = self.missing(&by_n);
-        self.completed(by_n, missing, missing)
-    }
-
-    /// Change of the `B` of the film `of`, where this is the change of its block: the flows d take the oil from the same nodes.
-    pub(super) fn transport_change(&self, of: &Self) -> Square {
-        let by_n = self.n_and_sides();
-        let missing = self.missing(&by_n);
-        self.completed(by_n, missing, of.missing(&of.n_and_sides()))
-    }
-
-    /// The N scheme with the flows d and what is stored; the flows take the oil from the nodes of which more is missing in `upstream`.
-    fn completed(&self, mut square: Square, missing: [f64; 3], upstream: [f64; 3]) -> Square {
-        for (a, b) in SIDES {
-            let flow = (missing[a] - missing[b]) / 3.0;
-            let from = if upstream[a] > upstream[b] { a } else { b };
-            square[a][from] += flow;
-            square[b][from] -= flow;
-        }
-        for i in 0..3 {
-            square[i][i] += self.storage[i];
-        }
-        square
-    }
-
-    /// Outflow of each piece of a full film by the faces, less that by the N scheme.
-    fn missing(&self, by_n: &Square) -> [f64; 3] {
-        let mut missing = by_n.map(|row| -row.iter().sum::<f64>());
-        for (k, (a, b)) in SIDES.into_iter().enumerate() {
-            missing[a] += self.couette[k];
-            missing[b] -= self.couette[k];
-        }
-        missing
-    }
-
-    /// The N scheme, less what leaves through the sides of T, which belongs to no inner face.
-    fn n_and_sides(&self) -> Square {
-        let (mut square, h) = (self.n_scheme(), self.thickness);
-        for (i, j) in SIDES {
-            let q = -2.0 * self.weight[3 - i - j];
-            square[i][i] -= 0.375 * q * h[i];
-            square[i][j] -= 0.125 * q * h[j];
-            square[j][j] -= 0.375 * q * h[j];
-            square[j][i] -= 0.125 * q * h[i];
-        }
-        square
-    }
-
-    pub(super) fn n_scheme(&self) -> Square {
-        let (k, h) = (self.weight, self.thickness);
-        let inflow = self.inflow();
-        let mut square = [[0.0; 3]; 3];
-        for i in (0..3).filter(|&i| k[i] > 0.0) {
-            square[i][i] += k[i] * h[i];
-            for j in (0..3).filter(|&j| k[j] < 0.0) {
-                square[i][j] -= k[i] * k[j] / inflow * h[j];
+        let (k, s) = (self.carried, self.inflow());
+        let mut square = self.taken_up();
+        for j in (0..3).filter(|&j| k[j] < 0.0) {
+            square[j][j] -= k[j];
+            for i in (0..3).filter(|&i| k[i] > 0.0) {
+                square[i][j] -= k[i] * k[j] / s;
             }
+        }
+        square
+    }
+
+    /// Change of the `B` of the block `of`, where this is the change of that block; the corners upstream stay.
+    pub(super) fn transport_change(&self, of: &Self) -> Square {
+        let (k, s, change) = (of.carried, of.inflow(), self.carried);
+        let change_of_s: f64 = (0..3).filter(|&j| k[j] < 0.0).map(|j| change[j]).sum();
+        let mut square = self.taken_up();
+        for j in (0..3).filter(|&j| k[j] < 0.0) {
+            square[j][j] -= change[j];
+            for i in (0..3).filter(|&i| k[i] > 0.0) {
+                square[i][j] -= (change[i] * k[j] + k[i] * change[j] - k[i] * k[j] * change_of_s / s) / s;
+            }
+        }
+        square
+    }
+
+    /// What the cells take up for their own film fraction.
+    fn taken_up(&self) -> Square {
+        let mut square = [[0.0; 3]; 3];
+        for i in 0..3 {
+            square[i][i] = self.storage[i];
         }
         square
     }
 
     /// `sum k_j^-`.
     pub(super) fn inflow(&self) -> f64 {
-        self.weight.iter().map(|k| k.min(0.0)).sum()
+        self.carried.iter().map(|k| k.min(0.0)).sum()
     }
 
     /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
     pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
-        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * theta[i]).sum();
+        let sum: f64 = (0..3).map(|i| self.carried[i].min(0.0) * theta[i]).sum();
         self.dragged * sum / self.inflow()
     }
 
@@ -307,9 +266,9 @@ impl Block {
     pub(super) fn is_starved(&self, cavity: [bool; 3]) -> bool {
         const ROUNDING: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
-        let largest = self.weight.iter().fold(0.0f64, |m, k| m.max(k.abs()));
+        let largest = self.carried.iter().fold(0.0f64, |m, k| m.max(k.abs()));
         let any = |from: f64, to: f64| {
-            (0..3).any(|i| cavity[i] && self.weight[i] >= from * largest && self.weight[i] < to * largest)
+            (0..3).any(|i| cavity[i] && self.carried[i] >= from * largest && self.carried[i] < to * largest)
         };
         let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
         upstream || (aside && !downstream)

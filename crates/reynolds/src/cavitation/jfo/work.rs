@@ -56,7 +56,7 @@ impl<'a> Carriage<'a> {
         let first = t * self.volumes.per_triangle;
         for (carried, s) in carried.iter_mut().zip(first..first + self.volumes.per_triangle) {
             let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s].map(|node| node as usize));
-            if (0..3).any(|i| block.weight[i] < 0.0 && cavity[nodes[i]]) {
+            if (0..3).any(|i| block.carried[i] < 0.0 && cavity[nodes[i]]) {
                 *carried = block.inflowing(nodes.map(|node| self.fraction.values[node]));
             }
         }
@@ -69,9 +69,9 @@ impl<'a> Carriage<'a> {
         const FULL: f64 = 1.0 - 1e-12;
         let s = t * self.volumes.per_triangle + sub;
         let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s]);
-        let downstream = (0..3).filter(|&i| block.weight[i] > 0.0);
-        let way = downstream.map(|i| coordinates[i] / block.weight[i]).fold(f64::INFINITY, f64::min);
-        let entry = |i: usize| coordinates[i] - way * block.weight[i];
+        let downstream = (0..3).filter(|&i| block.carried[i] > 0.0);
+        let way = downstream.map(|i| coordinates[i] / block.carried[i]).fold(f64::INFINITY, f64::min);
+        let entry = |i: usize| coordinates[i] - way * block.carried[i];
         let fraction: f64 = (0..3).map(|i| entry(i) * self.fraction.values[nodes[i] as usize]).sum();
         if fraction < FULL { block.dragged * fraction } else { f64::INFINITY }
     }
