@@ -96,7 +96,7 @@ fn tangent_matches_differences() {
                 let moved = JournalState { offset, ..found.film.problem.journal };
                 let moved = moved.with_centre_velocity(squeeze, offset[1].atan2(offset[0]));
                 let problem = FilmProblem { journal: moved, ..found.film.problem.clone() };
-                let film = problem.solve_from(&system, Neighbour::Kept(&found.film)).expect("a film");
+                let film = problem.solve_from(&system, Neighbour::Start(&found.film)).expect("a film");
                 load(&film).total.force
             };
             let (ahead, behind) = (at(1.0), at(-1.0));

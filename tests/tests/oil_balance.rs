@@ -220,7 +220,7 @@ fn every_way_out_is_a_warning() {
     let mut film = solved(&LINERS[0].scene("jfo", 3000.0, ""));
     let before = warnings(&film.study, &film.measured).len();
     assert_eq!(before, film.film.solution.fallbacks.len());
-    film.measured.fallbacks = vec![Fallback::PseudoTime, Fallback::NScheme];
+    film.measured.fallbacks = vec![Fallback::PseudoTime];
     let told = warnings(&film.study, &film.measured);
     for (told, fallback) in told.iter().zip(&film.measured.fallbacks) {
         assert!(told.starts_with(&format!("{fallback}: ")), "{told}");

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
-use crate::at_rest::{BALANCED_ENOUGH, SETTLED};
 use crate::balance::Balance;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
@@ -19,6 +18,8 @@ use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, 
 
 /// Most positions tried.
 const MOST_STEPS: usize = 40;
+/// A balance that round-off keeps from its accuracy is one below this part.
+const BALANCED_ENOUGH: f64 = 1e-10;
 /// Force and wall are sought together again where less than this part is left of what was left where that has failed.
 const OF_FAILED: f64 = 0.1;
 /// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
@@ -207,27 +208,25 @@ impl Search<'_> {
         }
     }
 
-    /// The balanced trial, and the tangent that the search has for it, if it kept one; `kept` is that of a trial nearby. Where the advection schemes are to be chosen
-    /// again, this `part` of the residual at which they were chosen is enough.
-    pub(crate) fn balanced(
-        &self,
-        mut trial: Trial,
-        mut kept: Option<Tangent>,
-        part: f64,
-        tried: &mut usize,
-    ) -> Result<(Trial, Option<Tangent>), NoEquilibrium> {
-        let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
-            && trial.film.problem.cavitation.depends_smoothly_on_position();
+    /// Balances the load from a trial.
+    fn at_rest(&self, first: Trial) -> Result<Balance, NoEquilibrium> {
+        let mut tried = 1;
+        let (trial, tangent) = self.balanced(first, &mut tried)?;
+        let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
+        let is_balanced = is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);
+        Ok(Balance { is_ended: !is_balanced && self.options.deadline.is_over(), trial, tangent, tried })
+    }
+
+    /// The balanced trial, and the tangent that the search has for it, if it kept one.
+    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<(Trial, Option<Tangent>), NoEquilibrium> {
+        let mut kept: Option<Tangent> = None;
+        let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_));
         let mut last = *tried + MOST_STEPS;
         let mut within = WITHIN;
         while *tried < last {
             let residual = self.residual(&trial);
-            let enough = match trial.schemes_chosen_at {
-                chosen_at if chosen_at >= SETTLED && chosen_at.is_finite() => part * chosen_at,
-                _ => 0.0,
-            };
-            let is_balanced = residual < self.options.balanced().max(enough);
-            let closed = self.left_at_balance().max(enough);
+            let is_balanced = residual < self.options.balanced();
+            let closed = self.left_at_balance();
             let is_closed = trial.may_leave <= closed;
             if is_balanced && is_closed || self.options.deadline.is_over() {
                 return Ok((trial, kept));
@@ -235,7 +234,7 @@ impl Search<'_> {
             if trial.film.problem.has_bent_wall() && self.left(&trial) < within {
                 within = OF_FAILED * self.left(&trial);
                 let before = *tried;
-                trial = match self.with_wall(trial, (self.options.balanced().max(enough), closed), tried) {
+                trial = match self.with_wall(trial, (self.options.balanced(), closed), tried) {
                     Ok(found) => return Ok((found, None)),
                     Err(from) if self.options.deadline.is_over() => return Ok((*from, None)),
                     Err(from) if from.left.is_some() => self.closed_here(&from, tried)?,
@@ -258,7 +257,7 @@ impl Search<'_> {
                 None if residual < BALANCED_ENOUGH => trial = self.closed_further(&trial, tried)?,
                 None => return Err(self.unreachable(&trial, SearchEnd::NoStep)),
                 Some(next) => {
-                    kept = (keeps_tangent || next.is_continued).then(|| self.corrected(tangent, &trial, &next));
+                    kept = keeps_tangent.then(|| self.corrected(tangent, &trial, &next));
                     trial = next;
                 }
             }
@@ -281,21 +280,14 @@ impl Search<'_> {
     fn closed_here(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
         *tried += 1;
         let here = self.coordinates.at(&trial.film.problem.journal);
-        Ok(Trial {
-            schemes_chosen_at: trial.schemes_chosen_at,
-            ..self.trial_within(&trial.film.problem, here, Neighbour::Kept(&trial.film), OF_BALANCE * NEAR)?
-        })
+        Ok(self.trial_within(&trial.film.problem, here, Neighbour::Start(&trial.film), OF_BALANCE * NEAR)?)
     }
 
     /// A trial whose wall is closed as far as a balance asks for.
     fn closed_further(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
         *tried += 1;
         let here = self.coordinates.at(&trial.film.problem.journal);
-        Ok(Trial {
-            schemes_chosen_at: trial.schemes_chosen_at,
-            is_continued: true,
-            ..self.trial(&trial.film.problem, here, Neighbour::Kept(&trial.film))?
-        })
+        Ok(self.trial(&trial.film.problem, here, Neighbour::Start(&trial.film))?)
     }
 
     /// Part of the clearance below which the film of a journal far from its balance is one in contact.

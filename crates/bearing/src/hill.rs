@@ -81,7 +81,7 @@ impl Search<'_> {
     /// The trial by the force of the hill a `step` [m] from another one, and the hill; none where there is none.
     fn hill_trial(&self, from: &SolvedFilm, step: Vector, start: HillStart) -> Option<(Trial, SharpFilm)> {
         let place = moved(self.coordinates.at(&from.problem.journal), 1.0, step);
-        let film = self.placed(&from.problem, place).solve_from(self.system, Neighbour::Kept(from)).ok()?;
+        let film = self.placed(&from.problem, place).solve_from(self.system, Neighbour::Start(from)).ok()?;
         let hill = film.sharp_film(start).ok()??;
         let trial = self.recorded(Trial::of(film, hill.cubic.load.resultant()));
         Some((trial, hill))

@@ -15,7 +15,6 @@
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::SolvedFilm::unknown_change`]); a balance borders it.
 
-mod at_rest;
 mod balance;
 pub mod cap_bolts;
 pub mod coordinates;

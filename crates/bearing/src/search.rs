@@ -69,15 +69,10 @@ pub(crate) struct Trial {
     pub(crate) left: Option<Left>,
     /// Least film [m], once it was asked for.
     pub(crate) least_film: OnceCell<f64>,
-    /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
-    /// neighbouring film had a part in the choice.
-    pub(crate) schemes_chosen_at: f64,
-    /// True where the force has changed smoothly from that of the trial before: it is that of a mass-conserving film with the same schemes.
-    pub(crate) is_continued: bool,
 }
 
 impl Trial {
-    /// A trial by what is `carried`, with advection schemes of a neighbouring film, if any.
+    /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
         Self {
             film,
@@ -87,8 +82,6 @@ impl Trial {
             may_leave: CLOSED,
             left: None,
             least_film: OnceCell::new(),
-            schemes_chosen_at: f64::INFINITY,
-            is_continued: false,
         }
     }
 }
@@ -233,11 +226,7 @@ impl<'a> Search<'a> {
         let carried = load_touching(&film, contact.as_deref());
         let is_exact = film.problem.deflection().is_none() && film.problem.contact.is_none();
         let may_leave = if is_exact { 0.0 } else { left };
-        let trial = self.recorded(Trial { contact, may_leave, ..Trial::of(film, carried.total.resultant()) });
-        Ok(match near {
-            Neighbour::None => Trial { schemes_chosen_at: self.residual(&trial), ..trial },
-            Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
-        })
+        Ok(self.recorded(Trial { contact, may_leave, ..Trial::of(film, carried.total.resultant()) }))
     }
 
     /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that of a neighbouring position, if there is one. No more of a deflection is

@@ -42,7 +42,7 @@ pub enum InitialGuess<'a> {
     /// At a balance on the way that a growing moment takes, as another mesh has shown; as [`Self::Cold`] where there is none near it, or the way from there ends without a reason.
     Along(&'a Waypoint),
     /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on the same system,
-    /// if there is one. With [`Neighbour::Kept`] the advection schemes of that film are not chosen again.
+    /// if there is one.
     Near(Neighbour<'a>),
 }
 
@@ -88,10 +88,5 @@ impl SearchOptions<'_> {
                 BALANCED
             }
         })
-    }
-
-    /// True where advection schemes are those of the film that the search starts from.
-    pub(crate) fn keeps_schemes(&self) -> bool {
-        matches!(self.guess, InitialGuess::Near(Neighbour::Kept(_)))
     }
 }

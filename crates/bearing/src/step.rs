@@ -17,8 +17,6 @@ const LEAST_GAIN: f64 = 1e-3;
 const LEAST_GAIN_TILTING: f64 = 1e-2;
 /// with a step halved so often.
 const MOST_HALVINGS_TILTING: usize = 6;
-/// Steps of a film that conserves oil tried with its advection schemes chosen anew: where that makes its force jump they are kept.
-const CHOSEN_ANEW: usize = 4;
 /// Least film thickness after a step, over the one before,
 const LEAST_SHRINK: f64 = 0.1;
 /// and where the tilt is free: an end comes near the liner before the force shows it.
@@ -33,8 +31,6 @@ const CENTRED: f64 = 1e-3;
 const LITTLE: f64 = 1e-2;
 /// and the greatest part of a way by which a wall is taken to follow.
 const MOST_FOLLOWED: f64 = 0.99;
-/// Below this part of the load a film that conserves oil keeps its advection schemes from step to step.
-const SMOOTH: f64 = 1e-2;
 /// Moves by less than this part of the least film thickness start from the film before.
 pub const SHORT_MOVE: f64 = 0.2;
 /// and where the tilt of a film that conserves oil is free, which coarser meshes foretell less well, by less than this part.
@@ -132,17 +128,14 @@ impl Search<'_> {
         self.load.tilting.is_some() && trial.film.solution.film_fraction.is_some()
     }
 
-    /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
-    fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
+    /// The distance that the next trial must be below, and how often a step is halved.
+    fn wanted(&self, from: &Trial) -> (f64, usize) {
         let distance = self.distance(from);
-        let (has_schemes, is_far) = (from.film.solution.film_fraction.is_some(), self.residual(from) > NEAR);
-        let takes_long = has_schemes || from.film.problem.deflection().is_some();
-        match is_far {
-            true if self.is_costly(from) => ((1.0 - LEAST_GAIN_TILTING) * distance, [MOST_HALVINGS_TILTING, 0]),
-            true if takes_long => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
-            // Near the balance the force of a film that conserves oil jumps as its schemes change.
-            false if has_schemes => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
-            _ => (distance, [MOST_HALVINGS, 0]),
+        let takes_long = from.film.solution.film_fraction.is_some() || from.film.problem.deflection().is_some();
+        match self.residual(from) > NEAR {
+            true if self.is_costly(from) => ((1.0 - LEAST_GAIN_TILTING) * distance, MOST_HALVINGS_TILTING),
+            true if takes_long => ((1.0 - LEAST_GAIN) * distance, MOST_HALVINGS),
+            _ => (distance, MOST_HALVINGS),
         }
     }
 
@@ -180,23 +173,19 @@ impl Search<'_> {
         while thin(longest) {
             longest *= 0.8;
         }
-        let (nearer, [chosen, kept]) = self.wanted(from);
-        let halved = |times: usize| longest * 0.5f64.powi(times as i32);
+        let (nearer, halvings) = self.wanted(from);
         let short_move = match self.is_costly(from) {
             true => SHORT_MOVE_TILTING,
             false => SHORT_MOVE,
         };
         // Newton's method squares what is left.
         let may_leave = OF_BALANCE * self.residual(from).min(NEAR).powi(2);
-        let parts = (0..chosen).map(|times| (halved(times), false));
-        for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
+        for part in (0..halvings).map(|times| longest * 0.5f64.powi(times as i32)) {
             // Amid a curved way the film may be thinner than at its end.
             if end != beginning && thin(part) {
                 continue;
             }
             let near = match part * length < short_move * gap {
-                _ if keeps_schemes => Neighbour::Kept(&from.film),
-                true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
                 false => Neighbour::None,
             };
@@ -204,12 +193,7 @@ impl Search<'_> {
             if let Ok(trial) = self.trial_within(&bent(part), there(part), near, may_leave)
                 && self.distance(&trial) < nearer
             {
-                return Some(match near {
-                    Neighbour::Kept(_) => {
-                        Trial { schemes_chosen_at: from.schemes_chosen_at, is_continued: true, ..trial }
-                    }
-                    Neighbour::None | Neighbour::Start(_) | Neighbour::Found(_) => trial,
-                });
+                return Some(trial);
             }
         }
         None

@@ -296,8 +296,6 @@ impl Branch<'_, '_> {
             let (bent, at) = search.led_to(&here.trial, &along.moves, step);
             search.least_under(&bent, &search.coordinates.placed(&bent.journal, at)) < least
         };
-        // Advection schemes chosen anew may make the forces jump: shorter steps keep them.
-        let mut near = Neighbour::None;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -316,19 +314,18 @@ impl Branch<'_, '_> {
                     Some(Ok(found)) => return Some(Next::End(Box::new(found))),
                     Some(Err(_)) | None => {}
                 }
-            } else if let Some((point, corrections)) = self.corrected((here, near), along, *wanted) {
+            } else if let Some((point, corrections)) = self.corrected(here, along, *wanted) {
                 if corrections <= quick {
                     *wanted *= GROWTH;
                 }
                 return Some(Next::Point(Box::new(point)));
             }
             *wanted *= 0.5;
-            near = Neighbour::Kept(&here.trial.film);
         }
     }
 
-    /// The point of the branch across a step of this length along it, and the corrections that it took; its first film is begun `near` another one.
-    fn corrected(&self, (here, near): (&Point, Neighbour), along: &Direction, step: f64) -> Option<(Point, usize)> {
+    /// The point of the branch across a step of this length along it, and the corrections that it took.
+    fn corrected(&self, here: &Point, along: &Direction, step: f64) -> Option<(Point, usize)> {
         let search = self.search;
         let least = 0.5 * LEAST_SHRINK * search.least_film(&here.trial);
         let (mut bent, mut place) = search.led_on(&here.trial, &along.moves, step, least)?;
@@ -336,8 +333,7 @@ impl Branch<'_, '_> {
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
         let [_, most] = corrections(&here.trial);
         for corrections in 0..most {
-            // Corrections keep the advection schemes, so that the forces change smoothly.
-            let near = before.as_ref().map_or(near, |trial| Neighbour::Kept(&trial.film));
+            let near = Neighbour::Start(&before.as_ref().unwrap_or(&here.trial).film);
             let tried = |near| search.open(&bent, place, near, ROUGHLY_BALANCED);
             let trial = match (tried(near), &before) {
                 (Err(_), Some(_)) => tried(Neighbour::None),

@@ -81,16 +81,12 @@ impl Search<'_> {
         let left = Left::of(&film, contact_points(&problem, self.system));
         let carried = load_touching(&film, left.contact.as_deref());
         let film = SolvedFilm { problem: counted(problem, (1, 0), left.residual), ..film };
-        let trial = self.recorded(Trial {
+        Ok(self.recorded(Trial {
             contact: left.contact.clone(),
             may_leave: left.residual,
             left: Some(left),
             ..Trial::of(film, carried.total.resultant())
-        });
-        Ok(match near {
-            Neighbour::None => Trial { schemes_chosen_at: self.left(&trial), ..trial },
-            Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
-        })
+        }))
     }
 
     /// As [`Self::open`], by the film in cubic elements, started from films of a neighbouring place.
@@ -231,8 +227,7 @@ impl Search<'_> {
         }
         *tried += 1;
         let here = self.coordinates.at(&trial.film.problem.journal);
-        let fine = self.open(&trial.film.problem, here, Neighbour::Kept(&trial.film), closed).ok()?;
-        Some(Trial { schemes_chosen_at: trial.schemes_chosen_at, is_continued: trial.is_continued, ..fine })
+        self.open(&trial.film.problem, here, Neighbour::Start(&trial.film), closed).ok()
     }
 
     /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none where no step does.
@@ -252,13 +247,13 @@ impl Search<'_> {
             let bent = counted(bent, (films, tangents.products()), f64::INFINITY);
             let next = match &trial.cubic {
                 Some(cubic) => self.open_cubic(&bent, at, (&trial.film, Some(cubic))),
-                None => self.open(&bent, at, Neighbour::Kept(&trial.film), closed),
+                None => self.open(&bent, at, Neighbour::Start(&trial.film), closed),
             };
             films += 1;
             if let Ok(next) = next
                 && self.left(&next) < before
             {
-                return Ok(Some(Trial { schemes_chosen_at: trial.schemes_chosen_at, is_continued: true, ..next }));
+                return Ok(Some(next));
             }
             if before < AT_ROUNDING {
                 break;

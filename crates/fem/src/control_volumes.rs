@@ -68,6 +68,21 @@ pub fn sub_triangles(space: &Space, t: usize) -> &'static [[usize; 3]] {
     }
 }
 
+/// The sub-triangle of triangle `t` that holds a point of the reference triangle: its number, and the barycentric coordinates of the point in it.
+pub fn sub_triangle_at(space: &Space, t: usize, [xi, eta]: [f64; 2]) -> (usize, [f64; 3]) {
+    let places = lagrange::nodes(space.degree());
+    let weights = |sub: &[usize; 3]| {
+        let [a, b, c] = sub.map(|node| places[node]);
+        let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let at_b = ((xi - a[0]) * (c[1] - a[1]) - (eta - a[1]) * (c[0] - a[0])) / twice;
+        let at_c = ((b[0] - a[0]) * (eta - a[1]) - (b[1] - a[1]) * (xi - a[0])) / twice;
+        [1.0 - at_b - at_c, at_b, at_c]
+    };
+    let least = |weights: [f64; 3]| weights.into_iter().fold(f64::INFINITY, f64::min);
+    let subs = sub_triangles(space, t).iter().map(weights).enumerate();
+    subs.max_by(|(_, a), (_, b)| least(*a).total_cmp(&least(*b))).expect("a triangle has sub-triangles")
+}
+
 fn quarters(mesh: &Mesh, t: usize) -> &'static [[usize; 3]; 4] {
     let corners = mesh.corners(t);
     let is_obtuse = |k: usize| {

@@ -27,3 +27,12 @@ pub struct FilmFlow {
     /// Volume that the film takes up per area and time [m/s].
     pub storage: f64,
 }
+
+/// Thickness [m] at which a surface of the `velocity` U [m/s] drags a full film along as the flux F [m2/s]: `2 F.U/U^2`; zero at rest.
+pub(crate) fn dragged_thickness(velocity: [f64; 2], flux: [f64; 2]) -> f64 {
+    let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
+    match square > 0.0 {
+        true => 2.0 * (flux[0] * velocity[0] + flux[1] * velocity[1]) / square,
+        false => 0.0,
+    }
+}

@@ -19,7 +19,7 @@ impl SolvedFilm {
     pub fn displaced(&self, change: &JournalChange) -> Result<Self, NoFilm> {
         let moved = FilmProblem { journal: self.problem.journal.changed(change), ..self.problem.clone() };
         if self.solution.film_fraction.is_some() {
-            return moved.solve_from(&self.system, Neighbour::Kept(self));
+            return moved.solve_from(&self.system, Neighbour::Start(self));
         }
         let unknown = self.unknown_change(change).map_err(Failure::from)?;
         Ok(self.along_tangent(moved, &[change.into()], &unknown))

@@ -6,7 +6,6 @@ use oilwedge_fem::complementarity::{self, InitialGuess, Obstacle};
 use oilwedge_fem::newton::{self, Equation, Failure};
 use oilwedge_fem::{Constraints, Error, LinearSolver};
 
-use crate::cavitation::Choice;
 use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm, SolvedFilm};
 
@@ -20,9 +19,7 @@ pub enum Neighbour<'a> {
     None,
     /// This one.
     Start(&'a SolvedFilm),
-    /// This one, and a mass-conserving film carries its oil by the same schemes, so that it changes smoothly.
-    Kept(&'a SolvedFilm),
-    /// This one, as it was found: its cavity and its advection schemes.
+    /// This one, as it was stored.
     Found(&'a FilmTrace),
 }
 
@@ -82,39 +79,21 @@ impl FilmProblem {
         motion: f64,
         neighbour: Neighbour,
     ) -> Result<FilmSolution, NoFilm> {
-        let kept = match neighbour {
-            Neighbour::Kept(film) => film.solution.film_fraction.as_ref(),
-            Neighbour::Found(trace) => trace.film_fraction.as_ref(),
-            Neighbour::None | Neighbour::Start(_) => None,
-        };
-        let choice = kept.map_or(Choice::Anew, Choice::Kept);
-        self.film_by(system, motion, neighbour, choice)
-    }
-
-    /// Solves the film where the `choice` of advection schemes of a mass-conserving film is given.
-    fn film_by(
-        &self,
-        system: &FilmSystem,
-        motion: f64,
-        neighbour: Neighbour,
-        choice: Choice,
-    ) -> Result<FilmSolution, NoFilm> {
         let (start, levels) = match neighbour {
-            Neighbour::Start(film) | Neighbour::Kept(film) => (film.solution.as_start(), 0),
+            Neighbour::Start(film) => (film.solution.as_start(), 0),
             Neighbour::Found(trace) => (trace.as_start(), 0),
             // What the film held is known on its own mesh alone.
             Neighbour::None if self.storage.is_some() => (full_film(system), 0),
             Neighbour::None => self.start(system, motion),
         };
-        let film = self.cavitation.solve(self, system, motion, start, choice)?;
+        let film = self.cavitation.solve(self, system, motion, start)?;
         Ok(FilmSolution { levels, ..film })
     }
 
     /// The film of the next coarser mesh, if there is one, and on how many meshes it was solved; else nothing.
     fn start(&self, system: &FilmSystem, motion: f64) -> (InitialGuess, usize) {
         let coarse = system.coarser.as_ref().and_then(|coarser| {
-            let film =
-                (coarser.problem(self)).film_by(&coarser.system, motion, Neighbour::None, Choice::Roughly).ok()?;
+            let film = coarser.problem(self).closed_film(&coarser.system, motion, Neighbour::None).ok()?;
             Some((coarser.carried(&film, self.cavitation), film.levels + 1))
         });
         coarse.unwrap_or_else(|| (full_film(system), 0))
@@ -170,7 +149,7 @@ impl FilmProblem {
         let (mut reached, mut step) = (0.0, 0.25);
         loop {
             let next: f64 = f64::min(reached + step, 1.0);
-            match self.cavitation.solve(self, system, next, film.as_start(), Choice::Anew) {
+            match self.cavitation.solve(self, system, next, film.as_start()) {
                 Ok(mut solution) => {
                     let mut history = film.history;
                     history.append(&mut solution.history);

@@ -42,7 +42,7 @@ fn tangents_with_contact_are_differences() {
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{what}: {reason}"));
         let carried = |journal: JournalState| {
             let problem = FilmProblem { journal, ..problem.clone() };
-            let film = (problem.solve_from(&system, Neighbour::Kept(&film)))
+            let film = (problem.solve_from(&system, Neighbour::Start(&film)))
                 .unwrap_or_else(|reason| panic!("{what}: {reason}"));
             let total = load(&film).total;
             [total.force[0], total.force[1], 2.0 / LENGTH * total.moment[0], 2.0 / LENGTH * total.moment[1]]

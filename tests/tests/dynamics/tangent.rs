@@ -57,7 +57,7 @@ fn stiffness_and_damping_are_differences_of_films() {
         let carried = |journal: JournalState| {
             let problem = FilmProblem { journal, ..problem.clone() };
             let film =
-                (problem.solve_from(&system, Neighbour::Kept(&film))).unwrap_or_else(|reason| panic!("{reason}"));
+                (problem.solve_from(&system, Neighbour::Start(&film))).unwrap_or_else(|reason| panic!("{reason}"));
             let total = load(&film).total;
             let ([x, y], [z_x, z_y]) = (total.force, total.moment);
             ([x, y, z_x, z_y], film.solution.cavity.clone())

@@ -32,7 +32,7 @@ fn stiffness_of_film_and_wall_is_differences_of_closed_films() {
         let at = |offset: [f64; 2]| {
             let journal = JournalState { offset, ..problem.journal };
             let moved = FilmProblem { journal, ..problem.clone() };
-            let moved = closed_film(moved, &system, Neighbour::Kept(&film));
+            let moved = closed_film(moved, &system, Neighbour::Start(&film));
             carried(&moved.unwrap_or_else(|reason| panic!("{reason}"))).force
         };
         let size = coefficients.stiffness[0][0].abs().max(coefficients.stiffness[1][1].abs());

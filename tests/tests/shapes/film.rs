@@ -91,7 +91,7 @@ fn the_tangent_matches_differences() {
         let here = coordinates.at(&problem.journal);
         let at = |place| {
             let problem = FilmProblem { journal: coordinates.placed(&problem.journal, place), ..problem.clone() };
-            let moved = problem.solve_from(&system, Neighbour::Kept(&film)).expect("a film");
+            let moved = problem.solve_from(&system, Neighbour::Start(&film)).expect("a film");
             assert_eq!(moved.solution.cavity, film.solution.cavity, "the set has changed");
             coordinates.forces(&load(&moved).total.resultant())
         };

@@ -21,14 +21,8 @@ const MOST_STEPS: usize = 12;
 const ROUGH: f64 = 0.1;
 /// and the part of what may be left at last that the system of a last step leaves.
 const SPARE: f64 = 0.3;
-/// Where more than this part is left a mass-conserving film has its advection schemes chosen anew at the first step: at each one they would make what is left jump, and take long.
-const NEAR: f64 = 0.1;
 /// A balance of the cubic film that falls by less than this factor is at round-off.
 const STALLED: f64 = 0.5;
-/// Where more than this part may be left a mass-conserving film has its advection schemes chosen once;
-const CHOSEN_ONCE: f64 = 1e-9;
-/// else they are chosen again where less than this part is left.
-const SETTLED: f64 = 1e-6;
 /// Most lengths of a step, each half of the one before.
 const MOST_LENGTHS: i32 = 4;
 /// Least gap after a step, over that before.
@@ -149,7 +143,7 @@ fn nearer(journal: &JournalState, part: f64) -> JournalState {
     JournalState { offset: journal.offset.map(|x| part * x), tilt: journal.tilt.map(|x| part * x), ..*journal }
 }
 
-/// The film by Newton's method; a mass-conserving one chooses its advection schemes again under the wall that was found.
+/// The film by Newton's method.
 fn closed(
     problem: FilmProblem,
     (system, enough): (&Arc<FilmSystem>, f64),
@@ -157,13 +151,7 @@ fn closed(
     counts: &mut Closing,
 ) -> Result<Closed, NoFilm> {
     let film = solved(problem, system, near, counts)?;
-    let is_final = film.solution.film_fraction.is_some() && enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
-    let first = if is_final { SETTLED } else { enough };
-    let mut found = iterated(judged(film), first, counts)?;
-    if is_final {
-        let film = solved(found.film.problem.clone(), system, Neighbour::Start(&found.film), counts)?;
-        found = iterated(judged(film), enough, counts)?;
-    }
+    let found = iterated(judged(film), enough, counts)?;
     let residual = found.left.residual;
     let closing = Closing { residual, ..*counts };
     Ok((found.film.closed_by(closing), found.left.contact))
@@ -171,12 +159,12 @@ fn closed(
 
 /// Newton's method from a film.
 fn iterated(mut here: Trial, enough: f64, counts: &mut Closing) -> Result<Trial, NoFilm> {
-    for number in 0..MOST_STEPS {
+    for _ in 0..MOST_STEPS {
         if here.left.residual < enough {
             return Ok(here);
         }
         let step = newton_step(&here, accuracy(here.left.residual, enough), counts)?;
-        match damped(&here, (number, &step), counts) {
+        match damped(&here, &step, counts) {
             Some(next) => here = next,
             None if here.left.residual < enough.max(CLOSED_ENOUGH) => return Ok(here),
             None => break,
@@ -206,19 +194,15 @@ fn newton_step(here: &Trial, accuracy: f64, counts: &mut Closing) -> Result<Vec<
     Ok(solved.x)
 }
 
-/// The longest of the halved steps that leaves less of the balance, the gap kept open. Far from the balance a mass-conserving film chooses its advection schemes anew at the first of all steps; where
-/// what it leaves then jumps up they are kept.
-fn damped(here: &Trial, (number, step): (usize, &[f64]), counts: &mut Closing) -> Option<Trial> {
+/// The longest of the halved steps that leaves less of the balance, the gap kept open.
+fn damped(here: &Trial, step: &[f64], counts: &mut Closing) -> Option<Trial> {
     let system = &here.film.system;
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.film.problem, system));
-    let chooses = number == 0 && here.film.solution.film_fraction.is_some() && here.left.residual >= NEAR;
-    let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
-    let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
-    for (part, near) in anew.into_iter().chain(halved) {
+    for part in (0..MOST_LENGTHS).map(|times| 0.5f64.powi(times)) {
         let problem = stepped(&here.film.problem, step, part)?;
         let next_gap = least_gap(&problem, system);
         let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);
-        let film = is_open.then(|| solved(problem, system, near, counts).ok()).flatten();
+        let film = is_open.then(|| solved(problem, system, Neighbour::Start(&here.film), counts).ok()).flatten();
         if let Some(film) = film {
             let next = judged(film);
             if next.left.residual < here.left.residual {

@@ -141,7 +141,7 @@ fn with_change(
     unknown: impl FnOnce() -> Result<Vec<f64>, Error>,
 ) -> Result<SolvedFilm, NoFilm> {
     if film.solution.film_fraction.is_some() {
-        return moved.solve_from(&film.system, Neighbour::Kept(film));
+        return moved.solve_from(&film.system, Neighbour::Start(film));
     }
     let unknown = unknown().map_err(Failure::from)?;
     Ok(film.along_tangent(moved, changes, &unknown))

@@ -124,7 +124,7 @@ impl Motion<'_> {
             }
             loop {
                 // The oil of the whole stage is carried by the same schemes, so that the force is smooth.
-                let next = film(moved(here.at, part, step), Neighbour::Kept(&here.film), films);
+                let next = film(moved(here.at, part, step), Neighbour::Start(&here.film), films);
                 let falls = |next: &Instant| length(self.residual(known, next)) < length(residual);
                 match next {
                     Ok(next) if falls(&next) => {

@@ -73,7 +73,7 @@ impl Motion<'_> {
             }
             let next = loop {
                 let (at, bent) = moves.made(here.instant.at, bent, part);
-                let next = self.tried((known, scale), at, &bent, Neighbour::Kept(&here.instant.film), films);
+                let next = self.tried((known, scale), at, &bent, Neighbour::Start(&here.instant.film), films);
                 match next {
                     Ok(next) if next.left() < left => break Some(next),
                     Ok(_) if left < NEARLY_BALANCED => break None,

@@ -14,9 +14,9 @@ mod jfo;
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::newton::Failure;
 
-pub use jfo::{AdvectionScheme, FilmFraction};
+pub use jfo::FilmFraction;
 pub(crate) use jfo::{
-    Carriage, Choice, PointChanges, cell_volumes, check_supply, held_volume, residual_change, spread, work,
+    Carriage, PointChanges, cell_volumes, check_supply, held_volume, residual_change, spread, thickness_dragged, work,
 };
 
 use crate::lubricant::PressureLaw;
@@ -102,11 +102,6 @@ impl Cavitation {
         matches!(self, Self::Reynolds { .. } | Self::Jfo { .. })
     }
 
-    /// True if the force depends on the position so smoothly that a secant corrects its tangent.
-    pub fn depends_smoothly_on_position(&self) -> bool {
-        !self.conserves_oil()
-    }
-
     /// True if the linear systems are symmetric: solved by Cholesky factors and multigrid, on quadratic and cubic elements.
     pub fn is_symmetric(&self) -> bool {
         !self.conserves_oil()
@@ -149,10 +144,9 @@ impl Cavitation {
         system: &FilmSystem,
         motion: f64,
         start: InitialGuess,
-        choice: Choice,
     ) -> Result<FilmSolution, NoFilm> {
         match self {
-            Self::Jfo { .. } => jfo::solve(problem, system, motion, start, choice),
+            Self::Jfo { .. } => jfo::solve(problem, system, motion, start),
             _ => {
                 let solver = system.solver().map_err(Failure::from)?;
                 Ok(problem.pressure_film(system, &solver, motion, start)?)

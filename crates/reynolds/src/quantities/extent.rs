@@ -11,9 +11,8 @@
 //! **Range.** Models of cavitation; none where the film is full all around, or where the line is cut out of the liner. **Verified by** `tests/full/tests/film_places.rs`.
 
 use oilwedge_fem::Field;
-use oilwedge_fem::control_volumes::sub_triangles;
+use oilwedge_fem::control_volumes::{sub_triangle_at, sub_triangles};
 use oilwedge_fem::field::evaluate;
-use oilwedge_fem::lagrange::nodes;
 use oilwedge_fem::mapping::Mapping;
 
 use super::line_cut::{between, cut};
@@ -282,21 +281,11 @@ impl MidPlane<'_> {
     }
 
     /// True where more than half of a sub-triangle of a mass-conserving film, by its nodes, is in the cavity.
-    fn is_carried(&self, triangle: usize, [xi, eta]: [f64; 2]) -> bool {
-        let space = self.film.system.space();
-        let (places, dofs) = (nodes(space.degree()), space.element_dofs(triangle));
-        let weights = |sub: &[usize; 3]| {
-            let [a, b, c] = sub.map(|node| places[node]);
-            let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-            let at_b = ((xi - a[0]) * (c[1] - a[1]) - (eta - a[1]) * (c[0] - a[0])) / twice;
-            let at_c = ((b[0] - a[0]) * (eta - a[1]) - (b[1] - a[1]) * (xi - a[0])) / twice;
-            [1.0 - at_b - at_c, at_b, at_c]
-        };
-        let least = |sub: &&[usize; 3]| weights(sub).into_iter().fold(f64::INFINITY, f64::min);
-        let inside = sub_triangles(space, triangle).iter().max_by(|a, b| least(a).total_cmp(&least(b)));
-        inside.is_some_and(|sub| {
-            let in_cavity = sub.iter().zip(weights(sub)).filter(|(node, _)| self.film.solution.cavity[dofs[**node]]);
-            in_cavity.map(|(_, weight)| weight).sum::<f64>() > 0.5
-        })
+    fn is_carried(&self, triangle: usize, point: [f64; 2]) -> bool {
+        let (space, cavity) = (self.film.system.space(), &self.film.solution.cavity);
+        let dofs = space.element_dofs(triangle);
+        let (number, weights) = sub_triangle_at(space, triangle, point);
+        let corners = sub_triangles(space, triangle)[number].iter().zip(weights);
+        corners.filter(|(node, _)| cavity[dofs[**node]]).map(|(_, weight)| weight).sum::<f64>() > 0.5
     }
 }

@@ -12,11 +12,14 @@
 //! **Range.** A turning journal; the film alone, without what grooves all around carry. **Verified by** `tests/tests/friction.rs`.
 
 use oilwedge_fem::Field;
+use oilwedge_fem::control_volumes::sub_triangle_at;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::integrate_interval;
 
 use super::line_cut::{between, cut};
+use crate::cavitation::Carriage;
 use crate::film_law::FilmLaw;
+use crate::film_point::dragged_thickness;
 use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSystem, SolvedFilm};
 
@@ -41,9 +44,13 @@ pub fn inlet_flows(film: &SolvedFilm) -> Option<Vec<f64>> {
     let x = behind_feeds(system, line(problem, system, sense), step);
     let is_film = system.supply.film(mesh);
     let law = FilmLaw::new(problem, 1.0);
+    let carriage = match &film.solution.film_fraction {
+        Some(fraction) => Some(Carriage::new(problem, system, fraction).ok()?),
+        None => None,
+    };
     let [around, _] = problem.theory.directions();
     let part = |t: usize| match is_film[t] {
-        true => sense * across(film, &law, t, x, around),
+        true => sense * across((film, carriage.as_ref()), &law, t, x, around),
         false => 0.0,
     };
     Some((0..is_film.len()).map(part).collect())
@@ -103,8 +110,14 @@ fn line(problem: &FilmProblem, system: &FilmSystem, sense: f64) -> f64 {
 }
 
 /// Flow [m3/s] towards growing x through the part of the line at `x` [m] that lies in triangle `t`; pressure drives the
-/// part `around` of it.
-fn across(film: &SolvedFilm, law: &FilmLaw, t: usize, x: f64, around: f64) -> f64 {
+/// part `around` of it. In a cavity flows the oil of the `carriage`.
+fn across(
+    (film, carriage): (&SolvedFilm, Option<&Carriage>),
+    law: &FilmLaw,
+    t: usize,
+    x: f64,
+    around: f64,
+) -> f64 {
     let space = film.system.space();
     let corners = space.mesh().corners(t);
     let x = match space.mesh().period() {
@@ -123,9 +136,9 @@ fn across(film: &SolvedFilm, law: &FilmLaw, t: usize, x: f64, around: f64) -> f6
     let flux = |part: f64| {
         let point = between(&from, &to, part);
         let flow = law.film_and_flows(t, &[mapping.at(point).position]).1[0];
-        let fraction = film.solution.film_fraction.as_ref().map_or(1.0, |fraction| {
-            let values = &fraction.values;
-            Field { space, values }.value(t, point)
+        let fraction = carriage.map_or(1.0, |carriage| {
+            let (sub, coordinates) = sub_triangle_at(space, t, point);
+            (carriage.carried_to(t, sub, coordinates) / dragged_thickness(law.velocity(), flow.flux)).min(1.0)
         });
         fraction * flow.flux[0] - around * flow.conductance * unknown.value_and_gradient(t, point).1[0]
     };

@@ -8,7 +8,8 @@ use oilwedge_fem::Space;
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
 
-use crate::cavitation::FilmFraction;
+use crate::cavitation::{FilmFraction, thickness_dragged};
+use crate::film_law::FilmLaw;
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmProblem, FilmSystem, SolvedFilm};
 
@@ -68,7 +69,7 @@ struct Reformation {
     source: Source,
 }
 
-/// Where the oil of a cavity is taken from: a point of a sub-triangle of the mass-conserving film.
+/// Where the oil of a cavity is taken from: the point at which a ray enters a sub-triangle of the mass-conserving film.
 #[derive(Debug, Clone, Copy)]
 struct Source {
     holder: Holder,
@@ -134,12 +135,14 @@ impl Rays {
     /// Takes the oil of the film at another position, with cavities and the places from which it comes as they are.
     pub(super) fn refill(&mut self, problem: &FilmProblem, system: &FilmSystem, fraction: &FilmFraction) {
         let (space, mesh) = (system.space(), system.space().mesh());
+        let law = FilmLaw::new(problem, 1.0);
         for reformation in self.rays.iter_mut().flat_map(|ray| &mut ray.reformations) {
             let Source { holder, weights } = reformation.source;
             let t = holder.triangle as usize;
-            let (thickness, dofs) = (problem.thickness_at(t, &mesh.nodes(t)), space.element_dofs(t));
-            let at_corner = |k: u8| thickness[usize::from(k)] * fraction.values[dofs[usize::from(k)]];
-            reformation.oil = (holder.corners.iter().zip(weights)).map(|(&k, weight)| weight * at_corner(k)).sum();
+            let (nodes, dofs) = (mesh.nodes(t), space.element_dofs(t));
+            let corners = holder.corners.map(usize::from);
+            let fraction: f64 = corners.iter().zip(weights).map(|(&k, weight)| weight * fraction.values[dofs[k]]).sum();
+            reformation.oil = fraction * thickness_dragged(&law, t, corners.map(|k| nodes[k]));
         }
     }
 
@@ -291,12 +294,8 @@ impl Rays {
             false => 0.5 * (cavity[0].from + end),
         };
         let piece = cavity.iter().find(|piece| piece.to >= switch)?;
-        let part = match piece.to - piece.from {
-            length if length > 0.0 => ((switch - piece.from) / length).clamp(0.0, 1.0),
-            _ => 0.0,
-        };
         let nodes = mesh.nodes(piece.holder.triangle as usize);
-        let [(_, from), (_, to)] = self.crossing(ray, piece.holder.corners.map(|k| nodes[usize::from(k)]))?;
+        let [(_, weights), _] = self.crossing(ray, piece.holder.corners.map(|k| nodes[usize::from(k)]))?;
         let full = film.iter().take_while(|piece| piece.kind != Kind::Cavity);
         let full_end = full.clone().last()?.to;
         let supply = full.clone().find(|piece| piece.kind == Kind::Supply);
@@ -305,7 +304,7 @@ impl Rays {
             switch,
             until: supply.map_or(middle, |supply| middle.min(supply.from)),
             oil: 0.0,
-            source: Source { holder: piece.holder, weights: [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k])) },
+            source: Source { holder: piece.holder, weights },
         })
     }
 

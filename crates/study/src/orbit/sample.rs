@@ -141,7 +141,7 @@ pub(super) fn solved_at(
     };
     let instant = (motion.between(step, &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
     let guess = match instant.oil {
-        Some(_) => InitialGuess::Near(Neighbour::Kept(&instant.film)),
+        Some(_) => InitialGuess::Near(Neighbour::Start(&instant.film)),
         None => InitialGuess::default(),
     };
     let options = SolveOptions { errors, guess, ..SolveOptions::default() };
@@ -156,15 +156,8 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         Errors::Omitted => None,
     };
     let here = film.at_instant(&instant);
-    // A film that conserves its oil is that which was found, with its advection schemes.
-    let options = SolveOptions {
-        errors,
-        guess: InitialGuess::Near(match instant.oil {
-            Some(_) => Neighbour::Kept(&instant.film),
-            None => Neighbour::Start(&instant.film),
-        }),
-        ..SolveOptions::default()
-    };
+    let guess = InitialGuess::Near(Neighbour::Start(&instant.film));
+    let options = SolveOptions { errors, guess, ..SolveOptions::default() };
     let solved = isothermal(&here, &options)?;
     let estimated = estimate_errors(&solved);
     // The film by which the orbit was followed.

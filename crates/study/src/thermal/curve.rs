@@ -100,7 +100,7 @@ fn film_at(temperature: f64, near: &Solved, positions: &[Visited], deadline: Dea
     }
     let options = SolveOptions {
         deadline,
-        guess: InitialGuess::Near(Neighbour::Kept(&near.primary)),
+        guess: InitialGuess::Near(Neighbour::Start(&near.primary)),
         accuracy: Some(ROUGHLY),
         ..SolveOptions::default()
     };

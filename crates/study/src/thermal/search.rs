@@ -1,7 +1,4 @@
 //! The search for the temperature at which the heat is balanced, film by film.
-//!
-//! The advection schemes of a mass-conserving film change by jumps as its temperature does. So near the balance they are kept, and chosen anew at
-//! the balance until they come to rest: as the position under a load is found.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -33,19 +30,14 @@ const BALANCED: f64 = 1e-8;
 pub(super) const ROUGHLY: f64 = 1e-4;
 /// Force and load of films that only lead to the balance differ by this part of the load at most.
 pub(super) const LEADING_ACCURACY: f64 = 1e-6;
-/// Those of films near the balance, by this part.
-const KEPT_ACCURACY: f64 = 1e-9;
-/// Advection schemes chosen where the heat left over is less than this part of the friction, and force and load differ by less than this part of
-/// the load, are those of the balance.
-const SETTLED: f64 = LEADING_ACCURACY;
+/// Those of films that show how numbers change near the balance, by this part.
+const BESIDE_ACCURACY: f64 = 1e-9;
 /// Friction under a load falls with temperature like this power of the viscosity: the slope of a first step, which later ones correct.
 const FRICTION_EXPONENT: f64 = 0.6;
 /// Films nearer to one another than this [K] do not show how numbers change with temperature;
 const APART: f64 = 0.02;
 /// then one further away is solved [K].
 const FURTHER: f64 = 0.5;
-/// Choices of the advection schemes of a mass-conserving film.
-const MOST_CHOICES: usize = 4;
 
 /// Why a search for the temperature was left.
 pub(crate) enum Left {
@@ -58,13 +50,11 @@ pub(crate) enum Left {
 /// How a film of the search is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Kind {
-    /// It only leads to the balance: as one that keeps the schemes, its position found roughly.
+    /// It leads to the balance; its position is found roughly.
     Leading,
-    /// A mass-conserving film chooses its advection schemes, as if there were no other film; its position is found roughly.
-    Chosen,
-    /// A mass-conserving film keeps the advection schemes of the best film; the first of them chooses them, its position found roughly.
-    Kept,
-    /// As one that keeps the schemes, its numbers those that are reported: with an error estimate, where one is asked for.
+    /// It shows how numbers change near the balance.
+    Beside,
+    /// Its numbers are reported: with an error estimate, where one is asked for.
     Last,
 }
 
@@ -83,8 +73,6 @@ pub(super) struct Search<'a> {
     solved: usize,
     /// Positions of the journal tried.
     positions: usize,
-    /// True where the schemes of a mass-conserving film were still changing at the balance.
-    is_restless: bool,
 }
 
 /// What was measured on a quadratic film.
@@ -116,7 +104,6 @@ impl<'a> Search<'a> {
             visited: Vec::new(),
             solved: 0,
             positions: 0,
-            is_restless: false,
         }
     }
 
@@ -170,20 +157,15 @@ impl<'a> Search<'a> {
         }
         let mut film = at_temperature(self.film, temperature);
         let mut options = self.options;
-        let conserves_oil = film.problem.cavitation.conserves_oil();
         (options.errors, options.accuracy) = match kind {
             Kind::Last => (options.errors, None),
-            Kind::Kept if from.is_some() => (Errors::Omitted, Some(KEPT_ACCURACY)),
-            Kind::Kept | Kind::Leading | Kind::Chosen => (Errors::Omitted, Some(LEADING_ACCURACY)),
+            Kind::Beside => (Errors::Omitted, Some(BESIDE_ACCURACY)),
+            Kind::Leading => (Errors::Omitted, Some(LEADING_ACCURACY)),
         };
         if let Some(Tried { solved, .. }) = from {
             film.problem.journal = solved.film.problem.journal;
             film = self.predicted(film);
-            options.guess = InitialGuess::Near(match kind {
-                _ if !conserves_oil => Neighbour::Start(&solved.primary),
-                Kind::Chosen => Neighbour::None,
-                Kind::Leading | Kind::Kept | Kind::Last => Neighbour::Kept(&solved.primary),
-            });
+            options.guess = InitialGuess::Near(Neighbour::Start(&solved.primary));
         }
         let solved = from_near_or_cold(&film, &options)?;
         self.positions += solved.balance.map_or(0, |balance| balance.steps);
@@ -191,9 +173,8 @@ impl<'a> Search<'a> {
         let measured = measure(solved.reported());
         let flows = thermal_flows(&self.model, &solved.film, &measured);
         let surplus = self.model.balance.surplus(temperature, &flows);
-        let is_kept = kind == Kind::Kept || kind == Kind::Leading && !conserves_oil;
-        // How numbers change with temperature is shown by balanced films alone.
-        if is_kept && !solved.is_ended() {
+        // How numbers change with temperature is shown by balanced quadratic films alone.
+        if kind != Kind::Last && !solved.is_ended() {
             let measured = measured.with_dynamics(&solved.film, solved.reported(), None);
             let view = View::new(&solved.film, &solved.film.problem, &measured);
             self.numbers.push(Numbers { temperature, surplus, quantities: quantities::measured(&view) });
@@ -203,34 +184,8 @@ impl<'a> Search<'a> {
 
     /// The balance of films whose numbers are reported: with error estimate those of cubic ones, but for mass-conserving films.
     fn balanced(&mut self, first: Start) -> Result<Balanced, NoBalance<Left>> {
-        if self.film.problem.cavitation.conserves_oil() {
-            return self.conserving(first);
-        }
         let rough = self.find(first, ROUGHLY, Kind::Leading)?;
         self.find(again(&rough), BALANCED, Kind::Last)
-    }
-
-    /// The balance of mass-conserving films, where their schemes have come to rest or, if they do not, by those chosen near it.
-    fn conserving(&mut self, first: Start) -> Result<Balanced, NoBalance<Left>> {
-        let mut found = self.find(first, SETTLED, Kind::Kept)?;
-        for _ in 0..MOST_CHOICES {
-            let kept = self.best.take();
-            match self.tried(found.temperature, Kind::Chosen, kept.as_ref()) {
-                Ok(chosen) if chosen.is_settled() => {
-                    self.best = Some(chosen);
-                    return self.find(again(&found), BALANCED, Kind::Last);
-                }
-                Ok(chosen) => self.best = Some(chosen),
-                // Where the choice fails the film before stands.
-                Err(_) => {
-                    self.best = kept;
-                    break;
-                }
-            }
-            found = self.find(again(&found), SETTLED, Kind::Kept)?;
-        }
-        self.is_restless = true;
-        self.find(again(&found), BALANCED, Kind::Last)
     }
 
     /// The film with the journal where the positions found before say that it will be.
@@ -248,7 +203,7 @@ impl<'a> Search<'a> {
             return;
         }
         let best = self.best.take();
-        drop(self.tried(found.temperature + FURTHER, Kind::Kept, best.as_ref()));
+        drop(self.tried(found.temperature + FURTHER, Kind::Beside, best.as_ref()));
         self.best = best;
     }
 
@@ -286,12 +241,6 @@ impl<'a> Search<'a> {
 }
 
 impl Tried {
-    /// Whether its schemes, chosen at the first position tried, are those of the balance.
-    fn is_settled(&self) -> bool {
-        let was_balanced = self.solved.balance.is_none_or(|balance| balance.steps == 1);
-        was_balanced && self.surplus.abs() < SETTLED * self.flows.power.abs()
-    }
-
     /// Whether less heat is left over than of another one; a film whose numbers can be reported is better than one that leads to it.
     fn is_better(&self, other: &Self) -> bool {
         let is_last = |tried: &Self| tried.kind == Kind::Last;
@@ -303,7 +252,7 @@ impl Tried {
 
     /// Whether another film of this kind would add nothing.
     fn serves(&self, kind: Kind) -> bool {
-        self.kind == kind || self.kind == Kind::Last && kind != Kind::Chosen
+        self.kind == kind || self.kind == Kind::Last
     }
 
     /// Where the search was ended: the balance that is not one.
@@ -359,9 +308,6 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         (Ok(_), None) => return Err(none(&model.balance, NoBalance::NoFilm(Left::Ended))),
     };
     let mut solved = best.solved;
-    if search.is_restless {
-        Arc::make_mut(&mut solved.primary.solution).fallbacks.push(Fallback::SchemesNearTemperature);
-    }
     solved.temperature = Some(TemperatureFound {
         balanced: Balanced { films: search.solved, ..balanced },
         is_ended,

@@ -91,7 +91,7 @@ fn shares_are_those_of_films_under_walls_of_their_own() {
             [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
         };
         let (held, found) = (eta(None), eta(following.as_ref()));
-        let own = closed_film(pair.film.problem.clone(), &system, Neighbour::Kept(&pair.film))
+        let own = closed_film(pair.film.problem.clone(), &system, Neighbour::Start(&pair.film))
             .unwrap_or_else(|reason| panic!("{reason}"));
         let [better, worse] = [carried(&pair.cubic), carried(&own)];
         let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];

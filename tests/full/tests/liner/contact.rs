@@ -68,7 +68,7 @@ fn tangents_of_film_wall_and_contact_are_differences() {
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| forces(&changed[k].by_film));
         let at = |change: &JournalChange| {
             let moved = FilmProblem { journal: problem.journal.changed(change), ..problem.clone() };
-            let moved = closed_film(moved, &system, Neighbour::Kept(&film));
+            let moved = closed_film(moved, &system, Neighbour::Start(&film));
             forces(&carried(&moved.unwrap_or_else(|reason| panic!("{what}: {reason}"))))
         };
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {

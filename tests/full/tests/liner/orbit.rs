@@ -174,7 +174,7 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
             let by = |sign: f64| {
                 let mut offset = here;
                 offset[k] += sign * step;
-                carried(&at(offset, Some((&staged.problem, Neighbour::Kept(&staged))))).force
+                carried(&at(offset, Some((&staged.problem, Neighbour::Start(&staged))))).force
             };
             let (ahead, behind) = (by(1.0), by(-1.0));
             let tangent = column(&staged, k, per_time);
@@ -222,7 +222,7 @@ fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films(
         let by = |sign: f64| {
             let mut offset = here;
             offset[k] += sign * step;
-            carried(&at(offset, (&staged.problem, Neighbour::Kept(&staged)))).force
+            carried(&at(offset, (&staged.problem, Neighbour::Start(&staged)))).force
         };
         let (ahead, behind) = (by(1.0), by(-1.0));
         let tangent = column(&staged, k, per_time);

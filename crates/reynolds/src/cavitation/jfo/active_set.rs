@@ -1,7 +1,5 @@
 //! The search for the cavity: which nodes are full, which are not.
 
-mod schemes;
-
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Instant;
@@ -11,23 +9,16 @@ use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
 use super::balance::{Balance, add};
-use super::blocks::AdvectionScheme;
 use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Choice, Film, History, ROUNDING, volumes_of};
+use super::{Film, History, volumes_of};
 use crate::Fallback;
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
 /// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
 const SIGN_TOLERANCE: f64 = 1e-12;
-/// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
-const RESTLESS: u8 = 2;
-/// A sub-triangle whose cavity comes back more often in the first pass keeps the N scheme there.
-const MOST_RETURNS: u8 = 1;
-/// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
-const NEARLY: f64 = 0.3;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -37,18 +28,12 @@ const TIME_STEPS: usize = 24;
 pub(super) struct Search<'a> {
     film: &'a Film<'a>,
     state: State,
-    /// How the oil of each sub-triangle is carried.
-    schemes: Vec<AdvectionScheme>,
-    /// How often the cavity has left each sub-triangle in the first pass.
-    left: Vec<u8>,
-    /// How often each node has changed sides in the second pass.
-    turns: Vec<u8>,
-    /// Sub-triangles whose scheme has changed in the second pass.
-    changed: Vec<bool>,
     first: Option<f64>,
     balance: Balance,
-    /// True while the transport of a film with a history is in the balance: its schemes do not change.
+    /// True while the transport without pseudo-time is in the balance.
     is_carried: bool,
+    /// Nodes that leak in the balance, with the diagonals of their transport without the leak.
+    leaks: Vec<(usize, f64)>,
     /// Tangent and factor of the step before, to be renewed.
     renewed: Option<(Matrix, UnsymmetricFactorization)>,
     history: Vec<HistoryStep>,
@@ -59,7 +44,6 @@ pub(super) struct Search<'a> {
 /// A film whose signs are all right.
 pub(super) struct Found {
     pub(super) state: State,
-    pub(super) schemes: Vec<AdvectionScheme>,
     /// Inflow near each node where pressure is given; rounding elsewhere.
     pub(super) residual: Vec<f64>,
     pub(super) linearisation: Linearisation,
@@ -77,17 +61,6 @@ struct TimeStep {
     volume: Vec<f64>,
 }
 
-/// How the advection schemes are chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Pass {
-    /// Anew at each step, by the N scheme wherever a node is in the cavity.
-    First,
-    /// Where the inflow side is starved, by LDA.
-    Second,
-    /// Not at all.
-    Kept,
-}
-
 /// How an iteration over sets ended.
 enum End {
     Settled(Box<Linearisation>),
@@ -103,13 +76,10 @@ impl<'a> Search<'a> {
         Self {
             film,
             state: State::new(p, held),
-            schemes: vec![AdvectionScheme::Faces; film.blocks.len()],
-            left: vec![0; film.blocks.len()],
-            turns: Vec::new(),
-            changed: vec![false; film.blocks.len()],
             first: None,
             balance: Balance::of_pressure(film),
             is_carried: false,
+            leaks: Vec::new(),
             renewed: None,
             history: Vec::new(),
             seconds: Seconds::default(),
@@ -117,67 +87,26 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The film with a history, by one advection scheme all along; and pseudo-time where a set of nodes comes back.
-    fn run_with_history(mut self) -> Result<Found, Failure> {
-        self.schemes.fill(AdvectionScheme::Corrected);
-        let mut end = self.iterate(Pass::Kept, None)?;
+    /// Sets of nodes until every sign is right, and pseudo-time where one comes back.
+    pub(super) fn run(mut self) -> Result<Found, Failure> {
+        let mut end = self.iterate(None)?;
         if let End::Repeated = end {
             self.fallbacks.push(Fallback::PseudoTime);
-            self.pseudo_time()?;
-            end = self.iterate(Pass::Kept, None)?;
+            end = self.from_pseudo_time()?;
         }
         self.found(end)
     }
 
-    /// Both passes, and pseudo-time where a set of nodes comes back.
-    pub(super) fn run(mut self, choice: Choice) -> Result<Found, Failure> {
-        if self.film.history.is_some() {
-            return self.run_with_history();
-        }
-        let mut pass = Pass::Kept;
-        if let Choice::Kept(kept) = choice {
-            self.schemes = kept.schemes.clone();
-        } else {
-            let mut end = self.iterate(Pass::First, None)?;
-            if let End::Repeated = end {
-                end = self.iterate(Pass::Kept, None)?;
-            }
-            match (choice, end) {
-                (Choice::Roughly, settled @ End::Settled(_)) => return self.found(settled),
-                (_, End::Settled(solved)) => self.renewed = solved.into_unsymmetric(),
-                (_, End::Repeated) => {}
-            }
-            self.schemes = self.second_schemes();
-            pass = Pass::Second;
-        }
-        self.turns = vec![0; self.state.p.len()];
-        let mut end = match self.iterate(pass, None) {
-            // Oil that goes round in the cavity for ever, without a supply, is diluted by the N scheme only.
-            Err(Failure::Linear { .. }) => End::Repeated,
-            other => other?,
-        };
-        // Overdrawn nodes that calming their surroundings has not helped.
-        if self.state.theta.iter().any(|&theta| theta < -ROUNDING) {
-            end = End::Repeated;
-        }
-        if let End::Repeated = end {
-            self.fallbacks.push(Fallback::NScheme);
-            end = self.iterate(Pass::First, None)?;
-        }
-        if let End::Repeated = end {
-            self.fallbacks.push(Fallback::PseudoTime);
-            self.pseudo_time()?;
-            end = self.iterate(Pass::Kept, None)?;
-        }
-        self.found(end)
-    }
-
-    /// In pseudo-time from the start, by schemes that are given.
-    #[cfg(test)]
-    pub(super) fn run_in_time(mut self, schemes: &[AdvectionScheme]) -> Result<Found, Failure> {
-        self.schemes = schemes.to_vec();
+    /// The search from the film at which pseudo-time arrives.
+    fn from_pseudo_time(&mut self) -> Result<End, Failure> {
         self.pseudo_time()?;
-        let end = self.iterate(Pass::Kept, None)?;
+        self.iterate(None)
+    }
+
+    /// In pseudo-time from the start.
+    #[cfg(test)]
+    pub(super) fn run_in_time(mut self) -> Result<Found, Failure> {
+        let end = self.from_pseudo_time()?;
         self.found(end)
     }
 
@@ -192,7 +121,6 @@ impl<'a> Search<'a> {
         Ok(Found {
             residual: self.balance.residual(&self.state.p, &self.state.theta),
             state: self.state,
-            schemes: self.schemes,
             linearisation,
             history: self.history,
             seconds: self.seconds,
@@ -213,44 +141,20 @@ impl<'a> Search<'a> {
         Ok(step)
     }
 
-    fn corners<T>(&self, t: usize, of: impl Fn(usize) -> T) -> [T; 3] {
-        self.film.volumes.triangles[t].map(|node| of(node as usize))
-    }
-
     /// Solves and exchanges until every sign is right.
-    fn iterate(&mut self, pass: Pass, time: Option<&TimeStep>) -> Result<End, Failure> {
+    fn iterate(&mut self, time: Option<&TimeStep>) -> Result<End, Failure> {
         let mut seen = HashSet::new();
-        let mut at_first = None;
         while self.history.len() < MOST_STEPS {
-            match pass {
-                Pass::First => self.choose_first_schemes(),
-                Pass::Second if self.choose_second_schemes() => seen.clear(),
-                Pass::Second | Pass::Kept => {}
-            }
             let (linearisation, residual) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
             self.record(&wrong);
-            let at_first = *at_first.get_or_insert(wrong.len());
-            let nearly = wrong.is_empty() || (wrong.len() as f64) < NEARLY * at_first as f64;
-            let calmed = pass != Pass::First && nearly && self.calm_overdrawn(pass);
-            if calmed {
-                seen.clear();
-            }
             if wrong.is_empty() {
-                if calmed {
-                    self.renewed = linearisation.into_unsymmetric();
-                    continue;
-                }
                 return Ok(End::Settled(Box::new(linearisation)));
             }
             let mut hasher = DefaultHasher::new();
             self.state.cavity.hash(&mut hasher);
             if !seen.insert(hasher.finish()) {
                 return Ok(End::Repeated);
-            }
-            let restless = self.restless(&wrong);
-            if self.calm(&restless, &[AdvectionScheme::LowDiffusion]) {
-                seen.clear();
             }
             self.renewed = linearisation.into_unsymmetric();
             let turned: Vec<usize> = wrong.into_iter().map(|(dof, _)| dof).collect();
@@ -299,23 +203,33 @@ impl<'a> Search<'a> {
         Ok((linearisation, residual))
     }
 
-    /// What is carried by the present schemes, with what the boundary brings and takes.
+    /// What is carried, with what the boundary brings and takes; and the leaks of the present cavity.
     fn carry(&mut self, time: Option<&TimeStep>) {
-        if self.is_carried && time.is_none() {
+        if !self.is_carried || time.is_some() {
+            self.assemble_transport(time);
+        }
+        self.is_carried = time.is_none();
+        // What a film with a history held says how much oil goes round.
+        if self.film.history.is_some() || time.is_some() {
             return;
         }
-        self.is_carried = self.film.history.is_some() && time.is_none();
+        let transport = &mut self.balance.transport;
+        for (dof, before) in self.leaks.drain(..) {
+            transport.add_to_diagonal(dof, before - transport.diagonal(dof));
+        }
+        for dof in loops::without_source(transport, &self.state.cavity, &self.film.rows.inflow) {
+            self.leaks.push((dof, transport.diagonal(dof)));
+            transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
+        }
+    }
+
+    fn assemble_transport(&mut self, time: Option<&TimeStep>) {
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
         let Balance { transport, constant, .. } = &mut self.balance;
+        self.leaks.clear();
         transport.values.fill(0.0);
-        for (block, (scheme, addresses)) in self.film.blocks.iter().zip(self.schemes.iter().zip(&volumes.addresses)) {
-            add(transport, addresses, &block.transport(*scheme, block));
-        }
-        // What a film with a history held says how much oil goes round.
-        if self.film.history.is_none() {
-            for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
-                transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
-            }
+        for (block, addresses) in self.film.blocks.iter().zip(&volumes.addresses) {
+            add(transport, addresses, &block.transport());
         }
         for (dof, &outflow) in rows.outflow.iter().enumerate().filter(|(_, outflow)| **outflow > 0.0) {
             transport.add_to_diagonal(dof, outflow);
@@ -366,7 +280,7 @@ impl<'a> Search<'a> {
             return Err(Error::NotFinite { what: "time step" }.into());
         }
         for _ in 0..TIME_STEPS {
-            self.iterate(Pass::Kept, Some(&time))?;
+            self.iterate(Some(&time))?;
             time.before.clone_from(&self.state.theta);
             time.rate /= TIME_GROWTH;
         }

@@ -3,21 +3,14 @@
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
 //! K_ab = |T| k grad l_a . grad l_b                           Poiseuille, linear elements
-//! B, by faces:    C_ab = |face| F.n;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
-//! B, residual:    k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i:  row i gets its part of k_0 u_0 + k_1 u_1 + k_2 u_2,
-//!                 N: k_i^+ (u_i - u_in), u_in = sum k_j^- u_j / sum k_j^-;   LDA: k_i^+ / sum k_j^+ of it;
-//!                 less what leaves through the sides of T (q = -2 k_c, opposite corner c):
-//!                 q (3 u_i + u_j)/8 from row i, q (3 u_j + u_i)/8 from row j
-//! B, history:     N, and a -> b:  max(d,0) theta_a + min(d,0) theta_b,   d_ab = (r_a - r_b)/3,   r = faces(1) - N(1)
+//! k_i = |T| F.grad l_i,   s = sum k_j^-                      F: flow of a full film in T
+//! B_jj = -k_j^-,   B_ij = -k_i^+ k_j^- / s                   from each corner j upstream to each corner i downstream
 //! ```
 //! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does not
-//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
-//! the crosswind smearing of faces: N is positive and of first order; LDA (low diffusion, type A) is of second order
-//! and keeps the edges of oil streaks sharp on any mesh, but may overshoot there. Columns sum to zero in all, but for
-//! what is stored.
-//!
-//! A film with a history is carried by one form all along, so that what it does is continuous in time: the N scheme, with small flows that make it that of the
-//! faces where theta = 1. It is positive too.
+//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme (narrow) for the transport of theta by F: without the
+//! crosswind smearing of upwind faces, positive, and of first order where theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner
+//! faces: the full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is chosen by the cavity, and the film follows from its cavity alone.
+//! Columns sum to zero, but for what is stored.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
@@ -26,6 +19,7 @@ use oilwedge_fem::{ControlVolumes, Space};
 use rayon::prelude::*;
 
 use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
+use crate::film_point::dragged_thickness;
 use crate::{FilmChange, FilmFlow, FilmPoint};
 
 /// Sides of a sub-triangle, from corner to corner.
@@ -33,34 +27,19 @@ pub(super) const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 /// Triangles that one task visits.
 const CELLS_A_TASK: usize = 1024;
 
-/// How the oil of a sub-triangle is carried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AdvectionScheme {
-    /// Through the faces between cells, from upstream.
-    Faces,
-    /// By the N scheme.
-    Positive,
-    /// By the LDA scheme.
-    LowDiffusion,
-    /// By the N scheme, corrected so that a full film is that of the faces.
-    Corrected,
-}
-
 /// Coefficients of one sub-triangle.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Block {
     /// `K_ab` of each side.
     pub(super) stiffness: [f64; 3],
-    /// `C_ab` of the face across each side, from its first corner to its second [m3/s].
-    pub(super) couette: [f64; 3],
-    /// `k_i` [m2/s].
-    pub(super) weight: [f64; 3],
-    /// h at the corners [m], of rough surfaces the mean gap.
-    pub(super) thickness: [f64; 3],
+    /// `k_i` [m3/s].
+    pub(super) carried: [f64; 3],
     /// Volume taken up by each cell's piece while full [m3/s].
     pub(super) storage: [f64; 3],
     /// Volume of each cell's piece while full [m3].
     pub(super) volume: [f64; 3],
+    /// Thickness [m] that a full film of the flow F has: `2 F.U/U^2`; zero at rest.
+    pub(super) dragged: f64,
 }
 
 /// `K`, row by row.
@@ -155,8 +134,8 @@ impl Points {
         };
         let (film, flows) = change.unwrap_or(at);
         let velocity = at.0[corners[0]].velocity;
-        let (x, middles) = (corners.map(|point| self.positions[point]), middles.map(|point| self.positions[point]));
-        Block::new(velocity, x, middles, corners.map(|point| film[point]), corners.map(|point| flows[point]), flow)
+        let x = corners.map(|point| self.positions[point]);
+        Block::new(velocity, x, corners.map(|point| film[point]), corners.map(|point| flows[point]), flow)
     }
 }
 
@@ -196,7 +175,6 @@ impl Block {
     fn new(
         velocity: [f64; 2],
         x: [[f64; 2]; 3],
-        middles: [[f64; 2]; 3],
         film: [FilmPoint; 3],
         flows: [FilmFlow; 3],
         flow: Flow,
@@ -209,19 +187,16 @@ impl Block {
             [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled]
         });
         let mut block = Self {
-            weight: gradient.map(|g| 0.5 * area * (velocity[0] * g[0] + velocity[1] * g[1])),
-            thickness: [0, 1, 2].map(|k| film[k].thickness),
+            carried: gradient.map(|g| area * (flow.flux[0] * g[0] + flow.flux[1] * g[1])),
             // The centroid of a cell's piece lies at (22, 7, 7)/36.
             storage: [0, 1, 2].map(|i| weighted(i, |k| flows[k].storage) * area / 3.0),
             volume: [0, 1, 2].map(|i| weighted(i, |k| film[k].thickness) * area / 3.0),
+            dragged: dragged_thickness(velocity, flow.flux),
             ..Self::default()
         };
-        let centroid = [0, 1].map(|d| (x[0][d] + x[1][d] + x[2][d]) / 3.0);
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
             let (g, h) = (gradient[a], gradient[b]);
             block.stiffness[k] = flow.conductance * area * (g[0] * h[0] + g[1] * h[1]);
-            let along = [centroid[0] - middles[k][0], centroid[1] - middles[k][1]];
-            block.couette[k] = along[1] * flow.flux[0] - along[0] * flow.flux[1];
         }
         block
     }
@@ -239,100 +214,51 @@ impl Block {
         square
     }
 
-    /// `B`; faces take the oil from upstream as in the film `upwind` (itself, unless this is a change of it).
-    pub(super) fn transport(&self, scheme: AdvectionScheme, upwind: &Self) -> Square {
-        let mut square = match scheme {
-            AdvectionScheme::Faces => self.faces(upwind),
-            AdvectionScheme::Positive => self.n_scheme(),
-            AdvectionScheme::LowDiffusion => self.low_diffusion(),
-            AdvectionScheme::Corrected => self.corrected(upwind),
-        };
-        if matches!(scheme, AdvectionScheme::Positive | AdvectionScheme::LowDiffusion) {
-            self.take_sides(&mut square);
-        }
-        for i in 0..3 {
-            square[i][i] += self.storage[i];
-        }
-        square
-    }
-
-    fn faces(&self, upwind: &Self) -> Square {
-        let mut square = [[0.0; 3]; 3];
-        for (k, (a, b)) in SIDES.into_iter().enumerate() {
-            let from = if upwind.couette[k] > 0.0 { a } else { b };
-            square[a][from] += self.couette[k];
-            square[b][from] -= self.couette[k];
-        }
-        square
-    }
-
-    pub(super) fn n_scheme(&self) -> Square {
-        let (k, h) = (self.weight, self.thickness);
-        let inflow = self.inflow();
-        let mut square = [[0.0; 3]; 3];
-        for i in (0..3).filter(|&i| k[i] > 0.0) {
-            square[i][i] += k[i] * h[i];
-            for j in (0..3).filter(|&j| k[j] < 0.0) {
-                square[i][j] -= k[i] * k[j] / inflow * h[j];
+    /// `B`.
+    pub(super) fn transport(&self) -> Square {
+        let (k, s) = (self.carried, self.inflow());
+        let mut square = self.taken_up();
+        for j in (0..3).filter(|&j| k[j] < 0.0) {
+            square[j][j] -= k[j];
+            for i in (0..3).filter(|&i| k[i] > 0.0) {
+                square[i][j] -= k[i] * k[j] / s;
             }
         }
         square
     }
 
-    pub(super) fn low_diffusion(&self) -> Square {
-        let inflow = self.inflow();
-        self.weight.map(|k| {
-            let part = k.max(0.0) / -inflow;
-            [0, 1, 2].map(|j| part * self.weight[j] * self.thickness[j])
-        })
-    }
-
-    fn corrected(&self, upwind: &Self) -> Square {
-        let mut square = self.n_scheme();
-        self.take_sides(&mut square);
-        let (missing, of_upwind) = (self.missing(), upwind.missing());
-        for (a, b) in SIDES {
-            let flow = (missing[a] - missing[b]) / 3.0;
-            let from = if of_upwind[a] > of_upwind[b] { a } else { b };
-            square[a][from] += flow;
-            square[b][from] -= flow;
+    /// Change of the `B` of the block `of`, where this is the change of that block; the corners upstream stay.
+    pub(super) fn transport_change(&self, of: &Self) -> Square {
+        let (k, s, change) = (of.carried, of.inflow(), self.carried);
+        let change_of_s: f64 = (0..3).filter(|&j| k[j] < 0.0).map(|j| change[j]).sum();
+        let mut square = self.taken_up();
+        for j in (0..3).filter(|&j| k[j] < 0.0) {
+            square[j][j] -= change[j];
+            for i in (0..3).filter(|&i| k[i] > 0.0) {
+                square[i][j] -= (change[i] * k[j] + k[i] * change[j] - k[i] * k[j] * change_of_s / s) / s;
+            }
         }
         square
     }
 
-    /// Outflow of each piece of a full film by the faces, less that by the N scheme.
-    fn missing(&self) -> [f64; 3] {
-        let mut by_n = self.n_scheme();
-        self.take_sides(&mut by_n);
-        let mut missing = by_n.map(|row| -row.iter().sum::<f64>());
-        for (k, (a, b)) in SIDES.into_iter().enumerate() {
-            missing[a] += self.couette[k];
-            missing[b] -= self.couette[k];
+    /// What the cells take up for their own film fraction.
+    fn taken_up(&self) -> Square {
+        let mut square = [[0.0; 3]; 3];
+        for i in 0..3 {
+            square[i][i] = self.storage[i];
         }
-        missing
-    }
-
-    /// What leaves through the sides of T belongs to no inner face.
-    fn take_sides(&self, square: &mut Square) {
-        let h = self.thickness;
-        for (i, j) in SIDES {
-            let q = -2.0 * self.weight[3 - i - j];
-            square[i][i] -= 0.375 * q * h[i];
-            square[i][j] -= 0.125 * q * h[j];
-            square[j][j] -= 0.375 * q * h[j];
-            square[j][i] -= 0.125 * q * h[i];
-        }
+        square
     }
 
     /// `sum k_j^-`.
-    fn inflow(&self) -> f64 {
-        self.weight.iter().map(|k| k.min(0.0)).sum()
+    pub(super) fn inflow(&self) -> f64 {
+        self.carried.iter().map(|k| k.min(0.0)).sum()
     }
 
     /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
     pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
-        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i]).sum();
-        sum / self.inflow()
+        let sum: f64 = (0..3).map(|i| self.carried[i].min(0.0) * theta[i]).sum();
+        self.dragged * sum / self.inflow()
     }
 
     /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while none
@@ -340,13 +266,20 @@ impl Block {
     pub(super) fn is_starved(&self, cavity: [bool; 3]) -> bool {
         const ROUNDING: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
-        let largest = self.weight.iter().fold(0.0f64, |m, k| m.max(k.abs()));
+        let largest = self.carried.iter().fold(0.0f64, |m, k| m.max(k.abs()));
         let any = |from: f64, to: f64| {
-            (0..3).any(|i| cavity[i] && self.weight[i] >= from * largest && self.weight[i] < to * largest)
+            (0..3).any(|i| cavity[i] && self.carried[i] >= from * largest && self.carried[i] < to * largest)
         };
         let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
         upstream || (aside && !downstream)
     }
+}
+
+/// Thickness [m] at which a full film is dragged with the mean flow F of the sub-triangle of triangle `cell` that has these `corners` [m].
+pub(crate) fn thickness_dragged(law: &FilmLaw, cell: usize, corners: [[f64; 2]; 3]) -> f64 {
+    let middles = SIDES.map(|(a, b)| [0, 1].map(|d| 0.5 * (corners[a][d] + corners[b][d])));
+    let flows = law.film_and_flows(cell, &middles).1;
+    dragged_thickness(law.velocity(), Flow::mean(&[0, 1, 2].map(|k| flows[k])).flux)
 }
 
 fn weighted(i: usize, value: impl Fn(usize) -> f64) -> f64 {

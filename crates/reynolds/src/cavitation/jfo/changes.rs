@@ -1,4 +1,4 @@
-//! How the balances of a solved film change, to first order, with its law: cavity, film fraction and the choice of schemes stay.
+//! How the balances of a solved film change, to first order, with its law: cavity and film fraction stay.
 
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::{ControlVolumes, Error};
@@ -103,7 +103,7 @@ impl<'a> PointChanges<'a> {
 
     /// Changes of the balances of the corners of sub-triangle `t` with the change of its block.
     fn of_block(&self, t: usize, [upwind, moved]: &[Block; 2]) -> [f64; 3] {
-        let (k, b) = (moved.pressure(), moved.transport(self.fraction.schemes[t], upwind));
+        let (k, b) = (moved.pressure(), moved.transport_change(upwind));
         let nodes = self.volumes.triangles[t].map(|node| node as usize);
         [0, 1, 2].map(|i| {
             let parts = nodes.iter().enumerate();

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::InitialGuess;
 
-use super::{Choice, solve};
+use super::solve;
 use crate::{FilmSystem, NoFilm, SolvedFilm};
 
 impl FilmSystem {
@@ -47,7 +47,7 @@ impl SolvedFilm {
             u: dofs.iter().map(|&dof| solution.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| solution.cavity[dof]).collect(),
         };
-        Ok(Self::new(problem.clone(), vertices, solve(problem, vertices, 1.0, start, Choice::Anew)?))
+        Ok(Self::new(problem.clone(), vertices, solve(problem, vertices, 1.0, start)?))
     }
 }
 

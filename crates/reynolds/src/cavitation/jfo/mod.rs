@@ -12,16 +12,11 @@
 //! Finite volumes on the linear sub-mesh ([`oilwedge_fem::ControlVolumes`]): one q and one theta a node, each node
 //! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); `blocks` has the balance of
 //! one sub-triangle, `rows` the conditions, `active_set` the search for the cavity, `relaxation` what makes it
-//! short, `positivity` the least oil that a node holds, `loops` oil that no source sends, `spread` what triangles across the flow do to it. The load is integrated with
+//! short, `loops` oil that no source sends, `spread` what triangles across the flow do to it. The load is integrated with
 //! the quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
-//! Two passes. Where oil is transported a residual distribution is used, else faces: in pass one the N scheme wherever
-//! a node is in the cavity, chosen anew each step; in pass two, from the cavity of pass one, the LDA scheme
-//! only where the inflow side of a sub-triangle is starved. Each sub-triangle may change its form once as the cavity
-//! settles; with more changes nodes along the rupture line chatter. Round the few nodes that do not settle so, or
-//! would hold less than is carried to them, the N scheme stays. On rows along the flow, in which these films are meshed, both are one scheme.
-//! A film with a history is carried by one scheme all along, so that it is continuous in time.
-//! A set of nodes that comes back is answered by the N scheme all round the cavity, and then by pseudo-time.
+//! The film is a semismooth equation of its nodes: linear while the cavity stays, and one scheme carries the oil in all of it. The active set is that of Newton's method; a set that
+//! comes back is answered by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
 //! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation, or with a history; incompressible oil; triangles without
@@ -34,7 +29,6 @@ mod blocks;
 mod changes;
 mod coarse_comparison;
 mod loops;
-mod positivity;
 mod relaxation;
 mod rows;
 mod spread;
@@ -47,7 +41,7 @@ use oilwedge_fem::complementarity::InitialGuess;
 
 use self::active_set::Search;
 use self::balance::Balance;
-pub use self::blocks::AdvectionScheme;
+pub(crate) use self::blocks::thickness_dragged;
 use self::blocks::{Block, blocks};
 pub(crate) use self::changes::{PointChanges, residual_change};
 use self::relaxation::{Downstream, State};
@@ -68,8 +62,6 @@ const EPSILONS: f64 = 16.0;
 pub struct FilmFraction {
     /// Film fraction theta at each dof: one where the film is full.
     pub values: Vec<f64>,
-    /// How the oil of each sub-triangle ([`ControlVolumes`]) is carried.
-    pub schemes: Vec<AdvectionScheme>,
 }
 
 /// The discrete film.
@@ -97,30 +89,18 @@ struct History<'a> {
     volume: Vec<f64>,
 }
 
-/// How the advection schemes are chosen.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Choice<'a> {
-    /// In two passes.
-    Anew,
-    /// In the first alone: the film is only to start from.
-    Roughly,
-    /// As in this film.
-    Kept(&'a FilmFraction),
-}
-
 /// Solves the film from the cavity of `start`.
 pub(crate) fn solve(
     problem: &FilmProblem,
     system: &FilmSystem,
     motion: f64,
     start: InitialGuess,
-    choice: Choice,
 ) -> Result<FilmSolution, NoFilm> {
     let clock = std::time::Instant::now();
     let film = Film::new(problem, system, motion)?;
     let mut search = Search::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
-    let found = search.run(choice)?;
+    let found = search.run()?;
     let State { p, theta, cavity } = found.state;
     let least = (0..theta.len()).min_by(|&a, &b| theta[a].total_cmp(&theta[b]));
     if let Some(least) = least.filter(|&dof| theta[dof] < -ROUNDING) {
@@ -136,7 +116,7 @@ pub(crate) fn solve(
         inflow: film.rows.boundary_inflow(&found.residual, &theta),
         unknown: p,
         cavity,
-        film_fraction: Some(FilmFraction { values: theta, schemes: found.schemes }),
+        film_fraction: Some(FilmFraction { values: theta }),
         linearisation: std::sync::Arc::new(found.linearisation),
         gap_tangent: std::sync::OnceLock::new(),
         history: found.history,

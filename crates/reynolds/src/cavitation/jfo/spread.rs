@@ -51,7 +51,7 @@ pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Sprea
         }
         let theta = corners.map(|node| fraction.values[node]);
         let sent = |square: &Square, i: usize| (0..3).map(|j| square[i][j] * theta[j]).sum::<f64>();
-        let [n, lda] = [block.n_scheme(), block.low_diffusion()];
+        let [n, lda] = [n_scheme(block), low_diffusion(block)];
         let to_cavity = (0..3).filter(|&i| solution.cavity[corners[i]]);
         let spread = 0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag;
         if spread > ROUNDING * width(block, speed) { spread } else { 0.0 }
@@ -71,9 +71,21 @@ pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Sprea
     Ok(spread)
 }
 
-/// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: 2 |k| of a corner is that of the side across from it, times half the speed.
+/// Rows of the N scheme: each corner downstream gets its k times the difference of its film fraction and that of what comes in.
+fn n_scheme(block: &Block) -> Square {
+    let (k, s) = (block.carried, block.inflow());
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| k[i].max(0.0) * (f64::from(i == j) - k[j].min(0.0) / s)))
+}
+
+/// Rows of the LDA scheme: each corner downstream gets a part of `sum k_j theta_j` as large as that of its k in their sum.
+fn low_diffusion(block: &Block) -> Square {
+    let (k, s) = (block.carried, block.inflow());
+    k.map(|of| k.map(|k| of.max(0.0) / -s * k))
+}
+
+/// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: |k| of a corner is what a full film carries through half the side across from it.
 fn width(block: &Block, speed: f64) -> f64 {
-    block.weight.iter().map(|k| k.abs()).sum::<f64>() * 2.0 / speed
+    block.carried.iter().map(|k| k.abs()).sum::<f64>() * 2.0 / (block.dragged * speed)
 }
 
 /// Patches of sub-triangles that share nodes.
@@ -95,7 +107,7 @@ impl Patches {
     }
 
     fn add(&mut self, corners: [u32; 3], block: &Block, width: f64) {
-        let area = block.volume.iter().sum::<f64>() * 3.0 / block.thickness.iter().sum::<f64>();
+        let area = block.volume.iter().sum::<f64>() / block.dragged;
         let sums = &mut self.sums[self.parts.find(corners[0]) as usize];
         *sums = [sums[0] + area, sums[1] + width, sums[2] + 1.0];
     }

@@ -1,7 +1,8 @@
 //! Power in a mass-conserving film: how full it is between the nodes, and what the flows between cells work against the pressure.
 //!
-//! **Film fraction.** A sub-triangle whose upstream corners are in the cavity holds the oil `u = h theta` that they send into it, so that
-//! `theta(x) = min(1, u/h(x))`; all others are full. (The film fraction of a node is that of the oil which leaves its cell: taken for the cell around it,
+//! **Film fraction.** A sub-triangle whose upstream corners are in the cavity holds the oil `u = h_F theta` that they send into it, so that
+//! `theta(x) = min(1, u/h(x))`; all others are full. `h_F` is the thickness at which a full film is dragged with the flow F of the sub-triangle: the balances
+//! conserve `theta F`. (The film fraction of a node is that of the oil which leaves its cell: taken for the cell around it,
 //! every place at which the film becomes full again would lie half a cell too far upstream.)
 //!
 //! **Work.** Each balance times the pressure of its node, summed.
@@ -55,11 +56,24 @@ impl<'a> Carriage<'a> {
         let first = t * self.volumes.per_triangle;
         for (carried, s) in carried.iter_mut().zip(first..first + self.volumes.per_triangle) {
             let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s].map(|node| node as usize));
-            if (0..3).any(|i| block.weight[i] < 0.0 && cavity[nodes[i]]) {
+            if (0..3).any(|i| block.carried[i] < 0.0 && cavity[nodes[i]]) {
                 *carried = block.inflowing(nodes.map(|node| self.fraction.values[node]));
             }
         }
         carried
+    }
+
+    /// Thickness u [m] of the oil carried to a point of sub-triangle `sub` of triangle `t` that has these barycentric `coordinates` in it: what passes the side
+    /// where the flow to the point comes in. Infinite where it is full there.
+    pub(crate) fn carried_to(&self, t: usize, sub: usize, coordinates: [f64; 3]) -> f64 {
+        const FULL: f64 = 1.0 - 1e-12;
+        let s = t * self.volumes.per_triangle + sub;
+        let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s]);
+        let downstream = (0..3).filter(|&i| block.carried[i] > 0.0);
+        let way = downstream.map(|i| coordinates[i] / block.carried[i]).fold(f64::INFINITY, f64::min);
+        let entry = |i: usize| coordinates[i] - way * block.carried[i];
+        let fraction: f64 = (0..3).map(|i| entry(i) * self.fraction.values[nodes[i] as usize]).sum();
+        if fraction < FULL { block.dragged * fraction } else { f64::INFINITY }
     }
 }
 
@@ -73,15 +87,15 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
         let at = |values: &[f64]| nodes.map(|node| values[node as usize]);
         let (p, q, theta) = (at(excess), at(&film.unknown), at(&carriage.fraction.values));
         let block = &carriage.blocks[t];
-        let (pressure, motion) = carried(block, carriage.fraction, t, p, theta);
+        let (pressure, motion) = carried(block, p, theta);
         sum += Work { cavity_shear: 0.0, shear: 0.0, pressure, dragged: pressure, motion, driven: driven(block, p, q) };
     }
     sum
 }
 
 /// What dragging oil along and taking it up works, in one sub-triangle.
-fn carried(block: &Block, fraction: &FilmFraction, t: usize, p: [f64; 3], theta: [f64; 3]) -> (f64, f64) {
-    let transport = block.transport(fraction.schemes[t], block);
+fn carried(block: &Block, p: [f64; 3], theta: [f64; 3]) -> (f64, f64) {
+    let transport = block.transport();
     let outflow: f64 = (0..3).map(|i| p[i] * (0..3).map(|j| transport[i][j] * theta[j]).sum::<f64>()).sum();
     let stored: f64 = (0..3).map(|i| p[i] * block.storage[i] * theta[i]).sum();
     (stored - outflow, -stored)
