@@ -122,7 +122,7 @@ pub enum NoTemperature {
     )]
     NoFilmBeyond {
         /// The last film found.
-        last: HeatFlows,
+        last: PowersAt,
         /// Why there is none beyond; `None`: the search was ended.
         reason: Option<Box<NoAnswer>>,
     },
@@ -133,7 +133,7 @@ pub enum NoTemperature {
     )]
     TooHot {
         /// The film there.
-        hottest: HeatFlows,
+        hottest: PowersAt,
     },
 }
 
@@ -148,9 +148,9 @@ impl NoTemperature {
     }
 }
 
-/// What heats a film and what cools it, at one temperature.
+/// Power that warms a film, and what takes it off, at one temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HeatFlows {
+pub struct PowersAt {
     /// The temperature [K].
     pub temperature: f64,
     /// Power of friction [W].
@@ -159,7 +159,7 @@ pub struct HeatFlows {
     pub carried_off: f64,
 }
 
-impl std::fmt::Display for HeatFlows {
+impl std::fmt::Display for PowersAt {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { friction, carried_off, .. } = *self;
         write!(out, "friction makes {} W, and {} W are carried off", readable(friction), readable(carried_off))

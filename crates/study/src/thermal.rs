@@ -10,7 +10,7 @@ use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::grading::graded;
 use crate::liner_mesh::resized;
-use crate::no_answer::{HeatFlows, NoAnswer, NoTemperature};
+use crate::no_answer::{PowersAt, NoAnswer, NoTemperature};
 use crate::observer::Watch;
 use crate::oil::{at_temperature, first_temperature};
 use crate::solved::SolveOptions;
@@ -33,7 +33,7 @@ const COARSE_NODES: usize = 2500;
 
 /// Why there is no temperature.
 pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
-    let heat = |temperature: f64, film: &ThermalFlows| HeatFlows {
+    let powers = |temperature: f64, film: &ThermalFlows| PowersAt {
         temperature,
         friction: film.power,
         carried_off: balance.carried(temperature, film) + balance.given_off(temperature),
@@ -42,13 +42,13 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
         NoBalance::NoFilm(Left::Ended) => NoTemperature::Ended,
         NoBalance::Ends { temperature, film, reason } => NoTemperature::NoFilmBeyond {
-            last: heat(temperature, &film),
+            last: powers(temperature, &film),
             reason: match reason {
                 Left::NoAnswer(reason) => Some(Box::new(reason)),
                 Left::Ended => None,
             },
         },
-        NoBalance::TooHot { temperature, film } => NoTemperature::TooHot { hottest: heat(temperature, &film) },
+        NoBalance::TooHot { temperature, film } => NoTemperature::TooHot { hottest: powers(temperature, &film) },
     })
 }
 
