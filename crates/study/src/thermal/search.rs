@@ -2,12 +2,10 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
 use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited};
-use oilwedge_reynolds::Fallback;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
