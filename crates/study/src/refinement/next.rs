@@ -1,5 +1,6 @@
 //! The meshes on the way to a tolerance: drawn, given, or divided from the one before.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use oilwedge_fem::marking::doerfler;
@@ -14,7 +15,7 @@ use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
 use crate::grading::{Graded, Shown, graded_within};
-use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
+use crate::liner_mesh::{expected_triangles, least_unknowns, liner_mesh, resized};
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
 use crate::oil::at_temperature;
@@ -29,6 +30,8 @@ const FIRST: f64 = 3.0;
 const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
+/// A first mesh of so many unknowns, which takes a moment, may be made whatever the limit is.
+pub(super) const FIRST_UNKNOWNS: usize = 5_000;
 /// Edges of one that follows where that does not show whether a moment is carried, over its own.
 const UNDECIDED: f64 = 0.7;
 /// and the least ones over those as usual.
@@ -81,6 +84,40 @@ fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), posit
     let expected = resized(scene, factor).and_then(|resized| expected_triangles(&resized, position).ok());
     let share = expected.map_or(1.0, |expected| expected / triangles as f64);
     if share > most { share.sqrt() } else { 1.0 }
+}
+
+/// Most unknowns of a first mesh.
+fn first_limit(watch: Watch) -> usize {
+    watch.most_unknowns.max(FIRST_UNKNOWNS)
+}
+
+/// Refuses a liner whose first mesh, where it is drawn here, has more unknowns than allowed, before it is made.
+///
+/// # Errors
+/// [`CompileError::BeyondLimit`].
+pub(super) fn check_first(scene: &Scene, watch: Watch) -> Result<(), CompileError> {
+    let coarsest = match scene.mesh {
+        MeshSource::Drawing { size: None } => resized(scene, FIRST),
+        _ => None,
+    };
+    // What cannot be drawn is reported where it is to be used.
+    let least = coarsest.and_then(|coarse| least_unknowns(&coarse, Position::start(scene)).ok());
+    least.map_or(Ok(()), |least| within_limit(scene, least, watch))
+}
+
+/// Refuses a first mesh of so many unknowns if there may not be so many.
+fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), CompileError> {
+    if unknowns <= first_limit(watch) as f64 {
+        return Ok(());
+    }
+    let bearing = &scene.bearing;
+    let turn = bearing.arc.map_or(TAU, |arc| arc.to - arc.from);
+    Err(CompileError::BeyondLimit {
+        around: turn * bearing.radius(),
+        length: bearing.length,
+        unknowns,
+        most: watch.most_unknowns,
+    })
 }
 
 /// The next mesh.
@@ -156,8 +193,10 @@ impl Next {
             }
             Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let film = graded_within(&resized, MOST_TRIANGLES / factor.min(1.0).powi(2), shown.as_ref(), watch)?;
-                Ok((Refinement::Given, film))
+                let most = f64::min(MOST_TRIANGLES, 0.5 * first_limit(watch) as f64);
+                let graded = graded_within(&resized, most / factor.min(1.0).powi(2), shown.as_ref(), watch)?;
+                within_limit(scene, graded.film.unknowns() as f64, watch)?;
+                Ok((Refinement::Given, graded))
             }
             Self::DrawnFiner(factor, triangles, known) => {
                 let scene = known.scene(scene);
