@@ -78,7 +78,8 @@ fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: De
     let (mut points, mut last): (_, Option<Solved>) = (Vec::new(), None);
     for k in 1..=FILMS {
         let temperature = root + f64::from(k) * step;
-        if temperature < model.balance.range()[0] {
+        // The curve of a run that ends is left out.
+        if temperature < model.balance.range()[0] || deadline.is_over() {
             break;
         }
         let Some(solved) = film_at(temperature, last.as_ref().unwrap_or(found), &positions, deadline) else {
