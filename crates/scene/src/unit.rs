@@ -168,6 +168,18 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     Err(UnitError { text: unit.to_owned(), expected, fault })
 }
 
+/// All symbols of the kind of a unit, with the prefixes that they may have: `N`, `kN`, `kgf` of `N`. None of a text that is no unit.
+pub fn symbols_like(unit: &str) -> Vec<String> {
+    composed::alike(unit)
+}
+
+/// Whether a unit of this kind, in its own spelling, is composed of symbols, so that others of their kinds may stand for them.
+pub fn is_composed(unit: &str, expected: Dimension) -> bool {
+    let mut others = expected.units().iter().filter_map(|(name, _)| composed(name));
+    let powers = others.next().map(|unit| unit.powers);
+    composed(unit).is_some_and(|unit| Some(unit.powers) == powers)
+}
+
 /// The unit of this kind that is meant by a misspelt one. A short word is meant only where it differs by letter case or by repeated letters, and
 /// not where case tells two units apart: `mN` and `MN`.
 fn alike(unit: &str, expected: Dimension) -> Option<&'static str> {
