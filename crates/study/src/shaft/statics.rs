@@ -183,6 +183,7 @@ fn report(
             tilt_max: tilt_x.hypot(tilt_y),
             ..BearingReport::of(bearing, estimated.quantities, options.bars)
         };
+        let report = BearingReport { tilt_max_error: report.tilt_error(), ..report };
         let named = warnings.into_iter().map(|warning| warning.of(&BearingReport::part(&report.name)));
         result.warnings.extend(named);
         result.bearings.push(report);
