@@ -31,7 +31,8 @@ pub enum Clock {
     /// The time on the wall.
     #[default]
     Wall,
-    /// The time of the processor in the threads of the run or, where that is less, the time on the wall: a busy machine shortens no run.
+    /// The time of the processor in the threads of the run or, where that is less, the time on the wall: a busy machine
+    /// shortens no run.
     Processor,
     /// A clock that shows the seconds [s] since some moment.
     Showing(fn() -> f64),

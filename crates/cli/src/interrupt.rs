@@ -1,5 +1,6 @@
-//! Ctrl-C and SIGTERM: the first ends a run with the results it has, the second ends the program at once. A run that does not come to its end within
-//! a second is ended with the best answer kept before or, where there is none, with a sentence.
+//! Ctrl-C and SIGTERM: the first ends a run with the results it has, the second ends the program at once. A run that
+//! does not come to its end within a second is ended with the best answer kept before or, where there is none, with a
+//! sentence.
 
 use crate::complain::{Failure, INTERRUPTED, say};
 use oilwedge_study::Interrupt;
@@ -26,7 +27,8 @@ static END: OnceLock<Box<dyn Fn(Best) -> u8 + Send + Sync>> = OnceLock::new();
 /// Held by whoever writes results: the run, or what ends it.
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// Turns the two signals into a wish. Only for runs that look after it: others are ended by the first, as any program is.
+/// Turns the two signals into a wish. Only for runs that look after it: others are ended by the first, as any program
+/// is.
 ///
 /// # Errors
 /// The system refuses to deliver signals.
@@ -37,7 +39,8 @@ pub(crate) fn listen() -> Result<Interrupt, Failure> {
     Ok(Interrupt::when(&ASKED))
 }
 
-/// Turns the two signals into a wish as [`listen`] does, and sees that it is met in time; where no answer is kept, these words are said.
+/// Turns the two signals into a wish as [`listen`] does, and sees that it is met in time; where no answer is kept,
+/// these words are said.
 ///
 /// # Errors
 /// The system refuses to deliver signals, or a thread.

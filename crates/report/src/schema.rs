@@ -1,6 +1,8 @@
-//! The JSON schema (draft 7) of scenes, made of the catalogue of keys: for editors, and for tools that check TOML by a schema.
+//! The JSON schema (draft 7) of scenes, made of the catalogue of keys: for editors, and for tools that check TOML by a
+//! schema.
 //!
-//! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by the program alone.
+//! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by
+//! the program alone.
 
 use oilwedge_scene::catalogue::keys;
 use oilwedge_scene::keys::{Form, Key};
@@ -68,8 +70,8 @@ fn unit_patterns(unit: &str, dimension: Dimension) -> Vec<String> {
     std::iter::once(unit.to_owned()).chain(turned).map(|unit| unit_pattern(&unit, &symbols)).collect()
 }
 
-/// A pattern of the spellings of a unit: `um`, `µm`; `Pa.s`, `Pa s`, `Pa·s`; `mm2`, `mm^2`, `mm²`; `rad/s`, `rad s^-1`. Others of their kinds stand for
-/// these symbols of it.
+/// A pattern of the spellings of a unit: `um`, `µm`; `Pa.s`, `Pa s`, `Pa·s`; `mm2`, `mm^2`, `mm²`; `rad/s`, `rad s^-1`.
+/// Others of their kinds stand for these symbols of it.
 fn unit_pattern(unit: &str, symbols: &[&str]) -> String {
     let letters = |part: &str| letters(part, symbols);
     let direct = letters(unit);

@@ -62,6 +62,7 @@ pub trait RunObserver: SearchObserver + OrbitObserver {
     /// Temperature `number` of this search, from 1, is tried next [degrees C].
     fn temperature(&self, number: usize, celsius: f64);
 
-    /// Counterweights moved a part of the way to those that serve the cut shaft best change the least film [m] of the shaft of the scene.
+    /// Counterweights moved a part of the way to those that serve the cut shaft best change the least film [m] of the
+    /// shaft of the scene.
     fn counterweights(&self, _part: f64, _film: [f64; 2]) {}
 }

@@ -82,7 +82,8 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     Ok(Run { result, picture, orbit: None, frames: Vec::new() })
 }
 
-/// The result of a scene that is `solved` on the last of some meshes, with the limit that ends it, if one does; what takes a search is left out.
+/// The result of a scene that is `solved` on the last of some meshes, with the limit that ends it, if one does; what
+/// takes a search is left out.
 pub(crate) fn result_of(
     scene: &Scene,
     (solved, estimated): (&Solved, Estimated),

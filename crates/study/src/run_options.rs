@@ -16,9 +16,11 @@ pub struct RunOptions {
     pub unrolled: bool,
     /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
     pub bars: bool,
-    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
+    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite
+    /// for none.
     pub max_seconds: f64,
-    /// What counts these seconds: the processor those of the usual limit, the wall those of a limit that a caller gives.
+    /// What counts these seconds: the processor those of the usual limit, the wall those of a limit that a caller
+    /// gives.
     pub clock: Clock,
     /// No mesh of that refinement has more unknowns, but for one that the scene gives.
     pub max_unknowns: usize,
@@ -42,7 +44,8 @@ pub struct EarlierOrbit {
 }
 
 impl RunOptions {
-    /// The usual ones for a scene. A mesh that is given, and not refined towards a tolerance, takes the time that it takes.
+    /// The usual ones for a scene. A mesh that is given, and not refined towards a tolerance, takes the time that it
+    /// takes.
     pub fn of(scene: &Scene) -> Self {
         let usual = Self::default();
         Self {

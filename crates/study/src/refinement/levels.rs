@@ -27,15 +27,16 @@ const MOMENT: f64 = 1.0;
 const MOST_LEVELS: usize = 30;
 /// Most unknowns of a mesh over those of the one before.
 const MOST_GROWTH: f64 = 16.0;
-/// Meshes for bars that are wanted but not required,
+/// Most meshes for bars that are wanted but not required.
 const MOST_WANTED_LEVELS: usize = 2;
-/// their most unknowns,
+/// Most unknowns of a mesh for such bars.
 const MOST_WANTED_UNKNOWNS: usize = 40_000;
-/// fewer where each position that is tried takes long: where position and tilt of a film that conserves oil are found,
+/// Most unknowns of such a mesh where position and tilt of a film that conserves oil are found: each position takes
+/// long.
 const MOST_WANTED_EXPENSIVE: usize = 20_000;
-/// and with a wall that gives way, which is closed at each position,
+/// Most unknowns of such a mesh with a wall that gives way, which is closed at each position.
 const MOST_WANTED_ON_WALL: usize = 5_000;
-/// and these over those of the mesh before.
+/// Most unknowns of such a mesh over those of the mesh before.
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
 impl Level {
@@ -287,7 +288,8 @@ impl Refining<'_> {
         self.finer_for(&goal, last, level).ok()
     }
 
-    /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is expensive.
+    /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is
+    /// expensive.
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
         let film = &level.solved.film;

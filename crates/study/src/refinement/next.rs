@@ -24,17 +24,17 @@ use crate::reasons::Limit;
 use crate::result::Refinement;
 use oilwedge_scene::{MeshSource, Scene};
 
-/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is,
+/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
 const FIRST: f64 = 3.0;
-/// less where it would have fewer triangles, on which pictures are not smooth.
+/// Least triangles of the first mesh, which has shorter edges where it would have fewer: pictures are not smooth then.
 const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
 /// A first mesh of so many unknowns, which takes a moment, may be made whatever the limit is.
 pub(super) const FIRST_UNKNOWNS: usize = 5_000;
-/// Edges of one that follows where that does not show whether a moment is carried, over its own.
+/// Edges of a mesh that follows where the first does not show whether a moment is carried, over those of the first.
 const UNDECIDED: f64 = 0.7;
-/// and the least ones over those as usual.
+/// Least edges of such a mesh over those of a mesh that is used as it is.
 const FINEST: f64 = 0.5;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
@@ -44,7 +44,8 @@ const TOO_MANY: f64 = 4.0;
 const DRAWN: usize = 5;
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;
-/// Triangles of a mesh divided locally over those before: where fewer triangles carry that share they are divided again,
+/// Triangles of a mesh divided locally over those before: where fewer triangles carry that share they are divided
+/// again,
 const LOCAL_GROWTH: f64 = 1.2;
 /// so many times at most.
 const MOST_DIVISIONS: usize = 4;
@@ -61,8 +62,9 @@ fn first_factor(scene: &Scene) -> f64 {
     factor_for(scene, FIRST, (LEAST_TRIANGLES, f64::INFINITY), Position::start(scene))
 }
 
-/// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and no more than so many times as many: sizes that
-/// holes and grooves ask for are not those that the factor changes, and a film thinner than the one of the mesh before asks for shorter edges everywhere.
+/// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and
+/// no more than so many times as many: sizes that holes and grooves ask for are not those that the factor changes, and
+/// a film thinner than the one of the mesh before asks for shorter edges everywhere.
 fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
     factor *= coarsening(scene, factor, (triangles, most), position);
     for _ in 0..DRAWN {
@@ -78,8 +80,9 @@ fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), p
     factor
 }
 
-/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that of the mesh before would have more than `most` times
-/// as many `triangles`: to draw it first would take longer than all the rest.
+/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that
+/// of the mesh before would have more than `most` times as many `triangles`: to draw it first would take longer than
+/// all the rest.
 fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
     let expected = resized(scene, factor).and_then(|resized| expected_triangles(&resized, position).ok());
     let share = expected.map_or(1.0, |expected| expected / triangles as f64);
@@ -122,9 +125,11 @@ fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), Compil
 
 /// The next mesh.
 pub(super) enum Next {
-    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment takes.
+    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment
+    /// takes.
     Drawn(f64, Option<Shown>),
-    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the film found before.
+    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the
+    /// film found before.
     DrawnFiner(f64, usize, Known),
     /// That of the scene as it is.
     Given,
@@ -255,7 +260,8 @@ impl Next {
     pub(super) fn refined(last: &Self, level: &Level, growth: &Growth) -> Result<Self, Limit> {
         let (film, estimated) = (&level.solved.film, &level.estimated);
         let mesh = film.system.space().mesh();
-        // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
+        // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too
+        // coarse.
         let is_fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
         let is_local = !growth.is_stuck && (estimated.is_local || is_fitted || growth.is_bound);
         // Rows along the flow are divided as a whole: a triangle divided for its neighbour's sake lies across it.
@@ -274,8 +280,8 @@ impl Next {
     }
 }
 
-/// A mesh whose triangles with the greatest indicators are divided: once, or as often as it takes for a mesh that is notably larger. At the edge of a cavity the part of a triangle falls with the square
-/// of its area.
+/// A mesh whose triangles with the greatest indicators are divided: once, or as often as it takes for a mesh that is
+/// notably larger. At the edge of a cavity the part of a triangle falls with the square of its area.
 fn divided_locally(mesh: &Mesh, indicator: &[f64]) -> Result<Mesh, Vec<Defect>> {
     let wanted = LOCAL_GROWTH * mesh.triangles().len() as f64;
     let (mut divided, mut expected) = divided_once(mesh, indicator)?;

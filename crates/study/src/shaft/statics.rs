@@ -27,9 +27,9 @@ use crate::warnings::all_warnings;
 
 /// Meshes are drawn anew for the films that were found at most so many times.
 const MESHES: usize = 3;
-/// What the films that are reported carry may differ from the loads by this part of them,
+/// Greatest difference of loads and of what the films that are reported carry, over the loads.
 const BALANCED: f64 = 1e-9;
-/// and the shaft is balanced so many times at most until it does.
+/// Most balances of the shaft until that difference is met.
 const MOST_BALANCES: usize = 20;
 
 /// Solves the films of a shaft at rest.

@@ -20,9 +20,9 @@ use oilwedge_scene::Engine;
 
 /// Films on either side of the temperature found.
 const FILMS: i32 = 3;
-/// They reach so many times as far as the mean temperature lies above that of the oil fed,
+/// Reach of the curve on both sides, over the distance of the mean temperature from that of the oil fed.
 const REACH: f64 = 1.5;
-/// and this far [K] at least.
+/// Least reach of the curve [K].
 const LEAST_REACH: f64 = 10.0;
 
 /// How the temperature of a film was found; none where it was not sought.
