@@ -95,7 +95,7 @@ fn a_first_mesh_has_no_more_unknowns_than_allowed() {
         });
         let options = RunOptions { max_unknowns: 40_000, ..RunOptions::default() };
         let error = run(&scene, &options).expect_err("it is too large").to_string();
-        for words in ["--max-unknowns 40000", "235.6 mm around and 0.02 mm long", "higher limit"] {
+        for words in ["--max-unknowns 40000", "235.619 mm around and 0.02 mm long", "higher limit"] {
             assert!(error.contains(words), "{error}");
         }
     }
