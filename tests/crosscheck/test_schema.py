@@ -56,6 +56,30 @@ def test_new_scenes_name_their_schema(tmp_path):
     assert refused(lint(*scenes, cwd=tmp_path), "jornal") == set(map(str, scenes))
 
 
+@pytest.mark.parametrize(
+    ("key", "text"),
+    [
+        ("Damping", "5e5 N s/m"),
+        ("Damping", "5 s kN/mm"),
+        ("Stiffness", "20 kN/mm"),
+        ("Stiffness", "3 lbf/in"),
+        ("Pressure", "2 kgf/cm2"),
+        ("Viscosity", "1e-6 lbf s/in²"),
+        ("Force", "12 daN"),
+        ("Speed", "50 rev/s"),
+        ("VolumeFlow", "6 m3/h"),
+        ("Torque", "3 kNm"),
+    ],
+)
+def test_composed_units_are_accepted(schema, key, text):
+    assert re.search(json.loads(schema.read_text())["definitions"][key]["pattern"], text)
+
+
+@pytest.mark.parametrize(("key", "text"), [("Damping", "5 N/m"), ("Pressure", "3 mPa"), ("Speed", "50 1/s"), ("Length", "3 kg")])
+def test_other_units_are_refused(schema, key, text):
+    assert not re.search(json.loads(schema.read_text())["definitions"][key]["pattern"], text)
+
+
 def test_wrong_scenes_are_refused(tmp_path, schema):
     scene = tmp_path / "scene.toml"
     scene.write_text(WRONG["scene"])

@@ -16,9 +16,9 @@ use crate::search::{Search, Trial};
 const BALANCED: f64 = 1e-10;
 /// Accuracy of the iterations of the cubic film.
 const BALANCED_ENOUGH: f64 = 1e-8;
-/// Part of a deflection that may be left at the first position, where the balance is not near,
+/// Part of a deflection that may be left at the first position, where the balance is not near.
 const FIRST_CLOSED: f64 = 1e-5;
-/// and over the residual of the position before at the next ones.
+/// Part of a deflection that may be left at a later position, over the residual of the position before.
 const OF_RESIDUAL: f64 = 1e-4;
 /// Most positions tried.
 const MOST_STEPS: usize = 12;

@@ -4,6 +4,8 @@ use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use crate::processor;
+
 /// A request, such as Ctrl-C, that a run ends with what it has reached.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Interrupt(Option<&'static AtomicBool>);
@@ -24,27 +26,46 @@ impl Interrupt {
 }
 
 /// What counts the seconds of a run; by default the time on the wall.
-#[derive(Debug, Clone, Copy)]
-pub struct Clock(fn() -> f64);
+#[derive(Debug, Clone, Copy, Default)]
+pub enum Clock {
+    /// The time on the wall.
+    #[default]
+    Wall,
+    /// The time of the processor in the threads of the run or, where that is less, the time on the wall: a busy machine
+    /// shortens no run.
+    Processor,
+    /// A clock that shows the seconds [s] since some moment.
+    Showing(fn() -> f64),
+}
 
 impl Clock {
-    /// The time on the wall.
-    pub const WALL: Self = Self(on_the_wall);
-
-    /// A clock that shows the seconds [s] since some moment.
-    pub fn showing(seconds: fn() -> f64) -> Self {
-        Self(seconds)
+    /// The moment now, from which seconds are counted.
+    pub fn start(self) -> Moment {
+        Moment { clock: self, shown: self.shown() }
     }
 
-    /// What it shows now [s].
-    pub fn now(&self) -> f64 {
-        (self.0)()
+    /// What each of its clocks shows now [s]; the least time that passes by one of them counts.
+    fn shown(self) -> [f64; 2] {
+        match self {
+            Self::Wall => [on_the_wall(); 2],
+            Self::Processor => [on_the_wall(), processor::seconds()],
+            Self::Showing(seconds) => [seconds(); 2],
+        }
     }
 }
 
-impl Default for Clock {
-    fn default() -> Self {
-        Self::WALL
+/// A moment from which the seconds of a run are counted.
+#[derive(Debug, Clone, Copy)]
+pub struct Moment {
+    clock: Clock,
+    shown: [f64; 2],
+}
+
+impl Moment {
+    /// Seconds since then [s].
+    pub fn elapsed(&self) -> f64 {
+        let [before, now] = [self.shown, self.clock.shown()];
+        f64::min(now[0] - before[0], now[1] - before[1])
     }
 }
 
@@ -57,8 +78,8 @@ fn on_the_wall() -> f64 {
 /// When a search must end: at a moment, or when it is interrupted. By default never.
 #[derive(Debug, Clone, Copy)]
 pub struct Deadline {
-    clock: Clock,
-    until: f64,
+    begun: Moment,
+    seconds: f64,
     interrupt: Interrupt,
 }
 
@@ -70,13 +91,12 @@ impl Deadline {
 
     /// In `seconds` [s] of this clock from now, which may be infinite, or with the interrupt.
     pub fn by(clock: Clock, seconds: f64, interrupt: Interrupt) -> Self {
-        let until = clock.now() + seconds;
-        Self { clock, until, interrupt }
+        Self { begun: clock.start(), seconds, interrupt }
     }
 
     /// Whether it has passed.
     pub fn is_over(&self) -> bool {
-        self.interrupt.is_asked() || self.until.is_finite() && self.clock.now() >= self.until
+        self.interrupt.is_asked() || self.seconds.is_finite() && self.begun.elapsed() >= self.seconds
     }
 }
 
@@ -99,7 +119,7 @@ mod tests {
         assert!(!Deadline::after(1e300, interrupt).is_over());
         assert!(!Deadline::after(100.0, interrupt).is_over());
         assert!(Deadline::after(0.0, interrupt).is_over());
-        let stopped = Clock::showing(|| 3.0);
+        let stopped = Clock::Showing(|| 3.0);
         assert!(!Deadline::by(stopped, 1e-9, interrupt).is_over());
         assert!(Deadline::by(stopped, 0.0, interrupt).is_over());
         ASKED.store(true, Ordering::Relaxed);

@@ -19,15 +19,15 @@ const TURNS: usize = 12;
 const ALIGNED: f64 = 1e-3;
 /// Turns of the line of centres over those of the force that are followed.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
-/// Places all around the bearing at which the direction of the force is asked,
+/// Places all around the bearing at which the direction of the force is computed.
 const AROUND: u32 = 24;
-/// and most halvings between two of them.
+/// Most halvings between two of these places.
 const HALVINGS: usize = 12;
 /// Contact presses a wall no further out where one more solve of it moves the end of the journal's way by less than this part of the clearance,
 const YIELDED: f64 = 1e-4;
-/// within so many,
+/// Most of these solves of the wall.
 const MOST_YIELDS: usize = 6;
-/// and far where that end lies so many clearances further out.
+/// A wall yields far where the end of the search lies so many clearances further out.
 const FAR_OUT: f64 = 0.1;
 /// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;

@@ -10,9 +10,9 @@ use crate::search::{Nearest, Search, Trial};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
 const LOST: f64 = 1e-7;
-/// A force within this factor of the load
+/// A force within this factor of the load, at most, leaves open whether little is carried in contact.
 const NEARLY: f64 = 2.0;
-/// and this angle [rad] leaves open whether there is a position where little is carried in contact.
+/// A force within this angle [rad] of the load leaves open whether little is carried in contact.
 const ASTRAY: f64 = 0.5;
 
 impl Search<'_> {

@@ -11,29 +11,31 @@ use crate::tangent::Tangent;
 
 /// Most halvings of one step.
 const MOST_HALVINGS: usize = 8;
-/// A step far from the balance of a film that conserves oil or bends its wall, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
+/// A step far from the balance of a film that conserves oil or bends its wall, each of which takes long, brings it
+/// nearer by this part of the distance at least: one driven into contact does not.
 const LEAST_GAIN: f64 = 1e-3;
 /// and where the tilt is free, as the branch of balances leads on from there: by this part,
 const LEAST_GAIN_TILTING: f64 = 1e-2;
 /// with a step halved so often.
 const MOST_HALVINGS_TILTING: usize = 6;
-/// Least film thickness after a step, over the one before,
+/// Least film thickness after a step, over the one before.
 const LEAST_SHRINK: f64 = 0.1;
-/// and where the tilt is free: an end comes near the liner before the force shows it.
+/// Least film thickness after a step where the tilt is free: an end comes near the liner before the force shows it.
 const LEAST_SHRINK_TILTING: f64 = 0.3;
-/// and where surfaces touch: contact grows like the exponential of the gap.
+/// Least film thickness after a step where surfaces touch: contact grows like the exponential of the gap.
 const LEAST_SHRINK_TOUCHING: f64 = 0.4;
 /// Longest turn of the line of centres in one step [rad].
 const LONGEST_TURN: f64 = 1.0;
 /// Least eccentricity at which steps are taken in logarithmic coordinates.
 const CENTRED: f64 = 1e-3;
-/// A small part of the gap,
+/// A small part of the gap.
 const LITTLE: f64 = 1e-2;
-/// and the greatest part of a way by which a wall is taken to follow.
+/// Greatest part of a way by which a wall is taken to follow.
 const MOST_FOLLOWED: f64 = 0.99;
 /// Moves by less than this part of the least film thickness start from the film before.
 pub const SHORT_MOVE: f64 = 0.2;
-/// and where the tilt of a film that conserves oil is free, which coarser meshes foretell less well, by less than this part.
+/// Where the tilt of a film that conserves oil is free, which coarser meshes foretell less well, only moves by less
+/// than this part start from it.
 const SHORT_MOVE_TILTING: f64 = 0.8;
 
 impl Search<'_> {
@@ -53,9 +55,11 @@ impl Search<'_> {
         })
     }
 
-    /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
-    /// the load, and the direction in which it begins: where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to the first leads
-    /// nearer to the load. None for a centred journal, without a load, and where the force points away from the load.
+    /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings
+    /// `ln |W|`, the angle of W and the arms of the moments to those of the load, and the direction in which it begins:
+    /// where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to
+    /// the first leads nearer to the load. None for a centred journal, without a load, and where the force points away
+    /// from the load.
     fn logarithmic_steps(&self, trial: &Trial, tangent: &Tangent) -> Option<[Vector; 2]> {
         let [e_x, e_y] = trial.film.problem.journal.offset;
         let e = e_x.hypot(e_y);
@@ -74,7 +78,8 @@ impl Search<'_> {
         let across = carried[0] * asked[1] - carried[1] * asked[0];
         let [arm_x, arm_y] = self.arms_off(trial);
         let wanted = [(load / force).ln(), across.atan2(along), -arm_x, -arm_y];
-        // Columns: change of (ln |W|, angle of W, arms of the moments) by s, by the angle of the line of centres, and by the tilt.
+        // Columns: change of (ln |W|, angle of W, arms of the moments) by s, by the angle of the line of centres, and
+        // by the tilt.
         let radial = [e_x / e, e_y / e];
         let by_s = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * reach(e_y.atan2(e_x));
         let by_tilt = trial.film.problem.bearing.clearance;
@@ -110,7 +115,8 @@ impl Search<'_> {
         Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
     }
 
-    /// How far the wall follows a journal that moves along the line of centres, as a part of that way [1]; none of a rigid wall.
+    /// How far the wall follows a journal that moves along the line of centres, as a part of that way [1]; none of a
+    /// rigid wall.
     fn following(&self, trial: &Trial, tangent: &Tangent) -> Option<f64> {
         let (problem, journal) = (&trial.film.problem, &trial.film.problem.journal);
         problem.deflection()?;
@@ -123,7 +129,8 @@ impl Search<'_> {
         Some((gained / (LITTLE * gap)).clamp(0.0, MOST_FOLLOWED))
     }
 
-    /// Whether the tilt is free in a film that conserves oil: each trial takes long, many lead into contact, and the branch of balances leads on from there.
+    /// Whether the tilt is free in a film that conserves oil: each trial takes long, many lead into contact, and the
+    /// branch of balances leads on from there.
     pub(crate) fn is_costly(&self, trial: &Trial) -> bool {
         self.load.tilting.is_some() && trial.film.solution.film_fraction.is_some()
     }
@@ -139,8 +146,9 @@ impl Search<'_> {
         }
     }
 
-    /// The trial after the longest of the halved parts of a way that brings the forces nearer to the load, the film thickness kept positive where the wall follows along the tangent. The
-    /// way is the parabola to its `end` that begins in the direction of `beginning`, straight where both are the same.
+    /// The trial after the longest of the halved parts of a way that brings the forces nearer to the load, the film
+    /// thickness kept positive where the wall follows along the tangent. The way is the parabola to its `end` that
+    /// begins in the direction of `beginning`, straight where both are the same.
     fn damped(
         &self,
         (from, tangent): (&Trial, &Tangent),

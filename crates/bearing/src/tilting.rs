@@ -27,9 +27,9 @@ use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
 const FIRST: f64 = 0.25;
 /// Growth of the steps where they are corrected quickly.
 const GROWTH: f64 = 1.6;
-/// Corrections that count as quick, and most of one step;
+/// Corrections that count as quick, and most corrections of one step.
 const CORRECTIONS: [usize; 2] = [3, 5];
-/// under a wall that gives way, where each film is one.
+/// The two numbers of corrections under a wall that gives way, where each film is a correction.
 const CORRECTIONS_WITH_WALL: [usize; 2] = [6, 9];
 /// Under a wall that gives way a film that leaves no more than this part of what the branch balances, or of the load,
 const ON_BRANCH: f64 = 1e-3;
@@ -47,9 +47,9 @@ const MOST_POINTS: usize = 60;
 const FALLEN: f64 = 0.5;
 /// A film that has lost so much of the clearance at an end, where the branch cannot be followed further, is one in contact there.
 const NEAR_CONTACT: f64 = 0.05;
-/// A finer mesh begins where the film was still this part of the clearance,
+/// A finer mesh begins where the film on the coarser one was still this part of the clearance.
 const WAYPOINT: f64 = 0.02;
-/// and the part still grew by so much of what it did at first.
+/// A finer mesh begins where the part that is balanced still grew by so much of its first growth.
 const AHEAD: f64 = 0.3;
 /// Under a wall that gives way a film thinner than this part of the clearance is left to that mesh.
 const LEFT_TO_FINER: f64 = 0.01;

@@ -31,7 +31,7 @@ const MOST_LENGTHS: i32 = 7;
 const ROUGHEST: f64 = 1e-2;
 /// over what is left, which Newton's method squares;
 const OF_LEFT: f64 = 0.3;
-/// and the part of what may be left at last that it leaves of it.
+/// The system of a last step leaves this part of what may be left at last.
 const SPARE: f64 = 0.3;
 /// Least film after a step over that before.
 const LEAST_SHRINK: f64 = 0.3;

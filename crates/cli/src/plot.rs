@@ -140,7 +140,8 @@ impl Plot {
 
     fn of_scene(&self) -> Result<ExitCode, Failure> {
         let scene = oilwedge_study::read(&self.of)?;
-        let options = RunOptions { interrupt: interrupt::listen()?, ..RunOptions::of(&scene) };
+        let options =
+            RunOptions { interrupt: interrupt::listen_in_time(interrupt::NOTHING)?, ..RunOptions::of(&scene) };
         let working = Progress::of("the film");
         let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;
         drop(working);
@@ -158,6 +159,7 @@ impl Plot {
             to_vtu(&picture, compression)
         });
         let picture = picture.transpose()?;
+        let _writing = interrupt::writing();
         write_results(&folder, &run.result, &[], Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;

@@ -1,12 +1,9 @@
 //! Arguments that `solve` and `sweep` share: error bars and limits of a run.
 
 use crate::complain::Failure;
-use cpu_time::ProcessTime;
 use oilwedge_scene::Scene;
-use oilwedge_study::{Clock, Interrupt, RunOptions};
+use oilwedge_study::{Interrupt, RunOptions};
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
-use std::time::Instant;
 
 /// How a scene is run.
 #[derive(Debug, clap::Args)]
@@ -33,7 +30,7 @@ pub(crate) struct RunArguments {
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 
-    /// Most unknowns of meshes that are refined towards a tolerance; the first mesh, and one that the scene gives, may have more.
+    /// Most unknowns of meshes that are refined towards a tolerance; the first mesh may have 5000 in any case, and one that the scene gives more.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
     max_unknowns: usize,
 }
@@ -73,38 +70,22 @@ impl RunArguments {
         let usual = RunOptions::of(scene);
         Ok(RunOptions {
             bars: self.bars == Bars::Auto,
-            max_seconds: self.max_seconds.unwrap_or(usual.max_seconds),
-            // A limit that nobody gave does not count the time that a busy machine spends on others.
-            clock: match self.max_seconds {
-                Some(_) => Clock::WALL,
-                None => Clock::showing(own_seconds),
-            },
             max_unknowns: self.max_unknowns,
             interrupt,
-            ..usual
+            ..usual.limited(self.max_seconds)
         })
     }
 
     /// The options of a run of a crankshaft, which takes the time that it takes.
     pub(crate) fn options_of_shaft(&self) -> RunOptions {
-        RunOptions {
-            bars: self.bars == Bars::Auto,
-            max_seconds: self.max_seconds.unwrap_or(f64::INFINITY),
-            ..RunOptions::default()
-        }
+        RunOptions { bars: self.bars == Bars::Auto, max_seconds: f64::INFINITY, ..RunOptions::default() }
+            .limited(self.max_seconds)
     }
 
     /// The folder of the results.
     pub(crate) fn folder(&self) -> PathBuf {
         folder(&self.out, &self.scene)
     }
-}
-
-/// Seconds since the first call [s]: on the wall or, where that is less, of the processor in all threads.
-fn own_seconds() -> f64 {
-    static START: LazyLock<(Instant, ProcessTime)> = LazyLock::new(|| (Instant::now(), ProcessTime::now()));
-    let (on_the_wall, of_processor) = (START.0.elapsed(), START.1.elapsed());
-    on_the_wall.min(of_processor).as_secs_f64()
 }
 
 /// The folder given, else `out/NAME` for `NAME.toml`.

@@ -2,7 +2,7 @@
 
 use crate::complain::{self, Failure};
 use crate::crankshaft;
-use crate::interrupt;
+use crate::interrupt::{self, Best};
 use crate::plot;
 use crate::progress::Progress;
 use crate::report::PageArguments;
@@ -20,9 +20,10 @@ use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::Plan;
+use oilwedge_study::RunOptions;
 use oilwedge_study::orbit::{Frame, no_map};
+use oilwedge_study::result::Status;
 use oilwedge_study::shaft::Variant;
-use oilwedge_study::{Interrupt, RunOptions};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -136,8 +137,12 @@ impl Solve {
             Err(error) if crankshaft::is_crankshaft(&error) => return self.crankshaft(),
             other => other?,
         };
-        let is_search = scene.tolerance.is_some() || scene.is_loaded();
-        let interrupt = if is_search { interrupt::listen()? } else { Interrupt::NEVER };
+        // An orbit that is ended still counts its cycles that are complete.
+        let interrupt = match &scene.orbit {
+            Some(_) => interrupt::listen()?,
+            None => interrupt::listen_in_time(interrupt::NOTHING)?,
+        };
+        interrupt::end_with(self.end());
         let options = RunOptions {
             unrolled: self.unrolled,
             frames: self.frames.unwrap_or(0),
@@ -172,6 +177,8 @@ impl Solve {
         }
         drop(working);
         let json = result_json(&run.result, &add_ons)?;
+        let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
+        interrupt::keep(Best { result: run.result.clone(), orbit: orbit.clone() });
         let figures = match run.picture.as_ref().filter(|_| self.plot) {
             Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
             None => Vec::new(),
@@ -190,13 +197,13 @@ impl Solve {
             }
             false => None,
         };
-        let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = self.vtu.map_or_else(|| Compression::usual(&picture), Compression::from);
             to_vtu(&picture, compression)
         });
         let picture = picture.transpose()?;
         let folder = self.run.folder();
+        let _writing = interrupt::writing();
         write_results(&folder, &run.result, &add_ons, Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
@@ -210,6 +217,28 @@ impl Solve {
             Some(&folder),
         )?;
         Ok(exit_code(run.result.status))
+    }
+
+    /// What writes and prints the numbers of a run, without its pictures, that an interrupt ends before it ends by itself; the exit status.
+    fn end(&self) -> impl Fn(Best) -> u8 + Send + Sync + 'static {
+        let (folder, shown, json) = (self.run.folder(), self.shown(), self.run.json);
+        move |Best { result, orbit }| {
+            let written = || -> Result<(), Failure> {
+                let text = result_json(&result, &[])?;
+                write_results(&folder, &result, &[], Beside { picture: None, orbit: orbit.as_deref() })?;
+                complain::warn(&result.warnings);
+                let written = Written { folder: &folder, has_fields: false, pictures: "" };
+                output(json, || Ok(text), || run_report(&result, shown, &[], Some(written)), Some(&folder))
+            };
+            match written() {
+                Ok(()) => u8::from(result.status != Status::Converged),
+                Err(failure) => {
+                    let status = failure.status();
+                    failure.report();
+                    status
+                }
+            }
+        }
     }
 
     /// Solves the scene of a crankshaft.

@@ -107,13 +107,13 @@ impl Sweep {
         let (cases, options, example) = match oilwedge_study::read(path) {
             Err(error) if is_crankshaft(&error) => {
                 let scene = ShaftScene::read(path)?;
-                let options = RunOptions { interrupt: interrupt::listen()?, ..self.run.options_of_shaft() };
+                let options = RunOptions { interrupt: interrupt::listen_in_time(KEPT)?, ..self.run.options_of_shaft() };
                 let example = "speed = { from = \"1000 rpm\", to = \"6000 rpm\", steps = 6 }";
                 (Cases::of_shaft(&scene)?, options, example)
             }
             scene => {
                 let scene = scene?;
-                let options = self.run.options(&scene, interrupt::listen()?)?;
+                let options = self.run.options(&scene, interrupt::listen_in_time(KEPT)?)?;
                 (Cases::of(&scene)?, options, "eccentricity = { from = 0.1, to = 0.95, steps = 18 }")
             }
         };
@@ -130,6 +130,9 @@ impl Sweep {
         joined.unwrap_or_else(|| self.run.folder())
     }
 }
+
+/// What is said where a case takes long to end.
+const KEPT: &str = "the cases that ended before are kept; the same command goes on with the missing cases";
 
 /// Computes a sweep or a part of it, and shows how far it has got.
 fn computed(cases: &Cases, options: &SweepOptions, folder: &Path) -> Result<SweepReport, SweepError> {

@@ -150,9 +150,9 @@ impl Draft {
     }
 }
 
-/// File of the page,
+/// File of the page.
 const PAGE: &str = "stability.md";
-/// and of its picture.
+/// File of the picture of the page.
 const PICTURES: [&str; 2] = ["stability.svg", "stability.png"];
 
 /// Computed numbers beside known ones, in a table; nothing where there are none.

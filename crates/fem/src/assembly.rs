@@ -16,9 +16,9 @@ use crate::lagrange::MOST_SHAPES;
 use crate::sparsity::{Addresses, Sparsity};
 use crate::{Matrix, Pattern, Space};
 
-/// Most blocks of rows that are assembled independently,
+/// Most blocks of rows that are assembled independently.
 const MOST_RANGES: usize = 32;
-/// and least triangles of one: fewer take less time than it takes to share them out.
+/// Least triangles of a block: fewer take less time than it takes to share them out.
 const LEAST_TRIANGLES: usize = 256;
 
 /// Assembles laws on one space.

@@ -38,10 +38,9 @@ impl Asked {
         RunOptions {
             unrolled: self.unrolled,
             bars: self.bars,
-            max_seconds: self.max_seconds.unwrap_or(usual.max_seconds),
             max_unknowns: self.max_unknowns,
             interrupt,
-            ..usual
+            ..usual.limited(self.max_seconds)
         }
     }
 }

@@ -4,8 +4,8 @@ use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use oilwedge_study::Interrupt;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use oilwedge_study::{Interrupt, pool};
+use rayon::ThreadPool;
 
 use crate::failure::Failure;
 
@@ -62,7 +62,7 @@ impl Pool {
         if let Some(place) = fitting {
             return Ok(Self(Some(pools.swap_remove(place).1)));
         }
-        let made = ThreadPoolBuilder::new().num_threads(threads).build();
+        let made = pool(threads);
         made.map(|pool| Self(Some(pool)))
             .map_err(|error| Failure::Argument(format!("cannot start {threads} threads: {error}; give fewer threads")))
     }

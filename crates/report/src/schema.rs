@@ -1,14 +1,17 @@
-//! The JSON schema (draft 7) of scenes, made of the catalogue of keys: for editors, and for tools that check TOML by a schema.
+//! The JSON schema (draft 7) of scenes, made of the catalogue of keys: for editors, and for tools that check TOML by a
+//! schema.
 //!
-//! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by the program alone.
+//! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by
+//! the program alone.
 
 use oilwedge_scene::catalogue::keys;
 use oilwedge_scene::keys::{Form, Key};
 use oilwedge_scene::sweep::SHORT_NAMES;
-use oilwedge_scene::unit::Dimension;
+use oilwedge_scene::unit::{Dimension, is_composed, symbols_like};
 use oilwedge_scene::{SWEPT, SWEPT_OF_SHAFT};
 use oilwedge_study::quantities::CATALOGUE;
 use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
 
 /// Title of the schema, by which its files are known.
 pub const TITLE: &str = "Scene of oilwedge";
@@ -40,7 +43,11 @@ fn definition(dimension: Dimension) -> String {
 
 /// A quantity in any spelling of its units that scenes accept.
 fn quantity(dimension: Dimension) -> Value {
-    let units: Vec<_> = dimension.units().iter().map(|(unit, _)| unit_pattern(unit)).collect();
+    let mut units: Vec<_> = dimension.units().iter().flat_map(|(unit, _)| unit_patterns(unit, dimension)).collect();
+    let composed = dimension.units().iter().find(|(unit, _)| is_composed(unit, dimension));
+    units.extend(composed.iter().flat_map(|(unit, _)| symbols_like(unit)).map(|symbol| spelled(&symbol)));
+    let mut known = BTreeSet::new();
+    units.retain(|unit| known.insert(unit.clone()));
     json!({
         "type": "string",
         "pattern": format!(r"^\s*{NUMBER}\s*({})\s*$", units.join("|")),
@@ -49,8 +56,24 @@ fn quantity(dimension: Dimension) -> Value {
     })
 }
 
+/// Patterns of a unit and of those composed of symbols of the same kinds, the factors of a product in either order.
+fn unit_patterns(unit: &str, dimension: Dimension) -> Vec<String> {
+    if !is_composed(unit, dimension) {
+        return vec![unit_pattern(unit, &[])];
+    }
+    let symbols: Vec<&str> = unit.split(|letter: char| !letter.is_ascii_alphabetic()).collect();
+    let (product, rest) = unit.split_once('/').map_or((unit, None), |(product, rest)| (product, Some(rest)));
+    let turned = product.split_once('.').filter(|(_, last)| !last.contains('.')).map(|(first, last)| match rest {
+        Some(rest) => format!("{last}.{first}/{rest}"),
+        None => format!("{last}.{first}"),
+    });
+    std::iter::once(unit.to_owned()).chain(turned).map(|unit| unit_pattern(&unit, &symbols)).collect()
+}
+
 /// A pattern of the spellings of a unit: `um`, `µm`; `Pa.s`, `Pa s`, `Pa·s`; `mm2`, `mm^2`, `mm²`; `rad/s`, `rad s^-1`.
-pub fn unit_pattern(unit: &str) -> String {
+/// Others of their kinds stand for these symbols of it.
+fn unit_pattern(unit: &str, symbols: &[&str]) -> String {
+    let letters = |part: &str| letters(part, symbols);
     let direct = letters(unit);
     match unit.rsplit_once('/') {
         Some((front, last))
@@ -66,19 +89,42 @@ pub fn unit_pattern(unit: &str) -> String {
     }
 }
 
-fn letters(unit: &str) -> String {
-    let unit = unit.replace("deg", "°");
-    let spelled = unit.chars().enumerate().map(|(place, letter)| match letter {
-        'u' if place == 0 => "[uµμ]".to_owned(),
-        '°' => "(deg|°)".to_owned(),
+/// A symbol with its other spellings.
+fn spelled(symbol: &str) -> String {
+    let symbol = symbol.replace("deg", "(deg|°)");
+    symbol.strip_prefix('u').map_or(symbol.clone(), |rest| format!("[uµμ]{rest}"))
+}
+
+fn letters(unit: &str, symbols: &[&str]) -> String {
+    let (mut pattern, mut word) = (String::new(), String::new());
+    let end = |word: &mut String, pattern: &mut String| {
+        let alike = if symbols.contains(&word.as_str()) { symbols_like(word) } else { Vec::new() };
+        let all: Vec<String> = alike.iter().map(|symbol| spelled(symbol)).collect();
+        *pattern += &if all.is_empty() { spelled(word) } else { format!("({})", all.join("|")) };
+        word.clear();
+    };
+    for letter in unit.chars() {
+        if letter.is_ascii_alphabetic() {
+            word.push(letter);
+            continue;
+        }
+        end(&mut word, &mut pattern);
+        pattern += &mark(letter);
+    }
+    end(&mut word, &mut pattern);
+    pattern
+}
+
+/// What stands between the symbols of a unit, with its other spellings.
+fn mark(letter: char) -> String {
+    match letter {
         '.' => format!("{TIMES}+"),
         '/' => format!("{TIMES}*/{TIMES}*"),
         '2' => r"\^?[2²]".to_owned(),
         '3' => r"\^?[3³]".to_owned(),
         '(' | ')' => format!(r"\{letter}"),
         letter => letter.to_string(),
-    });
-    spelled.collect()
+    }
 }
 
 /// The keys of the table at `path`; the empty path is the whole scene.

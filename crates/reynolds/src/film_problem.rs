@@ -33,9 +33,9 @@ use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, The
 const WORTH_MULTIGRID: usize = 8_000;
 /// the same where a factor serves many right-hand sides.
 const WORTH_MULTIGRID_OFTEN: usize = 150_000;
-/// A triangle with a longer edge than this many times the height on it is a needle,
+/// A triangle with a longer edge than this many times the height on it is a needle.
 const NEEDLE: f64 = 5.0;
-/// and this share of them slows multigrid down.
+/// A mesh with this share of needles slows multigrid down.
 const MANY_NEEDLES: f64 = 0.02;
 
 /// How viscosity that depends on pressure enters the equation.

@@ -24,9 +24,9 @@ const LEAST: [usize; 2] = [8, 3];
 const MOST_POINTS: usize = 1200;
 /// Angles are equally spaced but for this part of a step.
 const EQUAL: f64 = 1e-4;
-/// The matrix is symmetric but for this part of its greatest entry,
+/// The matrix is symmetric but for this part of its greatest entry.
 const SYMMETRIC: f64 = 1e-3;
-/// and no load does less work than this part of it, with a minus.
+/// Least work of a load, over the greatest entry of the matrix.
 const INDEFINITE: f64 = 1e-6;
 
 /// Displacements of points for unit forces.

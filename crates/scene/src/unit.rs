@@ -1,9 +1,10 @@
 //! Quantities as people write them (`"25 mm"`, `"3000 rpm"`) become SI numbers here, once.
 //!
-//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2, K. A quantity is a number and a unit,
-//! with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
-//! matters, since mPa is not MPa. Turns are counted in `rpm` or `Hz`; `1/s` is refused for a speed, for it may be a radian or a turn a second.
-//! Other units are composed of symbols (`daN`, `kgf/cm2`). Temperatures count from the absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
+//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2, K. A quantity is a number and a
+//! unit, with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
+//! matters, since mPa is not MPa. Turns are counted in `rpm` or `Hz`; `1/s` is refused for a speed, for it may be a
+//! radian or a turn a second. Other units are composed of symbols (`daN`, `kgf/cm2`). Temperatures count from the
+//! absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
 
 mod composed;
 
@@ -130,8 +131,8 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     }
 }
 
-/// The number and the unit of a quantity as they are written; `None` where the text does not begin with a finite number or has no
-/// unit behind it.
+/// The number and the unit of a quantity as they are written; `None` where the text does not begin with a finite number
+/// or has no unit behind it.
 pub(crate) fn split(text: &str) -> Option<(f64, &str)> {
     let trimmed = text.trim();
     let (number, unit) = trimmed.split_at(number_length(trimmed));
@@ -168,8 +169,22 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     Err(UnitError { text: unit.to_owned(), expected, fault })
 }
 
-/// The unit of this kind that is meant by a misspelt one. A short word is meant only where it differs by letter case or by repeated letters, and
-/// not where case tells two units apart: `mN` and `MN`.
+/// All symbols of the kind of a unit, with the prefixes that they may have: `N`, `kN`, `kgf` of `N`. None of a text
+/// that is no unit.
+pub fn symbols_like(unit: &str) -> Vec<String> {
+    composed::alike(unit)
+}
+
+/// Whether a unit of this kind, in its own spelling, is composed of symbols, so that others of their kinds may stand
+/// for them.
+pub fn is_composed(unit: &str, expected: Dimension) -> bool {
+    let mut others = expected.units().iter().filter_map(|(name, _)| composed(name));
+    let powers = others.next().map(|unit| unit.powers);
+    composed(unit).is_some_and(|unit| Some(unit.powers) == powers)
+}
+
+/// The unit of this kind that is meant by a misspelt one. A short word is meant only where it differs by letter case or
+/// by repeated letters, and not where case tells two units apart: `mN` and `MN`.
 fn alike(unit: &str, expected: Dimension) -> Option<&'static str> {
     let names = || expected.units().iter().map(|(name, _)| *name);
     let plain = |name: &str| {
@@ -321,7 +336,8 @@ mod tests {
         close("1 Nm", Torque, 1.0);
     }
 
-    /// No hint changes the quantity: what looks like a unit but is another one is told with its conversion, or with the list of units.
+    /// No hint changes the quantity: what looks like a unit but is another one is told with its conversion, or with the
+    /// list of units.
     #[test]
     fn hints_keep_the_quantity() {
         for (text, dimension, words) in [

@@ -5,6 +5,7 @@ use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::supply::SupplyError;
 use oilwedge_scene::wording::{degrees, micrometres, millimetres};
 
+use crate::reasons::flags::MORE_SECONDS;
 use crate::reasons::way_out_of_supply;
 use crate::wall::NoWall;
 
@@ -104,6 +105,26 @@ pub enum CompileError {
     /// The wall of the liner cannot be made.
     #[error(transparent)]
     Wall(#[from] NoWall),
+    /// The first mesh is larger than a run may have.
+    #[error(
+        "the coarsest mesh of the liner, {} around and {} long with its feeds, has some {unknowns:.0} unknowns, more than --max-unknowns {most}; give --max-unknowns a higher limit, or a liner whose length, lands and grooves are not so small beside its circumference", millimetres(*around), millimetres(*length)
+    )]
+    BeyondLimit {
+        /// Circumference of the liner [m].
+        around: f64,
+        /// Its length [m].
+        length: f64,
+        /// Unknowns of the mesh, about.
+        unknowns: f64,
+        /// Most unknowns.
+        most: usize,
+    },
+    /// A limit of time came before the first mesh.
+    #[error("the first mesh of the liner was not made in time, by {cause}; {MORE_SECONDS}, or [mesh] a size")]
+    Late {
+        /// The limit in words.
+        cause: String,
+    },
     /// The film is too large for this machine.
     #[error(transparent)]
     Fem(#[from] oilwedge_fem::Error),

@@ -54,7 +54,7 @@ pub mod warning;
 pub mod warnings;
 
 pub use oilwedge_bearing::orbit::OrbitObserver;
-pub use oilwedge_bearing::{Clock, Interrupt, SearchObserver};
+pub use oilwedge_bearing::{Clock, Interrupt, SearchObserver, pool};
 
 pub use checks::{CHECKS, check_columns, complaints, parse, read};
 pub use compile_error::CompileError;

@@ -3,7 +3,7 @@
 use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
     Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate_graded, generate_in_rows,
-    generate_in_rows_like,
+    generate_in_rows_like, triangles_graded, triangles_in_rows,
 };
 use oilwedge_mesh::quality::lies_in_rows;
 use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
@@ -131,8 +131,26 @@ fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
 }
 
 fn drawn(scene: &Scene, size: Option<f64>, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
-    let blueprint = Blueprint { liner: liner(scene), features: features(scene), line: scene.bearing.film_start };
-    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), scale)
+    graded(scene, &blueprint_of_scene(scene), size.unwrap_or(needed_size(scene)), scale)
+}
+
+/// The drawing of the liner that a scene describes.
+fn blueprint_of_scene(scene: &Scene) -> Blueprint {
+    Blueprint { liner: liner(scene), features: features(scene), line: scene.bearing.film_start }
+}
+
+/// About how many unknowns at least a film has on the drawn liner of a scene, its mesh graded for the film at `position`.
+///
+/// # Errors
+/// The liner cannot be meshed, or a table of a measured surface cannot be used.
+pub fn least_unknowns(scene: &Scene, position: Position) -> Result<f64, CompileError> {
+    // A strip of single cells, the shape with the fewest, has one node across in each column and one at each of two edges.
+    const PER_TRIANGLE: f64 = 1.5;
+    let scale = FilmScale::of(scene, position)?;
+    let longest = scene.mesh.size().unwrap_or(needed_size(scene));
+    let triangles =
+        by_grading(scene, &blueprint_of_scene(scene), (longest, &scale), triangles_in_rows, triangles_graded);
+    triangles.map(|triangles| PER_TRIANGLE * triangles).map_err(CompileError::Drawing)
 }
 
 /// The scene with the longest edges of its mesh `factor` times as long; `None` where its mesh is that of a file.
@@ -173,6 +191,17 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
+    by_grading(scene, blueprint, (longest, scale), generate_in_rows, generate_graded)
+}
+
+/// What is made of a drawing in rows or, of a film that needs none, with free triangles, with edges of at most `longest` [m].
+fn by_grading<T>(
+    scene: &Scene,
+    blueprint: &Blueprint,
+    (longest, scale): (f64, &FilmScale),
+    in_rows: impl FnOnce(&Blueprint, &Rows) -> Result<T, Vec<DrawingError>>,
+    free: impl FnOnce(&Blueprint, &dyn Fn([f64; 2]) -> f64, Grading) -> Result<T, Vec<DrawingError>>,
+) -> Result<T, Vec<DrawingError>> {
     // The films of an orbit are many, and each groove and hole is beside the thinnest film for a moment only.
     let grading = match scene.orbit {
         Some(_) => Grading::BY_SIZE,
@@ -184,9 +213,9 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale)
             let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
             let sense = Sense::of(scene.journal.speed);
             let rows = Rows { along, across, sense, grading };
-            generate_in_rows(blueprint, &rows)
+            in_rows(blueprint, &rows)
         }
-        None => generate_graded(blueprint, &|at| longest * scale.at(at) / LONGEST, grading),
+        None => free(blueprint, &|at| longest * scale.at(at) / LONGEST, grading),
     }
 }
 

@@ -32,7 +32,7 @@ pub struct Touching {
 }
 
 /// Everything measured on one film.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Measured {
     /// Load and its shares.
     pub load: Load,

@@ -22,6 +22,11 @@ pub enum NoAnswer {
     Orbit(NoOrbit),
     /// There is no temperature at which the balance closes.
     Temperature(NoTemperature),
+    /// A limit or an interrupt came before the first film, on a mesh with so many unknowns.
+    NotBegun {
+        /// Unknowns of the mesh.
+        unknowns: usize,
+    },
 }
 
 impl From<NoFilm> for NoAnswer {
@@ -44,6 +49,9 @@ impl std::fmt::Display for NoAnswer {
             Self::Equilibrium(reason) => reason.fmt(out),
             Self::Orbit(reason) => reason.fmt(out),
             Self::Temperature(reason) => reason.fmt(out),
+            Self::NotBegun { unknowns } => {
+                write!(out, "the film on the first mesh, of {unknowns} unknowns, was not begun")
+            }
         }?;
         way_out(self).map_or(Ok(()), |way_out| write!(out, "; {way_out}"))
     }
@@ -57,6 +65,7 @@ impl NoAnswer {
         let limit = match self {
             Self::Orbit(NoOrbit::Ended { angle }) => Limit::FirstCycle(*angle, cause),
             Self::Temperature(NoTemperature::Ended) => Limit::FirstTemperature(cause),
+            Self::NotBegun { unknowns } => Limit::FirstMesh(*unknowns, cause),
             Self::Equilibrium(reason) => match reason.cause() {
                 NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
                 _ => return self.to_string(),
@@ -73,6 +82,7 @@ impl NoAnswer {
             Self::Equilibrium(reason) => reason.is_unreached(),
             Self::Orbit(reason) => reason.is_unreached(),
             Self::Temperature(reason) => reason.is_unreached(),
+            Self::NotBegun { .. } => true,
         }
     }
 
@@ -95,7 +105,7 @@ impl NoAnswer {
     pub fn way(&self) -> Option<&Waypoint> {
         match self {
             Self::Equilibrium(reason) => reason.way(),
-            Self::Film(_) | Self::Orbit(_) | Self::Temperature(_) => None,
+            Self::Film(_) | Self::Orbit(_) | Self::Temperature(_) | Self::NotBegun { .. } => None,
         }
     }
 
@@ -189,6 +199,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
         NoAnswer::Temperature(NoTemperature::Ended) => return Some(MORE_SECONDS),
         NoAnswer::Temperature(_) => return None,
+        NoAnswer::NotBegun { .. } => return Some(MORE_SECONDS),
     };
     Some(match film {
         NoFilm::AboveLimit { law: LawKind::Roelands, .. } => {

@@ -4,6 +4,7 @@ use oilwedge_bearing::orbit::OrbitObserver;
 use oilwedge_bearing::{Deadline, SearchObserver};
 
 use crate::quantities::Unit;
+use crate::result::RunResult;
 
 /// The bar that decides whether a mesh is fine enough.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,13 +30,15 @@ pub struct Reached {
 pub struct Watch {
     /// When they must end.
     pub deadline: Deadline,
+    /// Most unknowns of the meshes that are made for them.
+    pub most_unknowns: usize,
     /// Notified of each position that is tried, if anyone is.
     pub observer: Option<&'static dyn RunObserver>,
 }
 
 impl From<Deadline> for Watch {
     fn from(deadline: Deadline) -> Self {
-        Self { deadline, observer: None }
+        Self { deadline, most_unknowns: usize::MAX, observer: None }
     }
 }
 
@@ -53,9 +56,13 @@ pub trait RunObserver: SearchObserver + OrbitObserver {
     /// A mesh was solved, and its bars are known.
     fn reached(&self, reached: &Reached);
 
+    /// A mesh was solved that is not yet the last: what the run answers if it ends now.
+    fn best(&self, _result: RunResult) {}
+
     /// Temperature `number` of this search, from 1, is tried next [degrees C].
     fn temperature(&self, number: usize, celsius: f64);
 
-    /// Counterweights moved a part of the way to those that serve the cut shaft best change the least film [m] of the shaft of the scene.
+    /// Counterweights moved a part of the way to those that serve the cut shaft best change the least film [m] of the
+    /// shaft of the scene.
     fn counterweights(&self, _part: f64, _film: [f64; 2]) {}
 }

@@ -246,8 +246,8 @@ pub(crate) fn measured(
     options: &RunOptions,
 ) -> Result<Followed, NoAnswer> {
     let Orbit { mut steps, cycles, end } = orbit;
-    let mut samples = sample::samples(film, motion, &steps, options.errors())?;
-    sample::refine_peak(film, motion, &mut steps, &mut samples, options.errors())?;
+    let mut samples = sample::samples(film, motion, &steps, options)?;
+    sample::refine_peak(film, motion, &mut steps, &mut samples, options)?;
     drift::carry(&steps, &mut samples, end);
     drift::add_closure(&cycles, &mut samples, motion.coordinates().order);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();

@@ -243,9 +243,9 @@ const UNMET: u32 = u32::MAX;
 
 /// Nodes numbered in the order in which they are met.
 struct Nodes {
-    /// Of each dof on the main side,
+    /// Number of each dof on the main side.
     on_main: Vec<u32>,
-    /// and elsewhere.
+    /// Number of each dof elsewhere.
     beside: HashMap<(usize, Side), u32>,
     dofs: Vec<usize>,
     positions: Vec<[f64; 2]>,

@@ -43,6 +43,8 @@ pub enum Limit {
     FirstPosition([f64; 2], Cause),
     /// The search for a temperature was ended before a first one was solved.
     FirstTemperature(Cause),
+    /// The run was ended before the film on its first mesh, of so many unknowns.
+    FirstMesh(usize, Cause),
     /// The orbit was ended after so many complete cycles, the last of which closed to this part of the clearance.
     Orbit(usize, f64, Cause),
     /// The next mesh was not finished after so many seconds.
@@ -60,8 +62,10 @@ pub enum Limit {
     Seconds {
         /// How far the tolerance is.
         distance: Distance,
-        /// Seconds so far, seconds of the next mesh, seconds allowed [s].
-        seconds: [f64; 3],
+        /// Seconds so far, and seconds of the next mesh [s].
+        seconds: [f64; 2],
+        /// What does not allow them.
+        cause: Cause,
     },
     /// So many meshes were refined.
     Meshes(Distance, usize),
@@ -89,12 +93,17 @@ impl Cause {
     pub(crate) fn ends(self, search: &str) -> String {
         match self {
             Self::Interrupt => format!("interrupted: {search}"),
-            Self::GivenLimit(seconds) => {
-                format!("limit: {search}, by --max-seconds {seconds}; {MORE_SECONDS}")
-            }
-            Self::UsualLimit(seconds) => {
-                format!("limit: {search}, by the usual limit of {seconds} s of processor time; {MORE_SECONDS}")
-            }
+            Self::GivenLimit(_) | Self::UsualLimit(_) => format!("limit: {search}, by {self}; {MORE_SECONDS}"),
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Interrupt => write!(out, "an interrupt"),
+            Self::GivenLimit(seconds) => write!(out, "--max-seconds {seconds}"),
+            Self::UsualLimit(seconds) => write!(out, "the usual limit of {seconds} s of processor time"),
         }
     }
 }
@@ -199,6 +208,11 @@ impl fmt::Display for Limit {
                 "the search for the temperature was ended before a first one was solved".to_owned(),
                 *cause,
             ),
+            Self::FirstMesh(unknowns, cause) => ended(
+                out,
+                format!("the first mesh, of {unknowns} unknowns, was made, and its film was not begun"),
+                *cause,
+            ),
             Self::Orbit(cycles, closure, cause) => ended(
                 out,
                 format!(
@@ -213,7 +227,7 @@ impl fmt::Display for Limit {
                     Cause::Interrupt => write!(out, "interrupted: {distance} on {unknowns} unknowns"),
                     Cause::GivenLimit(_) | Cause::UsualLimit(_) => write!(
                         out,
-                        "limit: {distance} on {unknowns} unknowns, and the next mesh was not finished after {seconds:.1} s; {MORE_SECONDS}, or {}",
+                        "limit: {distance} on {unknowns} unknowns, and the next mesh was not finished after {seconds:.1} s, by {cause}; {MORE_SECONDS}, or {}",
                         distance.way_out()
                     ),
                 }
@@ -226,10 +240,11 @@ impl fmt::Display for Limit {
             ),
             Self::Seconds {
                 distance,
-                seconds: [elapsed, next, most],
+                seconds: [elapsed, next],
+                cause,
             } => write!(
                 out,
-                "limit: {distance} after {elapsed:.1} s, and the next mesh would take some {next:.1} s, beyond {most:.1} s in all; {MORE_SECONDS}, or {}",
+                "limit: {distance} after {elapsed:.1} s, and the next mesh would take some {next:.1} s, beyond {cause}; {MORE_SECONDS}, or {}",
                 distance.way_out()
             ),
             Self::Meshes(distance, meshes) => {

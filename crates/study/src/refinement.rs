@@ -51,9 +51,13 @@ pub struct Answer {
 /// # Errors
 /// The scene does not become a film.
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
+    let targets = targets(scene).filter(|_| options.bars);
+    if targets.is_some() {
+        next::check_first(scene, options.watch())?;
+    }
     let warmed = crate::thermal::warmed(scene, options.watch())?;
     let scene = warmed.as_ref().unwrap_or(scene);
-    if let Some(targets) = targets(scene).filter(|_| options.bars) {
+    if let Some(targets) = targets {
         return levels::towards(scene, &targets, options);
     }
     let watch = options.watch();

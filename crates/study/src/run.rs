@@ -82,6 +82,23 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     Ok(Run { result, picture, orbit: None, frames: Vec::new() })
 }
 
+/// The result of a scene that is `solved` on the last of some meshes, with the limit that ends it, if one does; what
+/// takes a search is left out.
+pub(crate) fn result_of(
+    scene: &Scene,
+    (solved, estimated): (&Solved, Estimated),
+    levels: &[LevelFacts],
+    limit: Option<&Limit>,
+    options: &RunOptions,
+) -> RunResult {
+    let mut result = without_outcome(scene, (&solved.film, levels), options);
+    report(scene, (solved, estimated), &options.limited(Some(0.0)), &mut result);
+    if let Some(limit) = limit {
+        (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
+    }
+    result
+}
+
 /// Adds the time of all to the times of a run [s], and names that which no part has: what came `before` them.
 fn add_total(result: &mut RunResult, before: &str, total: f64) {
     let named: f64 = result.timing_s.iter().map(|(_, seconds)| seconds).sum();
@@ -237,7 +254,7 @@ fn report_reason(reason: &NoAnswer, options: &RunOptions, result: &mut RunResult
             result.history = (1..).zip(reason.history()).map(step).collect();
             result.counts.position_steps = reason.history().len();
         }
-        NoAnswer::Orbit(_) | NoAnswer::Temperature(_) => {}
+        NoAnswer::Orbit(_) | NoAnswer::Temperature(_) | NoAnswer::NotBegun { .. } => {}
     }
     result.status = Status::without(reason);
     result.reason = Some(reason.told(options.cause()));

@@ -16,11 +16,13 @@ pub struct RunOptions {
     pub unrolled: bool,
     /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
     pub bars: bool,
-    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
+    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite
+    /// for none.
     pub max_seconds: f64,
-    /// What counts these seconds.
+    /// What counts these seconds: the processor those of the usual limit, the wall those of a limit that a caller
+    /// gives.
     pub clock: Clock,
-    /// No mesh of that refinement after the first has more unknowns.
+    /// No mesh of that refinement has more unknowns, but for one that the scene gives.
     pub max_unknowns: usize,
     /// Films of the cycle of an orbit that are drawn, at even crank angles; none where no orbit is followed.
     pub frames: u32,
@@ -42,7 +44,8 @@ pub struct EarlierOrbit {
 }
 
 impl RunOptions {
-    /// The usual ones for a scene. A mesh that is given, and not refined towards a tolerance, takes the time that it takes.
+    /// The usual ones for a scene. A mesh that is given, and not refined towards a tolerance, takes the time that it
+    /// takes.
     pub fn of(scene: &Scene) -> Self {
         let usual = Self::default();
         Self {
@@ -54,6 +57,11 @@ impl RunOptions {
         }
     }
 
+    /// With a limit of the caller [s] in place of the usual one, if there is one.
+    pub fn limited(self, seconds: Option<f64>) -> Self {
+        seconds.map_or(self, |max_seconds| Self { max_seconds, clock: Clock::Wall, ..self })
+    }
+
     /// How long a run that begins now may search.
     pub fn deadline(&self) -> Deadline {
         Deadline::by(self.clock, self.max_seconds, self.interrupt)
@@ -61,12 +69,12 @@ impl RunOptions {
 
     /// The deadline of a run that begins now, and its observer.
     pub fn watch(&self) -> Watch {
-        Watch { deadline: self.deadline(), observer: self.observer }
+        Watch { deadline: self.deadline(), most_unknowns: self.max_unknowns, observer: self.observer }
     }
 
-    /// Whether errors are estimated.
+    /// Whether errors are estimated: no longer once the run is interrupted.
     pub fn errors(&self) -> Errors {
-        match self.bars {
+        match self.bars && !self.interrupt.is_asked() {
             true => Errors::Estimated,
             false => Errors::Omitted,
         }
@@ -74,10 +82,10 @@ impl RunOptions {
 
     /// What ends a search that ends now.
     pub(crate) fn cause(&self) -> Cause {
-        match self.interrupt.is_asked() {
-            true => Cause::Interrupt,
-            false if self.max_seconds == Self::default().max_seconds => Cause::UsualLimit(self.max_seconds),
-            false => Cause::GivenLimit(self.max_seconds),
+        match (self.interrupt.is_asked(), self.clock) {
+            (true, _) => Cause::Interrupt,
+            (false, Clock::Processor) => Cause::UsualLimit(self.max_seconds),
+            (false, Clock::Wall | Clock::Showing(_)) => Cause::GivenLimit(self.max_seconds),
         }
     }
 
@@ -96,7 +104,7 @@ impl Default for RunOptions {
             unrolled: false,
             bars: true,
             max_seconds: 60.0,
-            clock: Clock::default(),
+            clock: Clock::Processor,
             max_unknowns: 1_000_000,
             frames: 0,
             earlier: None,

@@ -27,7 +27,7 @@ pub struct SolveOptions<'a> {
 impl SolveOptions<'_> {
     /// The deadline of the searches for a film, and the observer that is notified of them.
     pub(crate) fn watch(&self) -> Watch {
-        Watch { deadline: self.deadline, observer: self.observer }
+        Watch { observer: self.observer, ..self.deadline.into() }
     }
 }
 

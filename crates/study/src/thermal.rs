@@ -26,9 +26,9 @@ pub(crate) use search::Left;
 pub use search::solve;
 use search::{Kind, ROUGHLY, Search};
 
-/// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene,
+/// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.
 const COARSE: f64 = 3.0;
-/// and its most nodes, if it has coarser ones.
+/// Most nodes of that mesh, if it has coarser ones.
 const COARSE_NODES: usize = 2500;
 
 /// Why there is no temperature.

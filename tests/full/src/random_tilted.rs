@@ -202,7 +202,7 @@ pub fn left(result: &oilwedge_study::result::RunResult) -> f64 {
 pub fn solved(bearing: &TiltedBearing) -> (oilwedge_study::result::RunResult, Option<Fault>) {
     let scene = bearing.scene();
     let options = oilwedge_study::RunOptions {
-        clock: Clock::showing(processor_seconds),
+        clock: Clock::Showing(processor_seconds),
         ..oilwedge_study::RunOptions::of(&scene)
     };
     let run = oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{}", bearing.text));

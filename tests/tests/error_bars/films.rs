@@ -81,7 +81,7 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
     unrolled: false,
     bars: false,
     max_seconds: 60.0,
-    clock: Clock::WALL,
+    clock: Clock::Wall,
     max_unknowns: 1_000_000,
     frames: 0,
     earlier: None,

@@ -85,6 +85,22 @@ fn no_mesh_has_more_unknowns_than_allowed() {
     }
 }
 
+/// A ring four thousand times as wide as long has a first mesh of 150 000 unknowns, which is not made where fewer are allowed.
+#[test]
+fn a_first_mesh_has_no_more_unknowns_than_allowed() {
+    for model in ["reynolds", "jfo"] {
+        let scene = variant("09_drawn_ring", |scene| {
+            set(scene, "bearing", "length", "0.02 mm");
+            set(scene, "cavitation", "model", model);
+        });
+        let options = RunOptions { max_unknowns: 40_000, ..RunOptions::default() };
+        let error = run(&scene, &options).expect_err("it is too large").to_string();
+        for words in ["--max-unknowns 40000", "235.619 mm around and 0.02 mm long", "higher limit"] {
+            assert!(error.contains(words), "{error}");
+        }
+    }
+}
+
 /// The side flow is unsure where the edge of the cavity crosses an end, which triangles that matter to the load do not cure.
 #[test]
 fn a_bar_that_local_division_does_not_serve_is_narrowed_by_uniform_division() {

@@ -41,6 +41,7 @@ fn films_with_bars_balance_the_loads() {
         let sum: f64 = numbers(&run, row).iter().sum();
         assert!((sum - wanted).abs() < 1e-4, "{}: {sum}", row.name);
     }
+    assert!(run.result.bearings.iter().all(|bearing| bearing.tilt_max_error.is_some_and(|bar| bar > 0.0)));
     let slope = CLEARANCE / RADIUS;
     for (bearing, wanted) in run.result.bearings.iter().zip(THREE_FILMS[0].bearings) {
         // The second code's last digits.

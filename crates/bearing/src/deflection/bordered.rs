@@ -21,11 +21,11 @@ use crate::coordinates::{Coordinates, Vector};
 /// Film, wall and journal.
 pub(crate) struct Bordered<'a> {
     follower: Follower<'a>,
-    /// What is free of the journal,
+    /// Coordinates of the journal that are free.
     coordinates: Coordinates,
-    /// how its centre moves,
+    /// Velocity of its centre.
     velocity: CentreVelocity,
-    /// and what acts on its coordinates too [N/m].
+    /// Stiffness [N/m] that acts on its coordinates beside the film.
     held: Vector,
     /// How forces change with film and wall.
     gradient: LoadGradient,

@@ -17,9 +17,9 @@ pub const CLOSED: f64 = 1e-11;
 const CLOSED_ENOUGH: f64 = 1e-8;
 /// Most steps.
 const MOST_STEPS: usize = 12;
-/// Accuracy of the linear system of a first step,
+/// Accuracy of the linear system of a first step.
 const ROUGH: f64 = 0.1;
-/// and the part of what may be left at last that the system of a last step leaves.
+/// The linear system of a last step leaves this part of what may be left at last.
 const SPARE: f64 = 0.3;
 /// A balance of the cubic film that falls by less than this factor is at round-off.
 const STALLED: f64 = 0.5;
@@ -27,9 +27,9 @@ const STALLED: f64 = 0.5;
 const MOST_LENGTHS: i32 = 4;
 /// Least gap after a step, over that before.
 const LEAST_SHRINK: f64 = 0.1;
-/// Growth of the eccentricity [1] from one wall to the next where a film is not found at once;
+/// Growth of the eccentricity [1] from one wall to the next where a film is not found at once.
 const CLIMB: f64 = 0.05;
-/// and most part of that of the film at which it begins.
+/// Greatest eccentricity at which that growth begins, over that of the film.
 const BEGINNING: f64 = 0.5;
 
 /// Both films under one wall, bent by that in cubic elements.

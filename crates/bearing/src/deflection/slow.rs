@@ -19,9 +19,9 @@ const FOLLOWED: f64 = 1e-4;
 
 /// The answer of film and wall to a slow motion of the journal.
 struct Slow {
-    /// That to the motion as place,
+    /// Answer to the motion as place.
     by_place: Followed,
-    /// and to it as rate.
+    /// Answer to the motion as rate.
     by_rate: Followed,
     /// The motion as rate.
     rate: JournalChange,

@@ -7,9 +7,9 @@ use std::ops::Range;
 
 use super::Plan;
 
-/// Chains that a sweep has at least, if they are not too short then,
+/// Least chains of a sweep, if they are not too short then.
 const MANY: usize = 16;
-/// and least and most cases of one.
+/// Least and most cases of a chain.
 const LENGTH: [usize; 2] = [4, 32];
 
 /// The cases of each chain, in the order of the cases.

@@ -7,9 +7,9 @@ use std::ops::Range;
 
 /// Cases of each sampled chain.
 pub(super) const SAMPLED: usize = 3;
-/// Chains that are sampled in a long sweep,
+/// Most chains that are sampled, in a long sweep.
 const MOST: usize = 8;
-/// and one of so many cases in a short one; as many as there are workers in any.
+/// In a short sweep one chain of so many cases is sampled; in any, at least as many chains as there are workers.
 const ONE_OF: usize = 50;
 
 /// How long a sweep will take.

@@ -25,7 +25,7 @@ use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::shaft::{ShaftError, bearing_scenes, check_shaft};
-use oilwedge_study::{CHECKS, check_columns};
+use oilwedge_study::{CHECKS, check_columns, pool};
 
 use crate::Error;
 use chain::chains;
@@ -210,10 +210,8 @@ impl Sweep {
         std::thread::scope(|scope| {
             for _ in 0..workers.min(walks.len()) {
                 // Threads of its own: a worker that waits for a part of its film does not take up another chain meanwhile.
-                let pool = rayon::ThreadPoolBuilder::new()
-                    .num_threads(rayon::current_num_threads() / workers)
-                    .build()
-                    .map_err(|error| Error::Threads(error.to_string()))?;
+                let pool =
+                    pool(rayon::current_num_threads() / workers).map_err(|error| Error::Threads(error.to_string()))?;
                 let (sender, next) = (sender.clone(), &next);
                 scope.spawn(move || pool.install(|| self.work(walks, next, options, most, &sender)));
             }

@@ -58,6 +58,30 @@ pub fn generate_graded(
     size: &dyn Fn([f64; 2]) -> f64,
     grading: Grading,
 ) -> Result<Mesh, Vec<DrawingError>> {
+    in_domain(blueprint, size, grading, |domain| {
+        check_size(domain, None)?;
+        meshed(domain, None)
+    })
+}
+
+/// About how many triangles [`generate_graded`] makes.
+///
+/// # Errors
+/// Every fault of the drawing.
+pub fn triangles_graded(
+    blueprint: &Blueprint,
+    size: &dyn Fn([f64; 2]) -> f64,
+    grading: Grading,
+) -> Result<f64, Vec<DrawingError>> {
+    in_domain(blueprint, size, grading, |domain| Ok(count(domain, None)?.triangles))
+}
+
+fn in_domain<T>(
+    blueprint: &Blueprint,
+    size: &dyn Fn([f64; 2]) -> f64,
+    grading: Grading,
+    made: impl FnOnce(&Domain) -> Result<T, Vec<DrawingError>>,
+) -> Result<T, Vec<DrawingError>> {
     let blueprint = &checked(blueprint)?;
     let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
     let gaps = gaps(blueprint, &sheet);
@@ -65,9 +89,7 @@ pub fn generate_graded(
     let size = &|point: [f64; 2]| size(point).min(widest);
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
     let field = SizeField::new(size, grading, sheet.period(), (&blueprint.features, &gaps), &corners);
-    let domain = Domain { sheet, features: &blueprint.features, size: &field };
-    check_size(&domain, None)?;
-    meshed(&domain, None)
+    made(&Domain { sheet, features: &blueprint.features, size: &field })
 }
 
 /// Meshes a liner in rows along the flow, as far apart as `rows` says; features refine it further.
@@ -75,6 +97,26 @@ pub fn generate_graded(
 /// # Errors
 /// Every fault of the drawing, or that it cannot be meshed at this size.
 pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<DrawingError>> {
+    in_rows(blueprint, rows, |domain, rows| {
+        check_size(domain, Some(rows))?;
+        let grid = Grid::new(&domain.sheet, domain.features, rows, &|point| domain.size.near_features(point));
+        meshed(domain, Some(&grid))
+    })
+}
+
+/// About how many triangles [`generate_in_rows`] makes.
+///
+/// # Errors
+/// Every fault of the drawing.
+pub fn triangles_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<f64, Vec<DrawingError>> {
+    in_rows(blueprint, rows, |domain, rows| Ok(count(domain, Some(rows))?.triangles))
+}
+
+fn in_rows<T>(
+    blueprint: &Blueprint,
+    rows: &Rows,
+    made: impl FnOnce(&Domain, &Rows) -> Result<T, Vec<DrawingError>>,
+) -> Result<T, Vec<DrawingError>> {
     let blueprint = &checked(blueprint)?;
     let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
     let gaps = gaps(blueprint, &sheet);
@@ -88,10 +130,7 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
         (blueprint.features.iter().cloned().zip(gaps)).filter(|(feature, _)| !feature.shape.is_full_turn()).unzip();
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
     let field = SizeField::new(&size, rows.grading, sheet.period(), (&others, &gaps), &corners);
-    let domain = Domain { sheet, features: &blueprint.features, size: &field };
-    check_size(&domain, Some(&rows))?;
-    let grid = Grid::new(&sheet, &blueprint.features, &rows, &|point| field.near_features(point));
-    meshed(&domain, Some(&grid))
+    made(&Domain { sheet, features: &blueprint.features, size: &field }, &rows)
 }
 
 /// The drawing with its features on the sheet, if nothing is wrong with it.
@@ -125,8 +164,15 @@ fn meshed(domain: &Domain, grid: Option<&Grid>) -> Result<Mesh, Vec<DrawingError
     Mesh::build(raw).map_err(|defects| defects.into_iter().map(DrawingError::Defective).collect())
 }
 
-/// The wanted sizes must be sizes, and make no more triangles than a machine can hold.
-fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingError>> {
+/// The mesh that the wanted sizes make.
+struct Count {
+    triangles: f64,
+    /// The least size [m].
+    least: f64,
+}
+
+/// Counts the triangles that the wanted sizes make, which must be sizes.
+fn count(domain: &Domain, rows: Option<&Rows>) -> Result<Count, Vec<DrawingError>> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
     let Domain { sheet, features, size: field } = domain;
@@ -153,6 +199,12 @@ fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingErr
         let sides = if feature.meshed { 2.0 } else { 1.0 };
         triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * field.grading.growth);
     }
+    Ok(Count { triangles, least })
+}
+
+/// The wanted sizes must make no more triangles than a machine can hold.
+fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingError>> {
+    let Count { triangles, least } = count(domain, rows)?;
     if triangles <= MOST_TRIANGLES {
         return Ok(());
     }

@@ -4,7 +4,8 @@ use oilwedge_scene::wording::printable;
 use oilwedge_study::effects::{EFFECTS, Effects};
 use oilwedge_study::quantities::{
     CATALOGUE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE,
-    ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
+    ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, MIN_FILM_ANGLE, PRESSURE_MAX, Row, SIDE_FLOW,
+    TEMPERATURE_EFFECTIVE,
 };
 use oilwedge_study::result::headlines;
 use serde::Serialize;
@@ -145,6 +146,9 @@ pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
             cards.push(other.clone());
         }
     }
+    // Of a shaped bore the film is thinnest elsewhere.
+    let offset = cards.iter_mut().find(|card| card.row == &MIN_FILM_ANGLE);
+    offset.into_iter().for_each(|card| card.name = "direction of the offset".to_owned());
     cards.truncate(CARDS);
     cards
 }

@@ -82,7 +82,7 @@ fn row_of(view: &ShaftView, rows: [&'static Row; 2]) -> &'static Row {
 
 /// The bearing that is worst by a row, as a card; `worst` chooses one of two values.
 fn cards(view: &ShaftView) -> Vec<Shown> {
-    let worst = |rows: [&'static Row; 2], sign: f64| {
+    let worst = |(name, rows): (&str, [&'static Row; 2]), sign: f64| {
         let row = row_of(view, rows);
         let value = |bearing: &&Value| number_of(bearing, row).map_or(f64::NEG_INFINITY, |(value, _)| sign * value);
         let bearing = view.bearings().iter().max_by(|a, b| value(a).total_cmp(&value(b)))?;
@@ -90,23 +90,29 @@ fn cards(view: &ShaftView) -> Vec<Shown> {
         let has_bars = number_of(bearing, row).is_some_and(|(_, error)| error.is_some());
         let mut card = shown(row, row.name, &bearing["quantities"][row.name], has_bars)?;
         let of = bearing["name"].as_str().unwrap_or_default();
-        card.name = format!("{of}: {}", card.name.replace("cycle ", ""));
+        card.name = format!("{of}: {name}");
         Some(card)
     };
     let sum = |rows: [&'static Row; 2], name: &str| {
         let row = row_of(view, rows);
-        let numbers = view.bearings().iter().map(|bearing| Some(number_of(bearing, row)?.0));
-        let sum: f64 = numbers.sum::<Option<f64>>()?;
-        let mut card = shown(row, row.name, &serde_json::json!({ "value": sum }), false)?;
-        (card.name, card.bar) = (format!("all bearings: {name}"), String::new());
+        let numbers = || view.bearings().iter().map(|bearing| number_of(bearing, row));
+        let sum: f64 = numbers().map(|number| Some(number?.0)).sum::<Option<f64>>()?;
+        // The errors of bearings on one shaft may have one sign.
+        let error: Option<f64> = numbers().map(|number| number?.1).sum();
+        let number = serde_json::json!({ "value": sum, "error": error });
+        let mut card = shown(row, row.name, &number, error.is_some())?;
+        card.name = format!("all bearings: {name}");
+        if error.is_none() {
+            card.bar = String::new();
+        }
         Some(card)
     };
     let all = [
-        worst(COLUMNS[1].1, -1.0),
-        worst(COLUMNS[0].1, 1.0),
-        worst(COLUMNS[2].1, 1.0),
-        sum(COLUMNS[3].1, "mean power"),
-        sum(COLUMNS[4].1, "oil"),
+        worst(COLUMNS[1], -1.0),
+        worst(COLUMNS[0], 1.0),
+        worst(COLUMNS[2], 1.0),
+        sum(COLUMNS[3].1, "power loss"),
+        sum(COLUMNS[4].1, "oil flow"),
     ];
     all.into_iter().flatten().collect()
 }
@@ -161,7 +167,11 @@ fn bearings(view: &ShaftView) -> Table {
             sized(size("clearance"), 1e-6, "\u{b5}m"),
         ];
         cells.extend(columns.iter().map(|column| column.cell(bearing)));
-        cells.push(sized(tilt, 1e-3, "mrad"));
+        let shown = sized(tilt, 1e-3, "mrad");
+        cells.push(match bearing["tilt_max_error"].as_f64() {
+            Some(error) if error > 0.0 => Cell { text: format!("{} mrad", with_bar(tilt, error, 1e-3)), ..shown },
+            _ => shown,
+        });
         let at_ends = tilt * 0.5 * size("length") / size("clearance");
         cells.push(sized(at_ends, 1e-2, "% of c"));
         table.rows.push(cells);
@@ -197,16 +207,18 @@ impl Column {
         let Some((value, error)) = number_of(bearing, self.row) else {
             return text("\u{2013}");
         };
-        let error = error.map(|error| error / self.size);
-        let shown = with_minus(quantity_value(value / self.size, error, DIGITS));
-        let bar = error.filter(|error| *error > 0.0).map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
-        Cell {
-            text: format!("{shown}{}", bar.unwrap_or_default()),
-            si: format!("{value}"),
-            is_number: true,
-            ..Cell::default()
-        }
+        let text = match error.filter(|error| *error > 0.0) {
+            Some(error) => with_bar(value, error, self.size),
+            None => with_minus(quantity_value(value / self.size, error, DIGITS)),
+        };
+        Cell { text, si: format!("{value}"), is_number: true, ..Cell::default() }
     }
+}
+
+/// A value and its error bar in a unit of this size.
+fn with_bar(value: f64, error: f64, size: f64) -> String {
+    let (value, error) = (value / size, error / size);
+    format!("{} \u{b1} {}", with_minus(quantity_value(value, Some(error), DIGITS)), with_minus(bar(error)))
 }
 
 /// Loads and least films of two shafts, and how far the other is off.

@@ -114,11 +114,10 @@ fn bearings(result: &ShaftResult) -> String {
     let mut rows = table(["bearing", "z"].into_iter().chain(headings).chain(["tilt"]), 1..9);
     for bearing in &result.bearings {
         let numbers = columns.iter().map(|(_, row)| number(bearing, row));
-        let of = |value: f64, unit: Unit| in_unit(value, None, unit);
         let name = printable(&bearing.name);
-        let mut cells = vec![name, of(bearing.at, Unit::Metre)];
+        let mut cells = vec![name, in_unit(bearing.at, None, Unit::Metre)];
         cells.extend(numbers);
-        cells.push(of(bearing.tilt_max, Unit::Radian));
+        cells.push(in_unit(bearing.tilt_max, bearing.tilt_max_error, Unit::Radian));
         rows.add_row(cells);
     }
     rows.to_string()

@@ -19,9 +19,9 @@
 
 use crate::wall::Grid;
 
-/// Force towards x and y: the first goals,
+/// Goals of the force towards x and y, which are the first.
 pub const FORCES: usize = 2;
-/// and those with its moments.
+/// Goals of force and moments.
 pub const GOALS: usize = 4;
 
 /// What the wall adds to the weights of force and moment.

@@ -14,9 +14,9 @@
 use super::profile::{Profile, Relief};
 use crate::angles::wrapped;
 
-/// Triangles at an edge of the pit are so small a part of its half width,
+/// Size of triangles at an edge of the pit, over its half width.
 const AT_EDGE: f64 = 0.06;
-/// and grow by so much of the distance from it.
+/// Growth of triangles with the distance from that edge.
 const GROWTH: f64 = 0.4;
 
 /// A pit of parabolic section all along the axis.

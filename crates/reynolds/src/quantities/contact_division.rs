@@ -64,9 +64,9 @@ impl Fineness {
 
 /// A part of the reference triangle.
 pub(super) struct Part {
-    /// Of degree 8,
+    /// Rule of degree 8.
     pub(super) rule: Rule,
-    /// and of degree 6: to compare with, and for splines that have a kink amid the part.
+    /// Rule of degree 6: to compare with, and for splines that have a kink amid the part.
     pub(super) lower: Rule,
     /// Corners and middles of the sides.
     pub(super) nodes: [[f64; 2]; 6],
@@ -108,9 +108,9 @@ fn quartered(corners: &[[f64; 2]; 3]) -> [[[f64; 2]; 3]; 4] {
 /// A part of a triangle that is still to be integrated.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece {
-    /// How often the triangle was quartered,
+    /// How often the triangle was quartered.
     pub(super) level: usize,
-    /// and which of [`PARTS`] it is.
+    /// Which of [`PARTS`] it is.
     pub(super) number: usize,
     /// Whether it counts in what the journal carries, or for the splines of the wall alone.
     pub(super) is_for_load: bool,

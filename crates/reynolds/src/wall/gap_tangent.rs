@@ -23,9 +23,9 @@ use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem, Form, JournalState, 
 #[derive(Debug)]
 pub struct GapTangent {
     columns: Columns,
-    /// What pieces of the boundary add: dof, spline, entry;
+    /// What pieces of the boundary add: dof, spline, entry.
     on_boundary: Vec<(usize, usize, f64)>,
-    /// and with the coordinates of the journal: dof, entries.
+    /// What pieces of the boundary add with the coordinates of the journal: dof, entries.
     on_boundary_by_place: Vec<(usize, [f64; COORDINATES])>,
     /// How many splines there are.
     splines: usize,

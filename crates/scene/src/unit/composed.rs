@@ -145,6 +145,18 @@ pub(super) fn told(unit: &str) -> Option<&'static str> {
     TOLD.iter().find(|(known, _)| *known == unit).map(|(_, words)| *words)
 }
 
+/// All symbols of the kind of a unit, with the prefixes that they may have; none of a text that is no unit.
+pub(super) fn alike(unit: &str) -> Vec<String> {
+    let Some(own) = composed(unit) else { return Vec::new() };
+    let is_alike = |(_, _, powers): &&(&str, f64, [i32; 5])| *powers == own.powers;
+    let plain = PLAIN.iter().chain(&PREFIXED).filter(is_alike).map(|(name, ..)| (*name).to_owned());
+    let with_prefixes = PREFIXED
+        .iter()
+        .filter(is_alike)
+        .flat_map(|(name, ..)| PREFIXES.iter().map(move |(prefix, _)| format!("{prefix}{name}")));
+    plain.chain(with_prefixes).filter(|name| told(name).is_none()).collect()
+}
+
 /// The unit that a text in canonical spelling is composed to; `None` where a symbol is not known.
 pub(super) fn composed(unit: &str) -> Option<Composed> {
     let mut whole = Composed { size: 1.0, powers: [0; 5] };

@@ -27,7 +27,7 @@ use crate::solved::{Balance, Solved};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 
 /// A film, measured, with the errors of what was measured.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Estimated {
     /// What was measured on the film whose numbers are reported.
     pub measured: Measured,

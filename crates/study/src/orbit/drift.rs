@@ -35,6 +35,10 @@ const UNSURE: f64 = 0.25;
 
 /// Gives each sample how far its numbers are off.
 pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
+    // An interrupt leaves later films without their bars: then none has one.
+    if samples.iter().any(|one| one.tangents.is_none()) {
+        return;
+    }
     let rounds = match end {
         OrbitEnd::Closed => ROUNDS,
         OrbitEnd::NotClosed | OrbitEnd::Ended => 1,

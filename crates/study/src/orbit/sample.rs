@@ -17,6 +17,7 @@ use crate::measure::measure;
 use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::Sample;
 use crate::quantities::{Bar, PRESSURE_MAX, Quantity, View, measured};
+use crate::run_options::RunOptions;
 use crate::solved::{Errors, SolveOptions, Solved};
 use crate::thermal::flows::thermal_flows;
 
@@ -60,7 +61,12 @@ pub(super) struct Tangents {
 ///
 /// # Errors
 /// [`NoAnswer`]: a film that the orbit had is not found again.
-pub(super) fn samples(film: &Film, motion: &Motion, steps: &[Step], errors: Errors) -> Result<Vec<Sampled>, NoAnswer> {
+pub(super) fn samples(
+    film: &Film,
+    motion: &Motion,
+    steps: &[Step],
+    options: &RunOptions,
+) -> Result<Vec<Sampled>, NoAnswer> {
     let groups: Result<Vec<Vec<Sampled>>, NoAnswer> = (steps.par_chunks(GROUP))
         .map(|group| {
             let mut before: Option<SolvedFilm> = None;
@@ -68,7 +74,7 @@ pub(super) fn samples(film: &Film, motion: &Motion, steps: &[Step], errors: Erro
             for step in group {
                 let near = before.as_ref().map_or(Neighbour::None, Neighbour::Start);
                 let instant = motion.film_at(step, near)?;
-                let (one, solved) = sample(film, motion, instant, errors)?;
+                let (one, solved) = sample(film, motion, instant, options.errors())?;
                 sampled.push(one);
                 before = Some(solved);
             }
@@ -87,7 +93,7 @@ pub(super) fn refine_peak(
     motion: &Motion,
     steps: &mut Vec<Step>,
     samples: &mut Vec<Sampled>,
-    errors: Errors,
+    options: &RunOptions,
 ) -> Result<(), NoAnswer> {
     for _ in 0..PEAKS {
         let Some(time) = peak(samples) else { return Ok(()) };
@@ -98,7 +104,7 @@ pub(super) fn refine_peak(
         let span = Span::between(&steps[next - 1], &steps[next]);
         let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
         let step = Step { until_next: steps[next - 1].until_next, ..Step::of(&instant, 0.0) };
-        let (one, _) = sample(film, motion, instant, errors)?;
+        let (one, _) = sample(film, motion, instant, options.errors())?;
         steps.insert(next, step);
         samples.insert(next, one);
     }

@@ -81,9 +81,9 @@ pub struct CycleView<'a> {
 
 /// A wall that gives way, along the path.
 pub struct WallOnPath<'a> {
-    /// The film,
+    /// The film.
     pub problem: &'a FilmProblem,
-    /// and its mesh.
+    /// The mesh of the film.
     pub system: &'a FilmSystem,
     /// The wall at each film.
     pub walls: Vec<Deflection>,

@@ -3,7 +3,7 @@
 use super::distance::worst;
 use super::growth::{Goal, Growth, next_seconds};
 use super::level::Level;
-use super::next::Next;
+use super::next::{FIRST_UNKNOWNS, Next};
 use super::{Answer, ended, solved};
 use crate::checks::Targets;
 use crate::compile_error::CompileError;
@@ -15,23 +15,28 @@ use crate::observer::{Reached, Watch};
 use crate::quantities::Quantity;
 use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
+use crate::run::result_of;
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
+use oilwedge_bearing::Moment;
 use oilwedge_scene::{Scene, Target, Tolerance};
 
+/// A film that begins within these seconds [s] is solved whatever the limit is.
+const MOMENT: f64 = 1.0;
 /// Most meshes.
 const MOST_LEVELS: usize = 30;
 /// Most unknowns of a mesh over those of the one before.
 const MOST_GROWTH: f64 = 16.0;
-/// Meshes for bars that are wanted but not required,
+/// Most meshes for bars that are wanted but not required.
 const MOST_WANTED_LEVELS: usize = 2;
-/// their most unknowns,
+/// Most unknowns of a mesh for such bars.
 const MOST_WANTED_UNKNOWNS: usize = 40_000;
-/// fewer where each position that is tried takes long: where position and tilt of a film that conserves oil are found,
+/// Most unknowns of such a mesh where position and tilt of a film that conserves oil are found: each position takes
+/// long.
 const MOST_WANTED_EXPENSIVE: usize = 20_000;
-/// and with a wall that gives way, which is closed at each position,
+/// Most unknowns of such a mesh with a wall that gives way, which is closed at each position.
 const MOST_WANTED_ON_WALL: usize = 5_000;
-/// and these over those of the mesh before.
+/// Most unknowns of such a mesh over those of the mesh before.
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
 impl Level {
@@ -52,8 +57,8 @@ struct Refining<'a> {
     scene: &'a Scene,
     targets: &'a Targets,
     options: &'a RunOptions,
-    /// What the clock of the run showed at its beginning [s].
-    started: f64,
+    /// When the run began, by its clock.
+    begun: Moment,
     watch: Watch,
     levels: Vec<LevelFacts>,
     /// Seconds of the last mesh in which the position was found that it is graded for: known from then on [s].
@@ -72,7 +77,7 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
         scene,
         targets,
         options,
-        started: options.clock.now(),
+        begun: options.clock.start(),
         watch: options.watch(),
         levels: Vec::new(),
         grading: 0.0,
@@ -81,6 +86,9 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
         is_laid_anew: false,
     };
     let mut next = Next::first(scene);
+    if refining.elapsed() > f64::max(options.max_seconds, MOMENT) {
+        return Err(CompileError::Late { cause: options.cause().to_string() });
+    }
     loop {
         match refining.level(&next)? {
             Step::Finer(finer) => next = finer,
@@ -92,14 +100,14 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
 impl Refining<'_> {
     /// Makes and solves one mesh.
     fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
-        let started = self.options.clock.now();
+        let started = self.elapsed();
         let (refinement, graded) = match next.film(self.scene, self.watch) {
             Ok(made) => made,
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
         };
         let Graded { mut film, refused } = graded;
         self.grading = match next.finds_position() {
-            true => self.options.clock.now() - started,
+            true => self.elapsed() - started,
             false => 0.0,
         };
         if film.start == Start::Failed
@@ -114,6 +122,8 @@ impl Refining<'_> {
         }
         let outcome = match refused {
             Some(reason) => Err(reason.into()),
+            // A film that is begun is finished: one whose mesh has taken the time up is not.
+            None if self.is_late(film.unknowns()) => Err(NoAnswer::NotBegun { unknowns: film.unknowns() }),
             None => solved(&film, Errors::Estimated, self.watch),
         };
         Ok(match outcome {
@@ -127,6 +137,12 @@ impl Refining<'_> {
                 None => self.answered(next, (refinement, started), solved, estimated),
             },
         })
+    }
+
+    /// Whether a limit or an interrupt ends the run before the film on a mesh that is made, of so many unknowns.
+    fn is_late(&self, unknowns: usize) -> bool {
+        let is_over = self.elapsed() > f64::max(self.options.max_seconds, MOMENT);
+        self.options.interrupt.is_asked() || is_over && unknowns > FIRST_UNKNOWNS
     }
 
     /// The mesh before is the answer where the next has none, if there is one.
@@ -152,6 +168,13 @@ impl Refining<'_> {
         if let Some(finer) = (reason.is_near_limit() && may_divide).then(|| Next::divided(&film)).flatten() {
             return Step::Finer(finer);
         }
+        // The mesh before is the answer of a run that ends.
+        if matches!(reason, NoAnswer::NotBegun { .. })
+            && let Some(best) = self.best.take()
+        {
+            let limit = self.stopped(best.worst);
+            return self.done(best, Some(limit));
+        }
         // The numbers of the mesh before are still good.
         if reason.is_unreached()
             && let Some(step) = self.last_resort(reason.to_string())
@@ -161,7 +184,7 @@ impl Refining<'_> {
         // The first mesh is coarse; what it cannot answer one as fine as usual may.
         let finer = next
             .finer_first(&film, &reason)
-            .filter(|_| !reason.is_far_beyond())
+            .filter(|_| !reason.is_far_beyond() && !self.is_late(film.unknowns()))
             .or_else(|| next.finer_undecided(&film, &reason).filter(|_| may_divide));
         match (finer, self.best.take()) {
             (Some(finer), None) => Step::Finer(finer),
@@ -192,7 +215,7 @@ impl Refining<'_> {
             cells: solved.film.system.space().mesh().triangles().len(),
             refinement,
             errors: self.targets.required.iter().filter_map(error).collect(),
-            seconds: self.options.clock.now() - started,
+            seconds: self.elapsed() - started,
         });
         let (wanted, _) = worst(&solved.film, &estimated, &self.targets.wanted);
         let (worst, name) = worst(&solved.film, &estimated, &self.targets.required);
@@ -211,6 +234,7 @@ impl Refining<'_> {
         match (finer, self.best.take()) {
             (_, Some(before)) if before.worst <= 1.0 && worst > 1.0 => self.done(before, None),
             (Ok(finer), _) => {
+                self.tell_best(&level);
                 self.best = Some(level);
                 Step::Finer(finer)
             }
@@ -221,6 +245,15 @@ impl Refining<'_> {
             }
             (Err(limit), _) => self.ended(level, limit),
         }
+    }
+
+    /// Tells the observer what the run answers if it ends on the mesh after this level.
+    fn tell_best(&self, level: &Level) {
+        let Some(observer) = self.watch.observer else { return };
+        let limit = (level.worst > 1.0)
+            .then(|| Limit::Unfinished(self.distance(level.worst), self.elapsed(), Cause::Interrupt));
+        let found = (&level.solved, level.estimated.clone());
+        observer.best(result_of(self.scene, found, &self.levels, limit.as_ref(), self.options));
     }
 
     /// Tells the observer how far the last mesh is from the tolerance.
@@ -255,7 +288,8 @@ impl Refining<'_> {
         self.finer_for(&goal, last, level).ok()
     }
 
-    /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is expensive.
+    /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is
+    /// expensive.
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
         let film = &level.solved.film;
@@ -289,7 +323,7 @@ impl Refining<'_> {
 
     /// Seconds of the run [s].
     fn elapsed(&self) -> f64 {
-        self.options.clock.now() - self.started
+        self.begun.elapsed()
     }
 
     fn distance(&self, worst: f64) -> Distance {
@@ -316,8 +350,8 @@ impl Refining<'_> {
         match self.options.cause() {
             Cause::Interrupt => Some(self.stopped(goal.worst)),
             // Time first: a mesh that is too large is made smaller where there is time for one (see `Growth::of`).
-            _ if elapsed + seconds > max_seconds => {
-                Some(Limit::Seconds { distance, seconds: [elapsed, seconds, max_seconds] })
+            cause if elapsed + seconds > max_seconds => {
+                Some(Limit::Seconds { distance, seconds: [elapsed, seconds], cause })
             }
             _ if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
             _ => (self.levels.len() >= MOST_LEVELS).then_some(Limit::Meshes(distance, MOST_LEVELS)),

@@ -1,5 +1,6 @@
 //! The meshes on the way to a tolerance: drawn, given, or divided from the one before.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use oilwedge_fem::marking::doerfler;
@@ -14,7 +15,7 @@ use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
 use crate::grading::{Graded, Shown, graded_within};
-use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
+use crate::liner_mesh::{expected_triangles, least_unknowns, liner_mesh, resized};
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
 use crate::oil::at_temperature;
@@ -23,15 +24,17 @@ use crate::reasons::Limit;
 use crate::result::Refinement;
 use oilwedge_scene::{MeshSource, Scene};
 
-/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is,
+/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
 const FIRST: f64 = 3.0;
-/// less where it would have fewer triangles, on which pictures are not smooth.
+/// Least triangles of the first mesh, which has shorter edges where it would have fewer: pictures are not smooth then.
 const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
-/// Edges of one that follows where that does not show whether a moment is carried, over its own.
+/// A first mesh of so many unknowns, which takes a moment, may be made whatever the limit is.
+pub(super) const FIRST_UNKNOWNS: usize = 5_000;
+/// Edges of a mesh that follows where the first does not show whether a moment is carried, over those of the first.
 const UNDECIDED: f64 = 0.7;
-/// and the least ones over those as usual.
+/// Least edges of such a mesh over those of a mesh that is used as it is.
 const FINEST: f64 = 0.5;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
@@ -41,7 +44,8 @@ const TOO_MANY: f64 = 4.0;
 const DRAWN: usize = 5;
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;
-/// Triangles of a mesh divided locally over those before: where fewer triangles carry that share they are divided again,
+/// Triangles of a mesh divided locally over those before: where fewer triangles carry that share they are divided
+/// again,
 const LOCAL_GROWTH: f64 = 1.2;
 /// so many times at most.
 const MOST_DIVISIONS: usize = 4;
@@ -58,8 +62,9 @@ fn first_factor(scene: &Scene) -> f64 {
     factor_for(scene, FIRST, (LEAST_TRIANGLES, f64::INFINITY), Position::start(scene))
 }
 
-/// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and no more than so many times as many: sizes that
-/// holes and grooves ask for are not those that the factor changes, and a film thinner than the one of the mesh before asks for shorter edges everywhere.
+/// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and
+/// no more than so many times as many: sizes that holes and grooves ask for are not those that the factor changes, and
+/// a film thinner than the one of the mesh before asks for shorter edges everywhere.
 fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
     factor *= coarsening(scene, factor, (triangles, most), position);
     for _ in 0..DRAWN {
@@ -75,19 +80,56 @@ fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), p
     factor
 }
 
-/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that of the mesh before would have more than `most` times
-/// as many `triangles`: to draw it first would take longer than all the rest.
+/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that
+/// of the mesh before would have more than `most` times as many `triangles`: to draw it first would take longer than
+/// all the rest.
 fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
     let expected = resized(scene, factor).and_then(|resized| expected_triangles(&resized, position).ok());
     let share = expected.map_or(1.0, |expected| expected / triangles as f64);
     if share > most { share.sqrt() } else { 1.0 }
 }
 
+/// Most unknowns of a first mesh.
+fn first_limit(watch: Watch) -> usize {
+    watch.most_unknowns.max(FIRST_UNKNOWNS)
+}
+
+/// Refuses a liner whose first mesh, where it is drawn here, has more unknowns than allowed, before it is made.
+///
+/// # Errors
+/// [`CompileError::BeyondLimit`].
+pub(super) fn check_first(scene: &Scene, watch: Watch) -> Result<(), CompileError> {
+    let coarsest = match scene.mesh {
+        MeshSource::Drawing { size: None } => resized(scene, FIRST),
+        _ => None,
+    };
+    // What cannot be drawn is reported where it is to be used.
+    let least = coarsest.and_then(|coarse| least_unknowns(&coarse, Position::start(scene)).ok());
+    least.map_or(Ok(()), |least| within_limit(scene, least, watch))
+}
+
+/// Refuses a first mesh of so many unknowns if there may not be so many.
+fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), CompileError> {
+    if unknowns <= first_limit(watch) as f64 {
+        return Ok(());
+    }
+    let bearing = &scene.bearing;
+    let turn = bearing.arc.map_or(TAU, |arc| arc.to - arc.from);
+    Err(CompileError::BeyondLimit {
+        around: turn * bearing.radius(),
+        length: bearing.length,
+        unknowns,
+        most: watch.most_unknowns,
+    })
+}
+
 /// The next mesh.
 pub(super) enum Next {
-    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment takes.
+    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment
+    /// takes.
     Drawn(f64, Option<Shown>),
-    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the film found before.
+    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the
+    /// film found before.
     DrawnFiner(f64, usize, Known),
     /// That of the scene as it is.
     Given,
@@ -156,8 +198,10 @@ impl Next {
             }
             Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let film = graded_within(&resized, MOST_TRIANGLES / factor.min(1.0).powi(2), shown.as_ref(), watch)?;
-                Ok((Refinement::Given, film))
+                let most = f64::min(MOST_TRIANGLES, 0.5 * first_limit(watch) as f64);
+                let graded = graded_within(&resized, most / factor.min(1.0).powi(2), shown.as_ref(), watch)?;
+                within_limit(scene, graded.film.unknowns() as f64, watch)?;
+                Ok((Refinement::Given, graded))
             }
             Self::DrawnFiner(factor, triangles, known) => {
                 let scene = known.scene(scene);
@@ -216,7 +260,8 @@ impl Next {
     pub(super) fn refined(last: &Self, level: &Level, growth: &Growth) -> Result<Self, Limit> {
         let (film, estimated) = (&level.solved.film, &level.estimated);
         let mesh = film.system.space().mesh();
-        // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
+        // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too
+        // coarse.
         let is_fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
         let is_local = !growth.is_stuck && (estimated.is_local || is_fitted || growth.is_bound);
         // Rows along the flow are divided as a whole: a triangle divided for its neighbour's sake lies across it.
@@ -235,8 +280,8 @@ impl Next {
     }
 }
 
-/// A mesh whose triangles with the greatest indicators are divided: once, or as often as it takes for a mesh that is notably larger. At the edge of a cavity the part of a triangle falls with the square
-/// of its area.
+/// A mesh whose triangles with the greatest indicators are divided: once, or as often as it takes for a mesh that is
+/// notably larger. At the edge of a cavity the part of a triangle falls with the square of its area.
 fn divided_locally(mesh: &Mesh, indicator: &[f64]) -> Result<Mesh, Vec<Defect>> {
     let wanted = LOCAL_GROWTH * mesh.triangles().len() as f64;
     let (mut divided, mut expected) = divided_once(mesh, indicator)?;

@@ -8,7 +8,7 @@ use super::weights::CounterweightReport;
 use crate::duty::DutyCycle;
 use crate::limits::design_criteria;
 use crate::orbit::OrbitPath;
-use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row};
+use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
 use crate::result::{Criterion, Geometry, Status, in_parts, named};
 use crate::warning::Warning;
 
@@ -130,6 +130,8 @@ pub struct BearingReport {
     pub shell: [f64; 2],
     /// Greatest slope of the journal against the shell [rad].
     pub tilt_max: f64,
+    /// Its error bar [rad], of a shaft at rest with bars; `null` where there is none.
+    pub tilt_max_error: Option<f64>,
     /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft at rest.
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
@@ -153,6 +155,7 @@ impl BearingReport {
             geometry: Geometry::of(&bearing.film.scene),
             shell: [0.0; 2],
             tilt_max: 0.0,
+            tilt_max_error: None,
             energy: None,
             criteria: design_criteria(&bearing.film, None, &quantities, bars),
             quantities,
@@ -162,6 +165,12 @@ impl BearingReport {
     /// What its warnings begin with, among those of the whole shaft.
     pub(super) fn part(name: &str) -> String {
         format!("bearing {name}")
+    }
+
+    /// The error bar [rad] of the magnitude of the tilt, by those of its parts.
+    pub(super) fn tilt_error(&self) -> Option<f64> {
+        let [x, y] = [&TILT_X, &TILT_Y].map(|row| self.quantity(row).and_then(Quantity::error));
+        Some(x?.hypot(y?))
     }
 
     /// A quantity.

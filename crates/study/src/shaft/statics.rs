@@ -26,9 +26,9 @@ use crate::warnings::all_warnings;
 
 /// Meshes are drawn anew for the films that were found at most so many times.
 const MESHES: usize = 3;
-/// What the films that are reported carry may differ from the loads by this part of them,
+/// Greatest difference of loads and of what the films that are reported carry, over the loads.
 const BALANCED: f64 = 1e-9;
-/// and the shaft is balanced so many times at most until it does.
+/// Most balances of the shaft until that difference is met.
 const MOST_BALANCES: usize = 20;
 
 /// Solves the films of a shaft at rest.
@@ -172,6 +172,7 @@ fn report(
             tilt_max: tilt_x.hypot(tilt_y),
             ..BearingReport::of(bearing, estimated.quantities, options.bars)
         };
+        let report = BearingReport { tilt_max_error: report.tilt_error(), ..report };
         let named = warnings.into_iter().map(|warning| warning.of(&BearingReport::part(&report.name)));
         result.warnings.extend(named);
         result.bearings.push(report);

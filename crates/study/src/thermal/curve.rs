@@ -20,9 +20,9 @@ use oilwedge_scene::Engine;
 
 /// Films on either side of the temperature found.
 const FILMS: i32 = 3;
-/// They reach so many times as far as the mean temperature lies above that of the oil fed,
+/// Reach of the curve on both sides, over the distance of the mean temperature from that of the oil fed.
 const REACH: f64 = 1.5;
-/// and this far [K] at least.
+/// Least reach of the curve [K].
 const LEAST_REACH: f64 = 10.0;
 
 /// How the temperature of a film was found; none where it was not sought.
@@ -78,7 +78,8 @@ fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: De
     let (mut points, mut last): (_, Option<Solved>) = (Vec::new(), None);
     for k in 1..=FILMS {
         let temperature = root + f64::from(k) * step;
-        if temperature < model.balance.range()[0] {
+        // The curve of a run that ends is left out.
+        if temperature < model.balance.range()[0] || deadline.is_over() {
             break;
         }
         let Some(solved) = film_at(temperature, last.as_ref().unwrap_or(found), &positions, deadline) else {

@@ -109,7 +109,7 @@ fn numbers_under_a_wall_that_was_left_open_have_no_bars() {
     let mut near = 0;
     for asked in 8..20 {
         ASKED.store(asked, Ordering::Relaxed);
-        let options = RunOptions { clock: Clock::showing(leaping), ..RunOptions::of(&scene) };
+        let options = RunOptions { clock: Clock::Showing(leaping), ..RunOptions::of(&scene) };
         let result = run(&scene, &options).expect("a run").result;
         let left = result.balances.deflection.unwrap_or(0.0);
         if left > 1e-6 {
