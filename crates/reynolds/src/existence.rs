@@ -3,7 +3,7 @@
 use oilwedge_fem::Field;
 use oilwedge_fem::newton::{Failure, HistoryStep};
 
-use crate::lubricant::LawKind;
+use crate::lubricant::{LawKind, Lubricant, PressureLaw};
 use crate::solve::Neighbour;
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form, ReferenceFilm};
 
@@ -156,6 +156,35 @@ impl NoFilm {
 }
 
 impl FilmProblem {
+    /// The problem of a film that is only tried: its viscosity saturates, so that it has a pressure beyond the limit of the viscosity law, too. That of the
+    /// as-printed equation stays, whose solution is another one then.
+    pub fn tried(self) -> Self {
+        match self.form {
+            Form::Conservative => {
+                let pressure_law = self.lubricant.pressure_law.saturating();
+                Self { lubricant: Lubricant { pressure_law, ..self.lubricant }, ..self }
+            }
+            Form::AsPrinted => self,
+        }
+    }
+
+    /// The problem of a film that was tried, under the viscosity `law` of its oil.
+    ///
+    /// # Errors
+    /// The law has no pressure for the film, or it is so near to the limit that the mesh does not tell.
+    pub fn accepted(self, law: &PressureLaw, system: &FilmSystem, film: &FilmSolution) -> Result<Self, NoFilm> {
+        let PressureLaw::Saturating(tried) = &self.lubricant.pressure_law else {
+            return Ok(self);
+        };
+        let is_exact = tried.is_exact(self.greatest_unknown(system, film).value);
+        let lubricant = Lubricant { pressure_law: law.clone(), ..self.lubricant };
+        let problem = Self { lubricant, ..self };
+        match is_exact {
+            true => Ok(problem),
+            false => Err(problem.beyond(system, film, law.limit())),
+        }
+    }
+
     /// A reduced pressure at or above the limit of the viscosity law has no pressure. The unknown of the as-printed equation is the pressure itself,
     /// which may be of any size.
     pub(crate) fn check_existence(&self, system: &FilmSystem, film: &FilmSolution) -> Result<(), NoFilm> {
@@ -198,7 +227,8 @@ impl FilmProblem {
             law: self.lubricant.pressure_law.kind(),
             greatest_speed: None,
         };
-        if reached > FAR_ABOVE * limit {
+        // What a film held before is known on its own mesh alone.
+        if reached > FAR_ABOVE * limit || self.storage.is_some() {
             return plainly;
         }
         let Ok(reference) = self.reference_film_unchecked(system, film) else {

@@ -9,6 +9,9 @@ use oilwedge_reynolds::lubricant::LawKind;
 use crate::reasons::flags::MORE_SECONDS;
 use crate::reasons::{Cause, Limit};
 
+/// Way out of an orbit whose load needs pressures beyond the viscosity law.
+const PAST_LAW: &str = "lower the load, use a viscosity law that grows slower ([oil] roelands, or a smaller alpha), or give a finer mesh ([mesh] size)";
+
 /// Why there is nothing to report.
 #[derive(Debug)]
 pub enum NoAnswer {
@@ -54,7 +57,10 @@ impl NoAnswer {
     pub(crate) fn told(&self, cause: Cause) -> String {
         let limit = match self {
             Self::Orbit(NoOrbit::Ended { angle }) => Limit::FirstCycle(*angle, cause),
-            Self::Temperature(reason) if reason.is_ended => Limit::FirstTemperature(cause),
+            Self::Temperature(NoTemperature { ended: Some(ended), .. }) => match ended.left_over {
+                Some(left_over) => Limit::Temperature(left_over, cause),
+                None => Limit::FirstTemperature(cause),
+            },
             Self::Equilibrium(reason) => match reason.cause() {
                 NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
                 _ => return self.to_string(),
@@ -113,8 +119,15 @@ pub struct NoTemperature {
     pub(crate) told: String,
     /// True if there may be one.
     pub(crate) is_unreached: bool,
-    /// True if the search was ended before a first temperature was solved.
-    pub(crate) is_ended: bool,
+    /// Where the search was ended, if it was.
+    pub(crate) ended: Option<EndedSearch>,
+}
+
+/// Where the search for a temperature was ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct EndedSearch {
+    /// Part of the friction that was not carried off; `None` before a first temperature was solved.
+    pub(crate) left_over: Option<f64>,
 }
 
 /// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
@@ -137,8 +150,12 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::OffShell { .. } | NoOrbit::AtOpening { .. }) => {
             return Some("give a wider bearing.arc, or turn it under the load");
         }
+        NoAnswer::Orbit(NoOrbit::AtLimit { .. }) => return Some(PAST_LAW),
+        NoAnswer::Orbit(NoOrbit::Film { reason: NoFilm::AboveLimit { .. } | NoFilm::NearLimit { .. }, .. }) => {
+            return Some(PAST_LAW);
+        }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
-        NoAnswer::Temperature(reason) => return reason.is_ended.then_some(MORE_SECONDS),
+        NoAnswer::Temperature(reason) => return reason.ended.map(|_| MORE_SECONDS),
     };
     Some(match film {
         NoFilm::AboveLimit { law: LawKind::Roelands, .. } => {

@@ -13,8 +13,7 @@ use crate::film::Film;
 use crate::grading::graded;
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
-use crate::no_answer::NoAnswer;
-use crate::no_answer::NoTemperature;
+use crate::no_answer::{EndedSearch, NoAnswer, NoTemperature};
 use crate::observer::Watch;
 use crate::oil::{at_temperature, first_temperature};
 use crate::solved::{SolveOptions, Solved};
@@ -57,26 +56,26 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
         let off = balance.carried(t, film) + balance.given_off(t);
         format!("friction makes {} W, and {} W are carried off", readable(film.power), readable(off))
     };
-    let (mut is_unreached, mut is_ended) = (false, false);
+    let (mut is_unreached, mut ended) = (false, None);
     let told = match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
         NoBalance::NoFilm(Left::Ended) => {
-            (is_unreached, is_ended) = (true, true);
+            (is_unreached, ended) = (true, Some(EndedSearch { left_over: None }));
             "the search for the temperature was ended".to_owned()
         }
-        NoBalance::Ends { temperature, film, reason } => {
-            let why = match reason {
-                Left::NoAnswer(reason) => {
-                    is_unreached = reason.is_unreached();
-                    reason.to_string()
-                }
-                Left::Ended => {
-                    is_unreached = true;
-                    "the search was ended".to_owned()
-                }
-            };
+        NoBalance::Ends { temperature, film, reason: Left::Ended } => {
+            let left_over = balance.surplus(temperature, &film) / film.power;
+            (is_unreached, ended) = (true, Some(EndedSearch { left_over: Some(left_over.abs()) }));
             format!(
-                "no temperature balances the heat: at {} {}, and there is no film beyond: {why}",
+                "the search for the temperature was ended: at {} {}",
+                celsius(temperature),
+                watts(&film, temperature)
+            )
+        }
+        NoBalance::Ends { temperature, film, reason: Left::NoAnswer(reason) } => {
+            is_unreached = reason.is_unreached();
+            format!(
+                "no temperature balances the heat: at {} {}, and there is no film beyond: {reason}",
                 celsius(temperature),
                 watts(&film, temperature)
             )
@@ -87,7 +86,7 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
             watts(&film, temperature)
         ),
     };
-    NoAnswer::Temperature(NoTemperature { told, is_unreached, is_ended })
+    NoAnswer::Temperature(NoTemperature { told, is_unreached, ended })
 }
 
 /// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.
