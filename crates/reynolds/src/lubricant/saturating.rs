@@ -81,10 +81,9 @@ mod tests {
 
     #[test]
     fn it_is_the_law_below_its_end_and_has_a_pressure_above_the_limit() {
-        for law in [
-            PressureLaw::Barus(Barus { alpha: 2.5e-8 }),
-            PressureLaw::Roelands(Roelands::new(0.04, 0.6, 196.2e6)),
-        ] {
+        for law in
+            [PressureLaw::Barus(Barus { alpha: 2.5e-8 }), PressureLaw::Roelands(Roelands::new(0.04, 0.6, 196.2e6))]
+        {
             let saturating = Saturating::of(&law).expect("a law that grows");
             super::super::check(&saturating);
             let end = saturating.pressure;
