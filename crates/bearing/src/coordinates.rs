@@ -78,6 +78,11 @@ pub fn length([x, y, z_x, z_y]: Vector) -> f64 {
     x.hypot(y).hypot(z_x.hypot(z_y))
 }
 
+/// Scalar product of two vectors.
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    (0..4).map(|k| a[k] * b[k]).sum()
+}
+
 /// `a + part b`.
 pub fn moved(a: Vector, part: f64, b: Vector) -> Vector {
     [0, 1, 2, 3].map(|k| a[k] + part * b[k])

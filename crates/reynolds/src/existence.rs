@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_fem::Field;
 use oilwedge_fem::newton::{Failure, HistoryStep};
 
-use crate::lubricant::LawKind;
+use crate::lubricant::{LawKind, Lubricant, PressureLaw};
 use crate::solve::Neighbour;
 use crate::{FilmProblem, FilmSystem, Form, ReferenceFilm, SolvedFilm};
 
@@ -157,7 +157,38 @@ impl NoFilm {
     }
 }
 
+impl FilmProblem {
+    /// The problem of a film that is only tried: its viscosity saturates, so that it has a pressure beyond the limit of the viscosity law, too. That of the
+    /// as-printed equation stays, whose solution is another one then.
+    pub fn tried(self) -> Self {
+        match self.form {
+            Form::Conservative => {
+                let pressure_law = self.lubricant.pressure_law.saturating();
+                Self { lubricant: Lubricant { pressure_law, ..self.lubricant }, ..self }
+            }
+            Form::AsPrinted => self,
+        }
+    }
+}
+
 impl SolvedFilm {
+    /// A film that was [tried](FilmProblem::tried), under the viscosity `law` of its oil.
+    ///
+    /// # Errors
+    /// The law has no pressure for the film, or it is so near to the limit that the mesh does not tell.
+    pub fn accepted(self, law: &PressureLaw) -> Result<Self, NoFilm> {
+        let PressureLaw::Saturating(tried) = &self.problem.lubricant.pressure_law else {
+            return Ok(self);
+        };
+        let is_exact = tried.is_exact(self.greatest_unknown().value);
+        let lubricant = Lubricant { pressure_law: law.clone(), ..self.problem.lubricant };
+        let film = Self { problem: FilmProblem { lubricant, ..self.problem }, ..self };
+        match is_exact {
+            true => Ok(film),
+            false => Err(film.beyond(law.limit())),
+        }
+    }
+
     /// A reduced pressure at or above the limit of the viscosity law has no pressure. The unknown of the as-printed equation is the pressure itself,
     /// which may be of any size.
     pub(crate) fn check_existence(&self) -> Result<(), NoFilm> {
@@ -201,7 +232,8 @@ impl SolvedFilm {
             law: self.problem.lubricant.pressure_law.kind(),
             greatest_speed: None,
         };
-        if reached > FAR_ABOVE * limit {
+        // What a film held before is known on its own mesh alone.
+        if reached > FAR_ABOVE * limit || self.problem.storage.is_some() {
             return plainly;
         }
         let Ok(reference) = self.reference_film_unchecked() else {

@@ -11,6 +11,9 @@ use oilwedge_scene::wording::celsius;
 use crate::reasons::flags::MORE_SECONDS;
 use crate::reasons::{Cause, Limit};
 
+/// Way out of an orbit whose load needs pressures beyond the viscosity law.
+const PAST_LAW: &str = "lower the load, use a viscosity law that grows slower ([oil] roelands, or a smaller alpha), or give a finer mesh ([mesh] size)";
+
 /// Why there is nothing to report.
 #[derive(Debug)]
 pub enum NoAnswer {
@@ -64,7 +67,10 @@ impl NoAnswer {
     pub(crate) fn told(&self, cause: Cause) -> String {
         let limit = match self {
             Self::Orbit(NoOrbit::Ended { angle }) => Limit::FirstCycle(*angle, cause),
-            Self::Temperature(NoTemperature::Ended) => Limit::FirstTemperature(cause),
+            Self::Temperature(NoTemperature::Ended { nearest }) => match nearest {
+                Some(powers) => Limit::Temperature(powers.left_over(), cause),
+                None => Limit::FirstTemperature(cause),
+            },
             Self::NotBegun { unknowns } => Limit::FirstMesh(*unknowns, cause),
             Self::Equilibrium(reason) => match reason.cause() {
                 NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
@@ -121,20 +127,22 @@ impl NoAnswer {
 /// Why there is no temperature at which the heat is balanced.
 #[derive(Debug, thiserror::Error)]
 pub enum NoTemperature {
-    /// The search was ended before a first film was solved.
-    #[error("the search for the temperature was ended")]
-    Ended,
+    /// The search was ended.
+    #[error("the search for the temperature was ended{}", nearest.as_ref().map_or_else(String::new, at_its_temperature))]
+    Ended {
+        /// The last film found, if there is one.
+        nearest: Option<PowersAt>,
+    },
     /// Friction heats the film to a temperature beyond which none is found.
     #[error(
-        "no temperature balances the heat: at {} {last}, and there is no film beyond: {}",
-        celsius(last.temperature),
-        reason.as_ref().map_or_else(|| "the search was ended".to_owned(), ToString::to_string)
+        "no temperature balances the heat: at {} {last}, and there is no film beyond: {reason}",
+        celsius(last.temperature)
     )]
     NoFilmBeyond {
         /// The last film found.
         last: PowersAt,
-        /// Why there is none beyond; `None`: the search was ended.
-        reason: Option<Box<NoAnswer>>,
+        /// Why there is none beyond.
+        reason: Box<NoAnswer>,
     },
     /// The greatest temperature that is sought balances nothing yet.
     #[error(
@@ -151,8 +159,8 @@ impl NoTemperature {
     /// True if there may be one.
     fn is_unreached(&self) -> bool {
         match self {
-            Self::Ended => true,
-            Self::NoFilmBeyond { reason, .. } => reason.as_ref().is_none_or(|reason| reason.is_unreached()),
+            Self::Ended { .. } => true,
+            Self::NoFilmBeyond { reason, .. } => reason.is_unreached(),
             Self::TooHot { .. } => false,
         }
     }
@@ -169,11 +177,22 @@ pub struct PowersAt {
     pub carried_off: f64,
 }
 
+impl PowersAt {
+    /// Part of the friction that is not carried off, or is carried off beyond it [1].
+    fn left_over(&self) -> f64 {
+        (1.0 - self.carried_off / self.friction).abs()
+    }
+}
+
 impl std::fmt::Display for PowersAt {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { friction, carried_off, .. } = *self;
         write!(out, "friction makes {} W, and {} W are carried off", readable(friction), readable(carried_off))
     }
+}
+
+fn at_its_temperature(powers: &PowersAt) -> String {
+    format!(": at {} {powers}", celsius(powers.temperature))
 }
 
 /// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
@@ -196,8 +215,12 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::OffShell { .. } | NoOrbit::AtOpening { .. }) => {
             return Some("give a wider bearing.arc, or turn it under the load");
         }
+        NoAnswer::Orbit(NoOrbit::AtLimit { .. }) => return Some(PAST_LAW),
+        NoAnswer::Orbit(NoOrbit::Film { reason: NoFilm::AboveLimit { .. } | NoFilm::NearLimit { .. }, .. }) => {
+            return Some(PAST_LAW);
+        }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
-        NoAnswer::Temperature(NoTemperature::Ended) => return Some(MORE_SECONDS),
+        NoAnswer::Temperature(NoTemperature::Ended { .. }) => return Some(MORE_SECONDS),
         NoAnswer::Temperature(_) => return None,
         NoAnswer::NotBegun { .. } => return Some(MORE_SECONDS),
     };

@@ -137,6 +137,8 @@ pub(crate) struct Followed {
     pub(crate) flows: Option<ThermalFlows>,
     /// How the temperature was found; none where it is given.
     pub(crate) temperature: Option<CycleTemperature>,
+    /// Whether the deadline has ended an orbit by which the bars of a film that conserves its oil are found.
+    pub(crate) are_bars_ended: bool,
     /// Where the last cycle ended [m].
     pub(crate) begin: Vector,
     /// How it ended.
@@ -209,7 +211,8 @@ fn followed(
     let of_films = RunOptions { bars: options.bars && !by_comparison, ..*options };
     let mut followed = measured(film, &motion, model, orbit, &of_films)?;
     if by_comparison && options.errors() == Errors::Estimated {
-        comparison::judge(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
+        followed.are_bars_ended =
+            comparison::judge(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
     }
     Ok(Followed { seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
@@ -309,6 +312,7 @@ pub(crate) fn measured(
         balances,
         flows,
         temperature: None,
+        are_bars_ended: false,
         begin: steps.last().map_or([0.0; 4], |step| step.at),
         end,
         seconds: [0.0; 2],

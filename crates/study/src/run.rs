@@ -152,7 +152,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         }));
     }
     result.quantities = followed.quantities;
-    result.warnings.extend(of_history(&solved, &result.quantities, options));
+    result.warnings.extend(of_history(&solved, &result.quantities, (options, followed.are_bars_ended)));
     if let Some(found) = &followed.temperature {
         let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities, options);
         result.temperature = report
@@ -181,7 +181,11 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
 }
 
 /// Warnings about an orbit whose film conserves its oil.
-fn of_history(solved: &Solved, quantities: &[Quantity], options: &RunOptions) -> Vec<Warning> {
+fn of_history(
+    solved: &Solved,
+    quantities: &[Quantity],
+    (options, are_bars_ended): (&RunOptions, bool),
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let film = &solved.film;
     if let Some([angle, z]) = film.problem.place_without_supply(&film.system) {
@@ -193,7 +197,16 @@ fn of_history(solved: &Solved, quantities: &[Quantity], options: &RunOptions) ->
     }
     let is_judged = quantities.iter().all(|quantity| quantity.bar.is_some());
     if options.bars && film.problem.storage.is_some() && !is_judged {
-        warnings.push(warning::NO_BAR.says("there are no error bars: the orbit on the vertices of the mesh, by which they are found, did not come to its end; give a finer mesh ([mesh] size)"));
+        let of_vertices = "the orbit on the vertices of the mesh, by which they are found,";
+        warnings.push(warning::NO_BAR.says(match are_bars_ended {
+            true => {
+                let ended = options.cause().ends(&format!("{of_vertices} was ended"));
+                format!("there are no error bars: {ended}")
+            }
+            false => format!(
+                "there are no error bars: {of_vertices} did not come to its end; give a finer mesh ([mesh] size)"
+            ),
+        }));
     }
     warnings
 }

@@ -10,7 +10,7 @@ use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::grading::graded;
 use crate::liner_mesh::resized;
-use crate::no_answer::{PowersAt, NoAnswer, NoTemperature};
+use crate::no_answer::{NoAnswer, NoTemperature, PowersAt};
 use crate::observer::Watch;
 use crate::oil::{at_temperature, first_temperature};
 use crate::solved::SolveOptions;
@@ -40,14 +40,13 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
     };
     NoAnswer::Temperature(match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
-        NoBalance::NoFilm(Left::Ended) => NoTemperature::Ended,
-        NoBalance::Ends { temperature, film, reason } => NoTemperature::NoFilmBeyond {
-            last: powers(temperature, &film),
-            reason: match reason {
-                Left::NoAnswer(reason) => Some(Box::new(reason)),
-                Left::Ended => None,
-            },
-        },
+        NoBalance::NoFilm(Left::Ended) => NoTemperature::Ended { nearest: None },
+        NoBalance::Ends { temperature, film, reason: Left::Ended } => {
+            NoTemperature::Ended { nearest: Some(powers(temperature, &film)) }
+        }
+        NoBalance::Ends { temperature, film, reason: Left::NoAnswer(reason) } => {
+            NoTemperature::NoFilmBeyond { last: powers(temperature, &film), reason: Box::new(reason) }
+        }
         NoBalance::TooHot { temperature, film } => NoTemperature::TooHot { hottest: powers(temperature, &film) },
     })
 }

@@ -9,6 +9,7 @@ mod conserving_orbits;
 mod contact;
 mod coverage;
 mod crosscheck;
+mod cycles;
 mod deletion;
 mod faults;
 mod film_places;

@@ -17,6 +17,9 @@ use crate::coordinates::{Vector, length, moved};
 /// Loads are sampled at so many times to find their peak.
 const SAMPLES: u32 = 1440;
 
+/// From this cycle on the steps of the cycle before are repeated: what both differ by is then the path, not what other steps make of it.
+const REPEATED: usize = 3;
+
 /// How an orbit is sought.
 #[derive(Debug, Clone, Copy)]
 pub struct OrbitOptions<'a> {
@@ -122,7 +125,8 @@ impl Motion<'_> {
         for number in 1..=options.cycles {
             let (begin, velocity, oil) = (traveller.here.at, traveller.here.velocity, traveller.here.oil.clone());
             let wall = traveller.here.film.problem.deflection().cloned();
-            let (steps, mut cycle) = match self.cycle(&mut traveller, number, accuracy, options) {
+            let stops = if number < REPEATED { &[] } else { &last[..] };
+            let (steps, mut cycle) = match self.cycle(&mut traveller, (number, stops), accuracy, options) {
                 Ok(Some(made)) => made,
                 Ok(None) if number == 1 => {
                     let angle = (self.cycle.angular_speed() * traveller.here.time).to_degrees();
@@ -159,11 +163,11 @@ impl Motion<'_> {
         length(moves) / self.cycle.angular_speed()
     }
 
-    /// One cycle; `None` where the deadline came.
+    /// One cycle, whose steps meet the times of these stops; `None` where the deadline came.
     fn cycle(
         &self,
         traveller: &mut Traveller,
-        number: usize,
+        (number, stops): (usize, &[Step]),
         accuracy: Accuracy,
         options: &OrbitOptions,
     ) -> Result<Option<(Vec<Step>, Cycle)>, NoOrbit> {
@@ -172,13 +176,15 @@ impl Motion<'_> {
         let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
         let pace = Pace { period, error_power: self.scheme().error_power };
         let here = &traveller.here;
-        let mut dt = pace.first(self.least_gap_under(here.wall(), here.at), length(here.velocity));
+        let first = pace.first(self.least_gap_under(here.wall(), here.at), length(here.velocity));
+        let mut dt = if stops.is_empty() { first } else { f64::INFINITY };
         while traveller.here.time < period {
             if options.deadline.is_over() {
                 return Ok(None);
             }
             let now = traveller.here.time;
-            let left = period - now;
+            let stop = stops.iter().map(|step| step.time).find(|time| *time > now).unwrap_or(period);
+            let left = stop - now;
             let taken = pace.before(left, dt);
             let begin = Begin {
                 instant: &traveller.here,
@@ -194,7 +200,8 @@ impl Motion<'_> {
                         continue;
                     }
                     if taken == left {
-                        end.time = period;
+                        end.time = stop;
+                        dt = if stops.is_empty() { dt } else { f64::INFINITY };
                     }
                     let way = Way::between(&traveller.here, &end);
                     *traveller = Traveller { here: end, acceleration, before: Some(way) };

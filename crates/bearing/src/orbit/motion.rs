@@ -177,19 +177,34 @@ impl Motion<'_> {
 
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
-        let (film, contact) = closed_within(self.problem_of(moving, held), self.system, near, CLOSED)?;
+        self.closed(moving, self.problem_of(moving, held), near)
+    }
+
+    /// As [`Motion::film`], for a search that tries films beyond the limit of the viscosity law, too; what it finds is to be [accepted](Motion::accepted).
+    pub(super) fn trial(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
+        self.closed(moving, self.problem_of(moving, held).tried(), near)
+    }
+
+    /// What a search has found, under the viscosity law of the oil.
+    pub(super) fn accepted(&self, found: Instant) -> Result<Instant, NoFilm> {
+        let law = &self.problem.lubricant.pressure_law;
+        Ok(Instant { film: found.film.accepted(law)?, ..found })
+    }
+
+    fn closed(&self, moving: Moving, problem: FilmProblem, near: Neighbour) -> Result<Instant, NoFilm> {
+        let (film, contact) = closed_within(problem, self.system, near, CLOSED)?;
         let carried = load_touching(&film, contact.as_deref());
         Ok(self.instant(moving, film, &carried.total.resultant()))
     }
 
-    /// The film of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of contact where that is simulated.
-    pub(super) fn film_under(
+    /// A trial of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of contact where that is simulated.
+    pub(super) fn trial_under(
         &self,
         moving: Moving,
         held: Held<'_>,
         near: Neighbour,
     ) -> Result<(Instant, Option<Arc<ContactPoints>>), NoFilm> {
-        let film = self.problem_of(moving, held).solve_from(self.system, near)?;
+        let film = self.problem_of(moving, held).tried().solve_from(self.system, near)?;
         let contact = contact_points(&film.problem, self.system);
         let carried = load_touching(&film, contact.as_deref());
         let instant = self.instant(moving, film, &carried.total.resultant());

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::existence::readable;
 
 use super::motion::Motion;
 use super::stage::NoStage;
@@ -44,6 +45,20 @@ pub enum NoOrbit {
         cycle: usize,
         /// Least gap over the clearance [1].
         gap: f64,
+    },
+    /// No step leads on, for films that conserve their oil need pressures at which the viscosity law ends. Whether a finer mesh has a film is not known: what the film
+    /// held before is known on its own mesh alone.
+    #[error(
+        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}: the load squeezes the film until its reduced pressure is {} of that at which the viscosity law makes the pressure infinite",
+        readable(*ratio)
+    )]
+    AtLimit {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Greatest reduced pressure over the limit of the law [1].
+        ratio: f64,
     },
     /// No step leads on, for the film is squeezed out.
     #[error(
@@ -104,7 +119,11 @@ impl NoOrbit {
     pub fn is_unreached(&self) -> bool {
         match self {
             Self::Film { reason, .. } => reason.is_unreached(),
-            Self::Stuck { .. } | Self::AtOpening { .. } | Self::Between { .. } | Self::Ended { .. } => true,
+            Self::Stuck { .. }
+            | Self::AtLimit { .. }
+            | Self::AtOpening { .. }
+            | Self::Between { .. }
+            | Self::Ended { .. } => true,
             Self::SqueezedOut { .. } | Self::OffShell { .. } => false,
         }
     }
@@ -115,6 +134,9 @@ impl Motion<'_> {
     pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, gap: f64) -> NoOrbit {
         let angle = (self.cycle.angular_speed() * time).to_degrees();
         match reason {
+            NoStage::Film(NoFilm::AboveLimit { ratio, .. }) if self.problem.cavitation.conserves_oil() => {
+                NoOrbit::AtLimit { angle, cycle, ratio }
+            }
             NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
             NoStage::Diverged => self.stuck((angle, cycle), time, gap),
         }

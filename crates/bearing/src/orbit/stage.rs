@@ -11,15 +11,15 @@ use oilwedge_reynolds::{FilmProblem, NoFilm};
 
 use super::motion::{Held, Instant, Motion, Moving};
 use super::oil::Before;
-use crate::coordinates::{Vector, length, moved};
+use crate::coordinates::{Vector, dot, length, moved};
 use crate::stiffness::Stiffness;
 
 /// Most films of one stage.
-pub(super) const MOST_FILMS: usize = 14;
+pub(super) const MOST_FILMS: usize = 30;
 /// No iteration leaves less than this part of the least gap.
 pub(super) const LEAST_SHRINK: f64 = 0.4;
-/// Shortest part of an iteration that is tried.
-pub(super) const SHORTEST: f64 = 0.05;
+/// Shortest part of an iteration that is tried: cells that fill stiffen the film within a small part of one.
+pub(super) const SHORTEST: f64 = 1e-3;
 /// A stage is solved where the residual over the load, and the next change over the least gap, are below these parts of the tolerance;
 const BALANCED: f64 = 1e-3;
 pub(super) const SETTLED: f64 = 3e-2;
@@ -97,7 +97,7 @@ impl Motion<'_> {
             *films += 1;
             let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
             let storage = known.before.as_ref().map(|before| &before.storage);
-            self.film(moving, Held { storage, wall: None }, near)
+            self.trial(moving, Held { storage, wall: None }, near)
         };
         let at = self.inside(near.at, start);
         let mut here = film(at, Neighbour::Start(&near.film), films)?;
@@ -116,16 +116,18 @@ impl Motion<'_> {
                 return Err(NoStage::Diverged);
             }
             if balance < accuracy.balanced() && change < SETTLED * accuracy.tolerance {
-                return self.with_oil(known, here);
+                return self.found(known, here);
             }
             let mut part = 1.0;
             while self.least_gap(moved(here.at, part, step)) < LEAST_SHRINK * gap {
                 part *= 0.8;
             }
             loop {
-                // The oil of the whole stage is carried by the same schemes, so that the force is smooth.
                 let next = film(moved(here.at, part, step), Neighbour::Start(&here.film), films);
-                let falls = |next: &Instant| length(self.residual(known, next)) < length(residual);
+                let falls = |next: &Instant| {
+                    let left = self.residual(known, next);
+                    length(left) < length(residual) || dot(left, step).abs() < dot(residual, step).abs()
+                };
                 match next {
                     Ok(next) if falls(&next) => {
                         let left = self.residual(known, &next);
@@ -138,7 +140,7 @@ impl Motion<'_> {
                         here = next;
                         break;
                     }
-                    Ok(_) if balance < NEARLY_BALANCED => return self.with_oil(known, here),
+                    Ok(_) if balance < NEARLY_BALANCED => return self.found(known, here),
                     Err(reason) if part < SHORTEST => return Err(reason.into()),
                     _ if part < SHORTEST => return Err(NoStage::Diverged),
                     _ => part *= 0.5,
@@ -149,7 +151,8 @@ impl Motion<'_> {
     }
 
     /// The end of a stage, with the oil that the film holds.
-    pub(super) fn with_oil(&self, known: &Known, here: Instant) -> Result<Instant, NoStage> {
+    pub(super) fn found(&self, known: &Known, here: Instant) -> Result<Instant, NoStage> {
+        let here = self.accepted(here)?;
         let Some(before) = &known.before else {
             return Ok(here);
         };
@@ -177,7 +180,7 @@ impl Motion<'_> {
         let per_time = 1.0 / (BEGINNING * period);
         let before = Before::at_rest(per_time, held.map_err(NoFilm::from)?);
         let held = Held { storage: Some(&before.storage), wall: wall.as_ref() };
-        let (near, _) = self.film_under(moving, held, Neighbour::None)?;
+        let (near, _) = self.trial_under(moving, held, Neighbour::None)?;
         let known = Known {
             time: 0.0,
             per_time,
@@ -218,12 +221,12 @@ impl Motion<'_> {
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
         let moving = |velocity: Vector| Moving { time, at, velocity };
-        let mut here = self.film(moving(guess), Held::default(), Neighbour::None)?;
+        let mut here = self.trial(moving(guess), Held::default(), Neighbour::None)?;
         *films += 1;
         for _ in 1..MOST_FILMS {
             let balance = length(here.excess) / accuracy.scale;
             if balance < accuracy.balanced() {
-                return Ok(here);
+                return Ok(self.accepted(here)?);
             }
             let step = (self.tangent(&here, 0.0, 1.0)?).solve(here.excess.map(|part| -part));
             if !length(step).is_finite() {
@@ -234,7 +237,7 @@ impl Motion<'_> {
                 let velocity = moved(here.velocity, part, step);
                 *films += 1;
                 let held = Held { storage: None, wall: here.film.problem.deflection() };
-                match self.film(moving(velocity), held, Neighbour::Start(&here.film)) {
+                match self.trial(moving(velocity), held, Neighbour::Start(&here.film)) {
                     Ok(next) if length(next.excess) < length(here.excess) => {
                         here = next;
                         break;
@@ -246,7 +249,7 @@ impl Motion<'_> {
                     _ => part *= 0.5,
                 }
                 match part < SHORTEST {
-                    true if balance < NEARLY_BALANCED => return Ok(here),
+                    true if balance < NEARLY_BALANCED => return Ok(self.accepted(here)?),
                     true => return Err(NoStage::Diverged),
                     false => {}
                 }

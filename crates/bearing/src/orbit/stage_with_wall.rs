@@ -15,15 +15,12 @@ use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::motion::{Held, Instant, Motion, Moving};
-use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED};
+use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED, SHORTEST};
 use crate::coordinates::{Vector, length, moved};
 use crate::deflection::{Follower, Joint, Left, Moves, contact_points};
 
 /// Accuracy of the linear system of a step: each step leaves about this part of what is left.
 const FOLLOWED: f64 = 1e-3;
-
-/// Shortest part of a step that is tried: cells that fill stiffen the film within a small part of one.
-const SHORTEST_BEND: f64 = 1e-3;
 
 /// A film of the iteration, and what it leaves of both equations.
 struct Trial {
@@ -61,7 +58,7 @@ impl Motion<'_> {
         for _ in 1..MOST_FILMS {
             let left = here.left();
             if left < accuracy.balanced() && change < SETTLED * accuracy.tolerance {
-                return self.with_oil(known, here.instant);
+                return self.found(known, here.instant);
             }
             let joint = self.joint(known.per_time, &here.instant, here.wall.contact.clone())?;
             let moves = joint.solve(here.force.map(|part| -part), Some(&here.wall.wall))?;
@@ -77,13 +74,13 @@ impl Motion<'_> {
                 match next {
                     Ok(next) if next.left() < left => break Some(next),
                     Ok(_) if left < NEARLY_BALANCED => break None,
-                    Err(reason) if part < SHORTEST_BEND => return Err(reason),
-                    _ if part < SHORTEST_BEND => return Err(NoStage::Diverged),
+                    Err(reason) if part < SHORTEST => return Err(reason),
+                    _ if part < SHORTEST => return Err(NoStage::Diverged),
                     _ => part *= 0.5,
                 }
             };
             let Some(next) = next else {
-                return self.with_oil(known, here.instant);
+                return self.found(known, here.instant);
             };
             change = size * (1.0 - part + next.left() / left);
             here = next;
@@ -114,7 +111,7 @@ impl Motion<'_> {
         };
         let mut part = 1.0;
         // A gap that is none leaves no step.
-        while gap > 0.0 && !leaves(part) && part > SHORTEST_BEND {
+        while gap > 0.0 && !leaves(part) && part > SHORTEST {
             part *= 0.8;
         }
         (gap, part)
@@ -132,7 +129,7 @@ impl Motion<'_> {
         *films += 1;
         let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
         let held = Held { storage: known.before.as_ref().map(|before| &before.storage), wall: Some(wall) };
-        let (instant, contact) = self.film_under(moving, held, near)?;
+        let (instant, contact) = self.trial_under(moving, held, near)?;
         let wall = Left::of(&instant.film, contact);
         let force = self.residual(known, &instant);
         Ok(Trial { parts: [length(force) / scale, wall.residual], force, wall, instant })

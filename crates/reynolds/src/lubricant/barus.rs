@@ -43,6 +43,10 @@ impl PressureViscosity for Barus {
         }
     }
 
+    fn pressure_of_ratio(&self, ratio: f64) -> f64 {
+        ratio.ln() / self.alpha
+    }
+
     fn limit(&self) -> f64 {
         1.0 / self.alpha
     }

@@ -10,12 +10,14 @@ pub mod barus;
 pub mod density;
 pub mod grades;
 pub mod roelands;
+mod saturating;
 mod temperature;
 mod vogel;
 pub mod walther;
 
 pub use density::Density;
 pub use grades::Grade;
+pub use saturating::Saturating;
 pub use temperature::{TemperatureLaw, ThermalOil, ViscosityTable};
 pub use vogel::Vogel;
 pub use walther::Walther;
@@ -33,6 +35,9 @@ pub trait PressureViscosity: std::fmt::Debug {
 
     /// Pressure `p` [Pa] at the reduced pressure `q`; infinite at and above [`PressureViscosity::limit`].
     fn pressure(&self, q: f64) -> f64;
+
+    /// Pressure [Pa] at which `mu(p)/mu0` is this; infinite where it is reached nowhere.
+    fn pressure_of_ratio(&self, ratio: f64) -> f64;
 
     /// Reduced pressure [Pa] of an infinite pressure: no film reaches it.
     fn limit(&self) -> f64 {
@@ -63,6 +68,8 @@ pub enum PressureLaw {
     Barus(barus::Barus),
     /// Roelands' law, which grows slower than an exponential.
     Roelands(roelands::Roelands),
+    /// One of these up to a great viscosity, for films that are tried.
+    Saturating(Saturating),
 }
 
 /// How viscosity grows with pressure.
@@ -82,6 +89,11 @@ impl PressureLaw {
             _ => LawKind::Other,
         }
     }
+
+    /// This law, under which films that are tried have a pressure beyond its limit.
+    pub(crate) fn saturating(&self) -> Self {
+        Saturating::of(self).map_or_else(|| self.clone(), Self::Saturating)
+    }
 }
 
 impl std::ops::Deref for PressureLaw {
@@ -92,6 +104,7 @@ impl std::ops::Deref for PressureLaw {
             Self::Constant => &Constant,
             Self::Barus(law) => law,
             Self::Roelands(law) => law,
+            Self::Saturating(law) => law,
         }
     }
 }
@@ -115,6 +128,10 @@ impl PressureViscosity for Constant {
 
     fn pressure(&self, q: f64) -> f64 {
         q
+    }
+
+    fn pressure_of_ratio(&self, _ratio: f64) -> f64 {
+        f64::INFINITY
     }
 }
 

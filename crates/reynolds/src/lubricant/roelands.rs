@@ -135,6 +135,10 @@ impl PressureViscosity for Roelands {
         root
     }
 
+    fn pressure_of_ratio(&self, ratio: f64) -> f64 {
+        self.reference_pressure * ((1.0 + ratio.ln() / self.exponent).powf(1.0 / self.index) - 1.0)
+    }
+
     fn limit(&self) -> f64 {
         self.reduced[self.reduced.len() - 1]
     }

@@ -11,7 +11,7 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Motion, OrbitOptions};
+use oilwedge_bearing::orbit::{Motion, OrbitEnd, OrbitOptions};
 use oilwedge_reynolds::error_bar::Bar;
 
 use super::measured;
@@ -22,25 +22,25 @@ use crate::run_options::RunOptions;
 /// Tolerance of the last orbit, over that of the others.
 const WIDER: f64 = 4.0;
 
-/// Gives the numbers of an orbit their bars; none where an orbit of the comparison does not come to its end.
+/// Gives the numbers of an orbit their bars; none where an orbit of the comparison does not come to its end. Whether the deadline has ended one.
 pub(super) fn judge(
     motion: &Motion,
     (film, model): (&Film, &oilwedge_scene::Orbit),
     (begin, orbit): (Vector, OrbitOptions),
     options: &RunOptions,
     quantities: &mut [Quantity],
-) {
+) -> bool {
     let film = Film { system: Arc::new(film.system.on_vertices()), ..film.clone() };
     let motion = Motion { system: &film.system, gap: film.gap(), ..*motion };
     let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
     let numbers = |tolerance: f64| {
         let options = OrbitOptions { tolerance, observer: None, ..orbit };
-        let orbit = motion.orbit(begin, &options).ok()?;
+        let orbit = motion.orbit(begin, &options).ok().filter(|orbit| orbit.end != OrbitEnd::Ended)?;
         Some(measured(&film, &motion, model, orbit, &numbers_alone).ok()?.quantities)
     };
     let (alike, wider) = rayon::join(|| numbers(orbit.tolerance), || numbers(WIDER * orbit.tolerance));
     let (Some(alike), Some(wider)) = (alike, wider) else {
-        return;
+        return orbit.deadline.is_over();
     };
     let find = |list: &[Quantity], name: &str| list.iter().find(|it| it.name == name).map(|it| it.value);
     for quantity in quantities {
@@ -51,4 +51,5 @@ pub(super) fn judge(
             ..Bar::default()
         }));
     }
+    false
 }

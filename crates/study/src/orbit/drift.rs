@@ -21,7 +21,7 @@
 //!
 //! K and C of such a wall are those of slow motions, which it follows; its deflection has no deviation of its own.
 
-use oilwedge_bearing::coordinates::{Vector, length, moved, unit};
+use oilwedge_bearing::coordinates::{Vector, dot, length, moved, unit};
 use oilwedge_bearing::orbit::{Cycle, Motion, OrbitEnd, Span, Step};
 
 use super::sample::{Sampled, TOLERANCE, Tangents};
@@ -185,8 +185,4 @@ impl Tangents {
         let pushed = moved(self.stiffness.times(at), 1.0, defect).map(|part| -part);
         self.damping.solve(pushed)
     }
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..4).map(|k| a[k] * b[k]).sum()
 }

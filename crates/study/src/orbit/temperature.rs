@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
-use oilwedge_bearing::orbit::OrbitEnd;
+use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd};
 use oilwedge_bearing::thermal_balance::{Start, find};
 use oilwedge_bearing::{Balanced, Deadline, NoBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
@@ -135,12 +135,18 @@ impl Search<'_> {
 
     /// The mean flows of the orbit at a temperature [K].
     fn at(&mut self, temperature: f64) -> Result<ThermalFlows, Left> {
+        if self.deadline.is_over() {
+            return Err(Left::Ended);
+        }
         let film = at_temperature(&self.film, temperature);
         if let Some(observer) = self.options.observer {
             observer.temperature(self.tried.len() + 1, temperature - ZERO_CELSIUS);
         }
         let found = followed(&film, (self.scene, &self.model, self.cycle), (self.begin, self.deadline), &self.options);
-        let found = found.map_err(Left::NoAnswer)?;
+        let found = found.map_err(|reason| match reason {
+            NoAnswer::Orbit(NoOrbit::Ended { .. }) => Left::Ended,
+            reason => Left::NoAnswer(reason),
+        })?;
         if found.end == OrbitEnd::Ended {
             return Err(Left::Ended);
         }
