@@ -1,13 +1,11 @@
 //! Progress of a long run on stderr: a line that changes on a terminal, else a plain line every few seconds.
 
 use crate::complain::say;
-use crate::interrupt::{self, Best};
 use crate::readable::{bar, readable_unit, significant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use oilwedge_campaign::convergence::{LevelReport, Observer, Strategy};
 use oilwedge_report::sweep::Progress as Cases;
 use oilwedge_report::tables::{duration, time};
-use oilwedge_study::result::RunResult;
 use oilwedge_study::{OrbitObserver, Reached, RunObserver, SearchObserver};
 use std::io::IsTerminal;
 use std::sync::Mutex;
@@ -127,10 +125,6 @@ impl RunObserver for Steps {
             let line = format!("the orbit on {unknowns} unknowns takes some {} of processor time", duration(seconds));
             self.bar.suspend(|| say(&line));
         }
-    }
-
-    fn best(&self, result: RunResult) {
-        interrupt::keep(Best { result, orbit: None });
     }
 
     fn turns_to(&self, task: &'static str) {

@@ -20,7 +20,7 @@ use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::Plan;
-use oilwedge_study::RunOptions;
+use oilwedge_study::{RunOptions, run_telling};
 use oilwedge_study::orbit::{Frame, no_map};
 use oilwedge_study::result::Status;
 use oilwedge_study::shaft::Variant;
@@ -152,7 +152,8 @@ impl Solve {
         let working = Progress::of(Self::task(&scene));
         let observed = RunOptions { observer: Some(working.observer()), ..options };
         self.check_add_ons(&scene)?;
-        let run = oilwedge_study::run(&scene, &observed).map_err(Failure::of(path))?;
+        let keep = |result| interrupt::keep(Best { result, orbit: None });
+        let run = run_telling(&scene, &observed, Some(&keep)).map_err(Failure::of(path))?;
         if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
             return Err(Failure::Interrupted(format!(
                 "ended before the next cycle was complete; the results in {} stay those of the cycles before",

@@ -5,7 +5,7 @@
 //!
 //! Where the film holds no oil but what its thickness holds, the frequency makes no difference: `A u = -dR/de`, `A w = -dR/de'`, A the
 //! tangent at the film. A cavity that conserves oil fills and empties: with the volume S that each of its nodes holds when it is full,
-//! `A u - a^2 S w = -dR/de`, `A w + S u = -dR/de'`. The set of the cavity and the advection schemes stay.
+//! `A u - a^2 S w = -dR/de`, `A w + S u = -dR/de'`. The set of the cavity stays.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

@@ -59,5 +59,5 @@ pub use oilwedge_bearing::{Clock, Interrupt, SearchObserver, pool};
 pub use checks::{CHECKS, check_columns, complaints, parse, read};
 pub use compile_error::CompileError;
 pub use observer::{Reached, RunObserver};
-pub use run::{Run, run};
+pub use run::{Run, run, run_telling};
 pub use run_options::RunOptions;

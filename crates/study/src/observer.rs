@@ -4,7 +4,6 @@ use oilwedge_bearing::orbit::OrbitObserver;
 use oilwedge_bearing::{Deadline, SearchObserver};
 
 use crate::quantities::Unit;
-use crate::result::RunResult;
 
 /// The bar that decides whether a mesh is fine enough.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,9 +54,6 @@ pub trait RunObserver: SearchObserver + OrbitObserver {
 
     /// A mesh was solved, and its bars are known.
     fn reached(&self, reached: &Reached);
-
-    /// A mesh was solved that is not yet the last: what the run answers if it ends now.
-    fn best(&self, _result: RunResult) {}
 
     /// Temperature `number` of this search, from 1, is tried next [degrees C].
     fn temperature(&self, number: usize, celsius: f64);

@@ -46,11 +46,19 @@ pub struct Answer {
     pub limit: Option<Limit>,
 }
 
+/// Is told of each mesh but the last: its film with the errors, all meshes so far, and the limit that stands if the run ends there.
+pub(crate) type Tell<'a> = &'a dyn Fn((&Solved, Estimated), &[LevelFacts], Option<&Limit>);
+
 /// Answers a scene, on meshes as fine as its tolerance asks for if errors are estimated.
 ///
 /// # Errors
 /// The scene does not become a film.
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
+    answer_telling(scene, options, None)
+}
+
+/// As [`answer`], and tells of each mesh but the last.
+pub(crate) fn answer_telling(scene: &Scene, options: &RunOptions, tell: Option<Tell>) -> Result<Answer, CompileError> {
     let targets = targets(scene).filter(|_| options.bars);
     if targets.is_some() {
         next::check_first(scene, options.watch())?;
@@ -58,7 +66,7 @@ pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileErro
     let warmed = crate::thermal::warmed(scene, options.watch())?;
     let scene = warmed.as_ref().unwrap_or(scene);
     if let Some(targets) = targets {
-        return levels::towards(scene, &targets, options);
+        return levels::towards(scene, &targets, options, tell);
     }
     let watch = options.watch();
     let film = graded(scene, watch)?;

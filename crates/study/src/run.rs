@@ -21,7 +21,7 @@ use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::{Quantity, left_over};
 use crate::reasons::Limit;
-use crate::refinement::answer;
+use crate::refinement::{Tell, answer_telling};
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
     Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts, RESULT_FORMAT,
@@ -51,6 +51,18 @@ pub struct Run {
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or does not fit the scene.
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
+    run_telling(scene, options, None)
+}
+
+/// As [`run`]; `best` is given what the run answers if it ends on the mesh after the present one, each time that a mesh is solved which is not the last.
+///
+/// # Errors
+/// [`CompileError`] where the mesh cannot be read or does not fit the scene.
+pub fn run_telling(
+    scene: &Scene,
+    options: &RunOptions,
+    best: Option<&dyn Fn(RunResult)>,
+) -> Result<Run, CompileError> {
     let clock = Instant::now();
     if let Some(orbit) = &scene.orbit {
         let mut run = on_orbit(scene, orbit, options)?;
@@ -62,7 +74,12 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
         add_total(&mut run.result, before, clock.elapsed().as_secs_f64());
         return Ok(run);
     }
-    let answer = answer(scene, options)?;
+    let told = best.map(|best| {
+        |found: (&Solved, Estimated), levels: &[LevelFacts], limit: Option<&Limit>| {
+            best(result_of(scene, found, levels, limit, options));
+        }
+    });
+    let answer = answer_telling(scene, options, told.as_ref().map(|told| told as Tell))?;
     let mut result = without_outcome(scene, (&answer.film, &answer.levels), options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
@@ -84,7 +101,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
 
 /// The result of a scene that is `solved` on the last of some meshes, with the limit that ends it, if one does; what
 /// takes a search is left out.
-pub(crate) fn result_of(
+fn result_of(
     scene: &Scene,
     (solved, estimated): (&Solved, Estimated),
     levels: &[LevelFacts],

@@ -35,7 +35,7 @@ fn films() -> Vec<(String, FilmProblem, Arc<FilmSystem>)> {
     films
 }
 
-/// Central differences of the same discrete film, cavities and schemes kept, steps of 1e-7 and 1e-6 of the clearance.
+/// Central differences of the same discrete film, cavities kept, steps of 1e-7 and 1e-6 of the clearance.
 #[test]
 fn tangents_with_contact_are_differences() {
     for (what, problem, system) in films() {

@@ -44,7 +44,7 @@ pub enum Between {
 pub struct StepHistory {
     /// What the film held before.
     pub before: Arc<Storage>,
-    /// The cavity and the advection schemes that were found.
+    /// The cavity that was found.
     pub trace: FilmTrace,
     /// The oil that it holds.
     pub oil: Arc<Oil>,

@@ -124,7 +124,7 @@ impl FilmContribution for Unit {
 }
 
 impl GapTangent {
-    /// Of a film that was solved under this deflection: its cavity, film fraction and advection schemes stay.
+    /// Of a film that was solved under this deflection: its cavity and film fraction stay.
     ///
     /// # Errors
     /// A system that does not fit in memory.

@@ -4,7 +4,7 @@ use super::distance::worst;
 use super::growth::{Goal, Growth, next_seconds};
 use super::level::Level;
 use super::next::{FIRST_UNKNOWNS, Next};
-use super::{Answer, ended, solved};
+use super::{Answer, Tell, ended, solved};
 use crate::checks::Targets;
 use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
@@ -15,7 +15,6 @@ use crate::observer::{Reached, Watch};
 use crate::quantities::Quantity;
 use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
-use crate::run::result_of;
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
 use oilwedge_bearing::Moment;
@@ -60,6 +59,8 @@ struct Refining<'a> {
     /// When the run began, by its clock.
     begun: Moment,
     watch: Watch,
+    /// Is told of each mesh but the last.
+    best_so_far: Option<Tell<'a>>,
     levels: Vec<LevelFacts>,
     /// Seconds of the last mesh in which the position was found that it is graded for: known from then on [s].
     grading: f64,
@@ -72,13 +73,19 @@ struct Refining<'a> {
 }
 
 /// Answers a scene on meshes as fine as the targets ask for.
-pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) -> Result<Answer, CompileError> {
+pub(super) fn towards(
+    scene: &Scene,
+    targets: &Targets,
+    options: &RunOptions,
+    best_so_far: Option<Tell>,
+) -> Result<Answer, CompileError> {
     let mut refining = Refining {
         scene,
         targets,
         options,
         begun: options.clock.start(),
         watch: options.watch(),
+        best_so_far,
         levels: Vec::new(),
         grading: 0.0,
         best: None,
@@ -247,13 +254,13 @@ impl Refining<'_> {
         }
     }
 
-    /// Tells the observer what the run answers if it ends on the mesh after this level.
+    /// Tells what the run answers if it ends on the mesh after this level.
     fn tell_best(&self, level: &Level) {
-        let Some(observer) = self.watch.observer else { return };
+        let Some(best) = self.best_so_far else { return };
         let limit = (level.worst > 1.0)
             .then(|| Limit::Unfinished(self.distance(level.worst), self.elapsed(), Cause::Interrupt));
         let found = (&level.solved, level.estimated.clone());
-        observer.best(result_of(self.scene, found, &self.levels, limit.as_ref(), self.options));
+        best(found, &self.levels, limit.as_ref());
     }
 
     /// Tells the observer how far the last mesh is from the tolerance.

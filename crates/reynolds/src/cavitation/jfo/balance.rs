@@ -20,7 +20,7 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    /// What pressure drives, which the advection schemes do not change; the rest is zero.
+    /// What pressure drives; the rest is zero.
     pub(super) fn of_pressure(film: &Film<'_>) -> Self {
         let mut pressure = Matrix::zero(film.volumes.pattern.clone());
         for (block, addresses) in film.blocks.iter().zip(&film.volumes.addresses) {
