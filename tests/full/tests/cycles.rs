@@ -83,11 +83,11 @@ fn a_load_beyond_the_viscosity_law_is_told_as_that() {
     assert!(reason.contains("viscosity law") && reason.contains("lower the load"), "{reason}");
 }
 
-/// Whatever is ended before its heat is balanced says by which limit, and what to give: before and after a first temperature was solved.
+/// Whatever is ended before its heat is balanced says by which limit, and what to give.
 #[test]
 fn a_balance_of_heat_that_was_ended_names_the_limit() {
     static CALLS: AtomicU32 = AtomicU32::new(0);
-    for calls in [0.5, 400.0] {
+    for calls in [0.5, 200.0] {
         let clock = Clock::showing(|| f64::from(CALLS.fetch_add(1, Ordering::Relaxed)));
         let result =
             cycle(GROOVE, SWIFT_STIEBER, BALANCED, 1.0, &RunOptions { max_seconds: calls, clock, ..numbers() });
