@@ -1,4 +1,5 @@
-//! Bytes as a kind of quantity and a text: it is refused with a way out, or it is a finite number that is read back from its own digits.
+//! Bytes as a kind of quantity and a text: it is refused with a way out, or it is a finite number that is read back
+//! from its own digits.
 
 #![no_main]
 

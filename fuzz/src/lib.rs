@@ -11,8 +11,8 @@ use cap::Cap;
 /// Bytes that reading may take whatever the input: messages, tables of units, buffers.
 pub const BYTES_AT_LEAST: usize = 4 << 20;
 
-/// Runs `read` with no more memory than `most` bytes and some megabytes: an allocation beyond that ends the program, and
-/// libFuzzer keeps the input.
+/// Runs `read` with no more memory than `most` bytes and some megabytes: an allocation beyond that ends the program,
+/// and libFuzzer keeps the input.
 pub fn bounded<T>(allocator: &Cap<System>, most: usize, read: impl FnOnce() -> T) -> T {
     let limit = allocator.allocated() + BYTES_AT_LEAST + most;
     allocator.set_limit(limit).expect("less is in use");
@@ -61,8 +61,8 @@ fn step(state: &mut u64) -> usize {
     (*state >> 11) as usize
 }
 
-/// Changes the text in `data[..size]` by words and lines: a word becomes another one or that of another place, a line is
-/// doubled, removed or moved. Returns the new size, at most `most`; `None` where there is nothing to change.
+/// Changes the text in `data[..size]` by words and lines: a word becomes another one or that of another place, a line
+/// is doubled, removed or moved. Returns the new size, at most `most`; `None` where there is nothing to change.
 pub fn mutate_words(data: &mut [u8], size: usize, most: usize, seed: u32) -> Option<usize> {
     let mut state = (u64::from(seed) << 20) | 0x9e37_79b9;
     let text = data[..size].to_vec();

@@ -8,7 +8,8 @@ use oilwedge_study::quantities::{
 
 use crate::scenes::path;
 
-/// A number of both lands by a second code: quantity, factor from SI and of one land to the unit here, name with the unit, digits, the number.
+/// A number of both lands by a second code: quantity, factor from SI and of one land to the unit here, name with the
+/// unit, digits, the number.
 pub type Known = (&'static Row, f64, &'static str, usize, f64);
 
 /// Swift and Stieber: finite volumes on 240 x 12 and 480 x 24 cells a land, extrapolated.

@@ -1,4 +1,5 @@
-//! Crankshafts on all their films: the shipped scenes, variants of them, and what a second code finds; for the tests and for `docs/validation/crankshafts.md`.
+//! Crankshafts on all their films: the shipped scenes, variants of them, and what a second code finds; for the tests
+//! and for `docs/validation/crankshafts.md`.
 
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -81,7 +82,8 @@ pub fn numbers(run: &ShaftRun, row: &Row) -> Vec<f64> {
     run.result.bearings.iter().map(number).collect()
 }
 
-/// The shaft on three films under other loads or supports, and what structured finite volumes of a second code find on all its films, extrapolated.
+/// The shaft on three films under other loads or supports, and what structured finite volumes of a second code find on
+/// all its films, extrapolated.
 #[derive(Debug, Clone, Copy)]
 pub struct ThreeFilms {
     /// What is special of it.
@@ -191,7 +193,8 @@ pub fn two_films_with(keys: &str) -> String {
     changed(&two_films(), "youngs_modulus = \"206 GPa\"", keys)
 }
 
-/// A shaft so stiff that it does not bend, on bearings that bear no moment; and one that is cut. Statics decides what their bearings bear.
+/// A shaft so stiff that it does not bend, on bearings that bear no moment; and one that is cut. Statics decides what
+/// their bearings bear.
 pub const BY_STATICS: [(&str, &str); 2] = [
     ("rigid shaft", "youngs_modulus = \"206e6 GPa\"\ntilt = \"none\""),
     ("cut shaft", "youngs_modulus = \"206 GPa\"\nstatics = \"cut\""),
@@ -214,7 +217,8 @@ pub const BESIDE: [&str; 2] = [
     "[{ share = 0.5, web_mass = \"2.4 kg\" }, { angle = \"240 deg\", share = 0.5, web_mass = \"2.4 kg\" }]",
 ];
 
-/// Least film [m] over the orbit of a main bearing of this `engine` of three throws by itself, beside these throws; `bearing` is the text of its scene.
+/// Least film [m] over the orbit of a main bearing of this `engine` of three throws by itself, beside these throws;
+/// `bearing` is the text of its scene.
 ///
 /// # Panics
 /// It has no orbit.

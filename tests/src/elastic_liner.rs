@@ -1,4 +1,5 @@
-//! The elastic liners of `tests/data/elastic_liner.json`, numbers of a second, independent code; films on structured rings with a wall.
+//! The elastic liners of `tests/data/elastic_liner.json`, numbers of a second, independent code; films on structured
+//! rings with a wall.
 
 use std::sync::Arc;
 

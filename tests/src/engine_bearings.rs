@@ -11,8 +11,9 @@ use oilwedge_study::{RunOptions, run};
 
 use crate::scenes::{table, variant};
 
-/// Speed [rpm], load [N], and the numbers that the fits of ISO 7902 were printed to give there: temperature of the film and of the oil that leaves
-/// [degrees C], viscosity [mPa.s], eccentricity, thinnest film [um], friction [W], both flows together [l/min].
+/// Speed [rpm], load [N], and the numbers that the fits of ISO 7902 were printed to give there: temperature of the film
+/// and of the oil that leaves [degrees C], viscosity [mPa.s], eccentricity, thinnest film [um], friction [W], both
+/// flows together [l/min].
 pub const CAR: [(f64, f64, [f64; 7]); 3] = [
     (1100.0, 901.5, [76.65, 78.29, 12.519, 0.7069, 13.48, 43.66, 0.4418]),
     (1900.0, 1557.1, [78.40, 81.81, 11.899, 0.7143, 13.14, 125.23, 0.6132]),

@@ -1,12 +1,14 @@
-//! What the layout of the sources promises, counted: which files know an effect, import circles, sizes, names of quantities in quotes.
+//! What the layout of the sources promises, counted: which files know an effect, import circles, sizes, names of
+//! quantities in quotes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use crate::program::repository;
 
-/// Effects whose knowledge is bounded: the word by which code names them, and the most files that may do so. Five for a law or a term,
-/// seven for the term of which damping is made and which is also the name of a motion among the characteristics, eight for a closure or a balance.
+/// Effects whose knowledge is bounded: the word by which code names them, and the most files that may do so. Five for a
+/// law or a term, seven for the term of which damping is made and which is also the name of a motion among the
+/// characteristics, eight for a closure or a balance.
 pub const EFFECTS: [(&str, usize); 5] = [("barus", 5), ("squeeze", 7), ("jfo", 8), ("heat", 8), ("iso7902", 4)];
 
 /// A file of production code.
@@ -71,13 +73,15 @@ impl Source {
         self.code.iter().filter(|line| !line.trim().is_empty()).count()
     }
 
-    /// Whether its code names the effect: an identifier or a key that holds the word. Lines that only list a module or a row do not count.
+    /// Whether its code names the effect: an identifier or a key that holds the word. Lines that only list a module or
+    /// a row do not count.
     pub fn knows(&self, word: &str) -> bool {
         (self.code.iter()).filter(|line| !is_listing(line)).any(|line| holds(&without_messages(line), word))
     }
 }
 
-/// `mod barus;`, `&barus::BARUS,`, `("barus", include_str!("barus.toml")),`: a line of a list, that goes with the file it names.
+/// `mod barus;`, `&barus::BARUS,`, `("barus", include_str!("barus.toml")),`: a line of a list, that goes with the file
+/// it names.
 fn is_listing(line: &str) -> bool {
     let line = line.trim().trim_start_matches("pub ").trim_start_matches("pub(crate) ");
     let is_entry = |line: &str| line.chars().all(|letter| letter.is_alphanumeric() || "_:&,".contains(letter));
@@ -101,7 +105,8 @@ fn without_messages(line: &str) -> String {
     PROPERTIES.iter().fold(kept, |line, property| line.replace(property, ""))
 }
 
-/// Whether a line holds the word as a part of an identifier (`heat_balance`, `HeatBalance`, but neither `sheath` nor `squeezed`).
+/// Whether a line holds the word as a part of an identifier (`heat_balance`, `HeatBalance`, but neither `sheath` nor
+/// `squeezed`).
 fn holds(line: &str, word: &str) -> bool {
     let small = line.to_ascii_lowercase();
     small.match_indices(word).any(|(place, _)| {

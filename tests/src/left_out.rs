@@ -1,5 +1,6 @@
-//! Parts of the tests that need more than Rust: where a machine lacks it they are left out, and named at the end of `cargo test` by
-//! `tests/tests/left_out.rs`, with the line that installs it. With `CI=true` in the environment nothing may be left out.
+//! Parts of the tests that need more than Rust: where a machine lacks it they are left out, and named at the end of
+//! `cargo test` by `tests/tests/left_out.rs`, with the line that installs it. With `CI=true` in the environment nothing
+//! may be left out.
 
 use std::fs;
 use std::path::PathBuf;

@@ -92,7 +92,8 @@ pub fn ring_of_radius(radius: f64, columns: u32, rows: u32, length: f64, start: 
     Mesh::build(raw).expect("a structured ring has no defects")
 }
 
-/// A copy of a mesh with vertices and triangles numbered in reverse order, the corners of each triangle beginning with another one.
+/// A copy of a mesh with vertices and triangles numbered in reverse order, the corners of each triangle beginning with
+/// another one.
 pub fn renumbered(mesh: &Mesh) -> Mesh {
     let mut raw = mesh.to_raw();
     let last = raw.points.len() as u32 - 1;
@@ -113,8 +114,8 @@ pub fn renumbered(mesh: &Mesh) -> Mesh {
 /// Length [m] of [`stretched_ring`].
 pub const LENGTH_OF_STRETCHED: f64 = 0.1;
 
-/// A ring of triangles some fifteen times longer around than along the axis, many of them obtuse; the line at the angle 0
-/// is straight.
+/// A ring of triangles some fifteen times longer around than along the axis, many of them obtuse; the line at the angle
+/// 0 is straight.
 pub fn stretched_ring() -> Mesh {
     let (columns, rows) = (16, 80);
     let mut raw = ring(columns, rows, LENGTH_OF_STRETCHED, 0.0).to_raw();

@@ -9,7 +9,8 @@ pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
-/// Cargo, as the user calls it: without the variable by which CI lets test programs print times, for it would compile everything again.
+/// Cargo, as the user calls it: without the variable by which CI lets test programs print times, for it would compile
+/// everything again.
 pub fn cargo() -> Command {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.env_remove("RUSTC_BOOTSTRAP");
@@ -21,7 +22,8 @@ pub fn cargo() -> Command {
 /// `cargo test` builds the programs of a package for that package's own tests only.
 pub fn build(name: &str) -> PathBuf {
     let mut cargo = cargo();
-    // With the features that the whole workspace asks of dependencies, as the tests have them: nothing is compiled twice.
+    // With the features that the whole workspace asks of dependencies, as the tests have them: nothing is compiled
+    // twice.
     cargo.args(["build", "--quiet", "--workspace", "--bin", name]);
     if !cfg!(debug_assertions) {
         cargo.arg("--release");

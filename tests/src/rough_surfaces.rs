@@ -5,7 +5,8 @@ use serde_json::Value;
 
 use crate::program::repository;
 
-/// Contact of elastic asperities of a roughness of 2 um, and by a bearing curve of 4 um: they touch where films of the tests are thin.
+/// Contact of elastic asperities of a roughness of 2 um, and by a bearing curve of 4 um: they touch where films of the
+/// tests are thin.
 pub fn contacts() -> [Contact; 2] {
     let laws = [
         ContactLaw::GreenwoodTripp(GreenwoodTripp::new(2e-6, 0.05, 0.01, 115e9, 2e9)),

@@ -1,4 +1,5 @@
-//! The shaped bearings of `tests/data/shaped_bearings.json`, numbers of a second, independent code: scenes of them, and tables of measured points.
+//! The shaped bearings of `tests/data/shaped_bearings.json`, numbers of a second, independent code: scenes of them, and
+//! tables of measured points.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;

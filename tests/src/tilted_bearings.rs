@@ -1,4 +1,5 @@
-//! The tilted bearings of `tests/data/tilted_bearings.json`, numbers of a second, independent code: scenes of them, and films on structured rings.
+//! The tilted bearings of `tests/data/tilted_bearings.json`, numbers of a second, independent code: scenes of them, and
+//! films on structured rings.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -43,7 +44,8 @@ pub fn numbers(list: &Value) -> Vec<f64> {
     numbers.map(|number| number.as_f64().expect("a number")).collect()
 }
 
-/// The text of a scene with the bearing of [`FORCE`], of the length `ratio` [diameters]; `keys` are further lines of it: first those of `[journal]`, then other tables.
+/// The text of a scene with the bearing of [`FORCE`], of the length `ratio` [diameters]; `keys` are further lines of
+/// it: first those of `[journal]`, then other tables.
 pub fn scene(ratio: f64, tolerance: &str, keys: &str) -> String {
     format!(
         "bearing = {{ diameter = \"100 mm\", length = \"{} mm\", clearance = \"50 um\" }}\nmesh.tolerance = {tolerance}\n\

@@ -152,7 +152,8 @@ fn physics_files_open_with_their_headings() {
     assert!(seen >= 16, "only {seen} physics files were found");
 }
 
-/// Crates in which files of one idea import each other in a circle, and the most files in it; `docs/architecture.md` says which.
+/// Crates in which files of one idea import each other in a circle, and the most files in it; `docs/architecture.md`
+/// says which.
 const LARGEST_CIRCLE: [(&str, usize); 2] = [("mesh", 3), ("fem", 2)];
 
 #[test]

@@ -1,4 +1,5 @@
-//! The catalogue of keys, quantities, effects, fields and warnings: every row has all its columns, and its words are written once.
+//! The catalogue of keys, quantities, effects, fields and warnings: every row has all its columns, and its words are
+//! written once.
 
 use oilwedge_report::catalogue::{Entry, entries};
 use oilwedge_tests::house::sources;

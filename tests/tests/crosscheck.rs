@@ -1,4 +1,5 @@
-//! The second, independent answer: scikit-fem solves the same meshes, pyvista reads our fields, Python uses the package.
+//! The second, independent answer: scikit-fem solves the same meshes, pyvista reads our fields, Python uses the
+//! package.
 //!
 //! Left out, and named, on machines without Python's venv or the libraries of gmsh and VTK.
 

@@ -1,4 +1,5 @@
-//! What a scene without `[mesh]` gets: the numbers that an engineer reads to 2 %, or a warning; and how many films that takes.
+//! What a scene without `[mesh]` gets: the numbers that an engineer reads to 2 %, or a warning; and how many films that
+//! takes.
 
 use std::path::Path;
 
@@ -67,7 +68,8 @@ fn a_bar_that_stays_wide_has_a_warning() {
     assert_eq!(film.status, Status::Converged, "what is required is met");
 }
 
-/// A shell that is thinnest at its edge loses hardly any oil at its ends: that number is the least certain, and no mesh is made for it.
+/// A shell that is thinnest at its edge loses hardly any oil at its ends: that number is the least certain, and no mesh
+/// is made for it.
 #[test]
 fn a_small_side_flow_with_a_wide_bar_has_a_warning() {
     let film = result(

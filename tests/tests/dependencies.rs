@@ -1,7 +1,7 @@
 //! The supply chain: licences, duplicates and sources of all dependencies are those that `deny.toml` allows.
 //!
-//! The same file is that of `cargo deny`, which is asked too where it is installed. Advisories are a matter of the day and need a
-//! database from the network: `CONTRIBUTING.md` tells how they are looked up.
+//! The same file is that of `cargo deny`, which is asked too where it is installed. Advisories are a matter of the day
+//! and need a database from the network: `CONTRIBUTING.md` tells how they are looked up.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
@@ -71,8 +71,8 @@ fn licences_are_allowed() {
     assert!(idle.is_empty(), "no package has {idle:?}: take it out of deny.toml");
 }
 
-/// The program and the Python package are built alone: with other features than those of the workspace, `cargo test` would compile again
-/// what they are made of.
+/// The program and the Python package are built alone: with other features than those of the workspace, `cargo test`
+/// would compile again what they are made of.
 #[test]
 fn program_and_python_package_have_the_features_of_the_workspace() {
     let packages = |of: &[&str]| {

@@ -12,7 +12,8 @@ fn result(text: &str, folder: &Path, options: &RunOptions) -> RunResult {
     run(&scene, options).expect("a film").result
 }
 
-/// Pressures of the as-printed equation may exceed 1/alpha: its fold lies at 36.72 rad/s, and the pressure reaches 1/alpha at 35.5.
+/// Pressures of the as-printed equation may exceed 1/alpha: its fold lies at 36.72 rad/s, and the pressure reaches
+/// 1/alpha at 35.5.
 #[test]
 fn an_as_printed_film_has_bars_up_to_its_fold() {
     let folder = repository().join("scenes");

@@ -1,4 +1,5 @@
-//! Loads over a cycle against closed forms: the crank of `tests/data/big_end_of_a_crank.json`, and the synthetic big end of the shipped scenes.
+//! Loads over a cycle against closed forms: the crank of `tests/data/big_end_of_a_crank.json`, and the synthetic big
+//! end of the shipped scenes.
 
 use std::f64::consts::{PI, TAU};
 
@@ -133,7 +134,8 @@ fn the_spline_of_the_table_is_the_formula() {
     assert!((cycle.at(1.0).speed - 20.0 * PI).abs() < 1e-12);
 }
 
-/// A scene with the synthetic load in a frame, from a table in 2 degree steps with full digits and without an end row, or with one.
+/// A scene with the synthetic load in a frame, from a table in 2 degree steps with full digits and without an end row,
+/// or with one.
 fn written(frame: Frame, end: u32, folder: &std::path::Path) -> Scene {
     let crank = cycle(&shipped("crank_big_end"));
     let turning = crank.turning().expect("a crank");

@@ -59,7 +59,8 @@ fn a_hole_within_a_groove_is_the_groove() {
     }
 }
 
-/// Two grooves that overlap are the groove of their extent, in any order; a groove divided in two halves that touch is the whole one.
+/// Two grooves that overlap are the groove of their extent, in any order; a groove divided in two halves that touch is
+/// the whole one.
 #[test]
 fn parts_of_a_groove_are_the_groove() {
     let whole = solved(&scene("reynolds", &[("groove", GROOVE, "2")]));
@@ -97,7 +98,8 @@ fn a_hole_wider_than_its_groove_adds_two_caps() {
     }
 }
 
-/// The share of a union in the load is exact only where its rim is straight: the arcs of a hole are parabolas of the mesh.
+/// The share of a union in the load is exact only where its rim is straight: the arcs of a hole are parabolas of the
+/// mesh.
 #[test]
 fn the_share_of_a_union_has_a_bar() {
     let groove = r#"groove = { from = "70 deg", to = "110 deg", width = "6 mm" }"#;
@@ -175,7 +177,8 @@ const FULL: [(&str, &str, &str); 2] = [
     ("bottom", r#"groove = { from = "260 deg", to = "280 deg", width = "30 mm" }"#, "0"),
 ];
 
-/// Two grooves from end to end leave two films, each that of an arc. Both grooves have the pressure of the ends, as the edges of arcs have.
+/// Two grooves from end to end leave two films, each that of an arc. Both grooves have the pressure of the ends, as the
+/// edges of arcs have.
 #[test]
 fn grooves_of_full_length_leave_independent_arcs() {
     for (model, within) in [("none", 1e-3), ("reynolds", 1e-3), ("jfo", 6e-3)] {
@@ -202,8 +205,8 @@ fn grooves_of_full_length_leave_independent_arcs() {
     }
 }
 
-/// What a groove of full length carries is its pressure on its projection, and its oil balances; the flow round its corners has no limit, which is
-/// said.
+/// What a groove of full length carries is its pressure on its projection, and its oil balances; the flow round its
+/// corners has no limit, which is said.
 #[test]
 fn a_groove_of_full_length_carries_its_pressure() {
     for model in ["reynolds", "jfo"] {
@@ -241,8 +244,8 @@ fn a_short_land_makes_little_difference() {
     assert!((full / short - 1.0).abs() < 2e-3, "{full} {short}");
 }
 
-/// The step pad of Rayleigh with finite width, whose pocket begins at the edge of the arc and has its whole width. Reference: series of
-/// `cos(n pi z/L)` along the axis, exact along the arc for each n, to n = 399.
+/// The step pad of Rayleigh with finite width, whose pocket begins at the edge of the arc and has its whole width.
+/// Reference: series of `cos(n pi z/L)` along the axis, exact along the arc for each n, to n = 399.
 #[test]
 fn a_step_from_the_edge_of_an_arc_is_that_of_the_series() {
     let of = |to: &str| {
@@ -268,8 +271,9 @@ depth = "43.3 um"
     }
 }
 
-/// The dam of Nicholas, Barrett and Leader, ASME J. Mech. Des. 102 (1980) 80, table 6, bearing 1 of set 1, begins where its groove ends: S = 3.5, eps = 0.29,
-/// stable up to `omega sqrt(c/g)` = 7.5; 10 % is asked, for their film has other elements and other rules for the cavity.
+/// The dam of Nicholas, Barrett and Leader, ASME J. Mech. Des. 102 (1980) 80, table 6, bearing 1 of set 1, begins where
+/// its groove ends: S = 3.5, eps = 0.29, stable up to `omega sqrt(c/g)` = 7.5; 10 % is asked, for their film has other
+/// elements and other rules for the cavity.
 #[test]
 fn a_pressure_dam_begins_where_its_groove_ends() {
     let dam = |start: &str| {

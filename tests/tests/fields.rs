@@ -36,7 +36,8 @@ fn integral(picture: &FilmPicture, value: impl Fn(usize) -> f64) -> f64 {
     picture.cells.iter().map(cell).sum()
 }
 
-/// Torques are the moments of the stresses: T that against which the journal is turned, T_b that with which the bearing is held.
+/// Torques are the moments of the stresses: T that against which the journal is turned, T_b that with which the bearing
+/// is held.
 #[test]
 fn torques_are_integrals_of_the_stresses() {
     for (model, share) in [("none", 1e-4), ("guembel", 5e-3), ("reynolds", 2e-3), ("jfo", 5e-3)] {

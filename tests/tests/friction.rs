@@ -39,7 +39,8 @@ fn measured(problem: &FilmProblem, system: &Arc<FilmSystem>) -> Measured {
     Measured { power, friction: friction(&problem.journal, &power).expect("a turning journal"), film }
 }
 
-/// Petroff (1883) for a centred journal, and the drag through a gap of varying width: `2 pi mu omega R^3 B/(c sqrt(1 - eps^2))`.
+/// Petroff (1883) for a centred journal, and the drag through a gap of varying width:
+/// `2 pi mu omega R^3 B/(c sqrt(1 - eps^2))`.
 #[test]
 fn shear_is_that_of_the_closed_form() {
     for eccentricity in [0.0, 0.3, 0.8] {
@@ -56,9 +57,10 @@ fn shear_is_that_of_the_closed_form() {
     }
 }
 
-/// The moments on journal and bearing differ by that of the load about the bearing's centre, whatever cavitates; the drag of pressure is
-/// half of it: the source's kN2. To rounding of the integrals where nothing cavitates, else as well as the film is resolved: a cut pressure is
-/// bent where the nodes tell, and the flows between cells drag with the scheme's thickness.
+/// The moments on journal and bearing differ by that of the load about the bearing's centre, whatever cavitates; the
+/// drag of pressure is half of it: the source's kN2. To rounding of the integrals where nothing cavitates, else as well
+/// as the film is resolved: a cut pressure is bent where the nodes tell, and the flows between cells drag with the
+/// scheme's thickness.
 #[test]
 fn moments_of_the_two_surfaces_and_of_the_load_balance() {
     let pressure = 0.0;
@@ -159,7 +161,8 @@ fn a_sinking_journal_heats_the_oil() {
     assert!((film.quantity("squeeze_power") / power.motion - 1.0).abs() < 1e-9);
 }
 
-/// The balance is no identity: it opens where the equation is not solved, and where flow, pressure or drag is another one.
+/// The balance is no identity: it opens where the equation is not solved, and where flow, pressure or drag is another
+/// one.
 #[test]
 fn a_spoiled_film_does_not_balance() {
     let pressure = 0.0;
@@ -294,8 +297,8 @@ fn flows_of_the_ends_and_the_inlet() {
     assert!((tilted.quantity("side_flow_number") * unit / both - 1.0).abs() < 1e-12);
 }
 
-/// Without a film start the inlet is where the film is widest: there the journal drags `U c (1 + eps)/2` along, and the pressure of a full
-/// film, odd about that line, helps or hinders.
+/// Without a film start the inlet is where the film is widest: there the journal drags `U c (1 + eps)/2` along, and the
+/// pressure of a full film, odd about that line, helps or hinders.
 #[test]
 fn inlet_of_a_full_ring() {
     let problem = film(0.5, Cavitation::None);
@@ -307,8 +310,8 @@ fn inlet_of_a_full_ring() {
     assert!(inlet < dragged && inlet > 0.8 * dragged, "{}", inlet / dragged);
 }
 
-/// Guembel drops the pressure on the half of a ring where the film widens: half of the shear, for the two are as thick. Of
-/// Swift-Stieber's film the cavity begins later.
+/// Guembel drops the pressure on the half of a ring where the film widens: half of the shear, for the two are as thick.
+/// Of Swift-Stieber's film the cavity begins later.
 #[test]
 fn shear_in_the_cavity_is_told() {
     let told = |cavitation| {

@@ -1,4 +1,5 @@
-//! Bars of flows of Guembel films, against finer meshes: where the ends have the pressure of the cavity, and where a thin full film lies between end and cavity.
+//! Bars of flows of Guembel films, against finer meshes: where the ends have the pressure of the cavity, and where a
+//! thin full film lies between end and cavity.
 
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
@@ -52,7 +53,8 @@ fn out_of_a_short_bearing() {
     bars_hold("length = '18.75 mm'\ntheory = 'short'", "eccentricity = 0.95\nmin_film_angle = '180 deg'", "0 bar", 0.1);
 }
 
-/// Ends above the pressure of the cavity: how much of the thin film between them is dropped depends on the mesh, and the bars include it.
+/// Ends above the pressure of the cavity: how much of the thin film between them is dropped depends on the mesh, and
+/// the bars include it.
 #[test]
 fn through_ends_above_the_cavity() {
     bars_hold(

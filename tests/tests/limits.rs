@@ -125,8 +125,8 @@ fn a_diametral_clearance_is_twice_the_radial_one() {
     bench.refuses(&["solve", "scene.toml"], &["bearing.diametral_clearance", "stands beside clearance"]);
 }
 
-/// The power of a squeezed journal at rest heats the oil that leaves at the ends: `F v = rho c Q (t_out - t_in)`, with the mean of both temperatures
-/// that of the film.
+/// The power of a squeezed journal at rest heats the oil that leaves at the ends: `F v = rho c Q (t_out - t_in)`, with
+/// the mean of both temperatures that of the film.
 #[test]
 fn squeeze_heats_a_journal_at_rest() {
     let squeezed = [HOT[0], ("\"3000 rpm\"", "\"0 rpm\"\nsqueeze = { radial = \"20 mm/s\" }")];

@@ -135,7 +135,8 @@ fn a_broken_film_leaves_by_the_edge_of_an_arc() {
     }
 }
 
-/// The centre of the journal moves while it turns: a full film takes up what the rate of its thickness says, a broken one less.
+/// The centre of the journal moves while it turns: a full film takes up what the rate of its thickness says, a broken
+/// one less.
 #[test]
 fn a_growing_film_takes_oil_up() {
     let squeeze = r#"squeeze = { radial = "3 mm/s", tangential = "-2 mm/s" }"#;
@@ -181,7 +182,8 @@ fn what_a_swift_stieber_cavity_makes_is_told() {
     }
 }
 
-/// Where a short film breaks by itself, half of the ring is cavity; a flooded one breaks at the same place in both models.
+/// Where a short film breaks by itself, half of the ring is cavity; a flooded one breaks at the same place in both
+/// models.
 #[test]
 fn share_of_the_cavity() {
     let short = Ring::new(0.05, 0.3).solve().solved.quantity("cavity_share");

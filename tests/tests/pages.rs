@@ -1,5 +1,5 @@
-//! The HTML page: what is in it, that it needs nothing else, that it is small and the same each time. How it looks and behaves in a browser:
-//! `tests/crosscheck/test_report.py`.
+//! The HTML page: what is in it, that it needs nothing else, that it is small and the same each time. How it looks and
+//! behaves in a browser: `tests/crosscheck/test_report.py`.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -85,7 +85,8 @@ fn tension_is_drawn_in_the_diverging_map_and_a_film_of_one_sign_is_not() {
     assert!(svg.contains("film breaks"), "no edge of the cavity");
 }
 
-/// Swift and Stieber's long ring: the film breaks behind the thinnest film, as far as the converging part begins before it.
+/// Swift and Stieber's long ring: the film breaks behind the thinnest film, as far as the converging part begins before
+/// it.
 #[test]
 fn the_film_breaks_behind_its_thinnest_place() {
     let (result, picture) = solved("11_swift_stieber_ring", true);

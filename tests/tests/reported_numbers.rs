@@ -1,4 +1,5 @@
-//! What a result says of itself holds: bars of what no mesh shows, balances that are identities, meshes and work as they were.
+//! What a result says of itself holds: bars of what no mesh shows, balances that are identities, meshes and work as
+//! they were.
 
 use std::path::Path;
 
@@ -53,8 +54,8 @@ fn the_edges_of_an_arc_are_no_cavity_of_guembel() {
         let ([made, bar], [brought, _]) = (number(&film, &CAVITY_FLOW), number(&film, &INLET_FLOW));
         assert!(made.abs() <= bar.max(0.02 * brought), "{made} of {brought} m3/s");
     }
-    // A liner whose film diverges over half of it: the journal carries a full gap of oil out, U h/2 for each length, though less is left where the film
-    // was dropped. The difference is made.
+    // A liner whose film diverges over half of it: the journal carries a full gap of oil out, U h/2 for each length,
+    // though less is left where the film was dropped. The difference is made.
     let wide = arc("guembel", "").replace("330 deg", "380 deg");
     let film = result(
         &wide
@@ -139,7 +140,8 @@ fn surfaces_that_deflect_are_compared_with_the_film() {
     assert!(!rigid(&stiff), "{:?}", stiff.warnings);
 }
 
-/// A groove over the widest film brings oil: what is carried into the loaded film is at least what leaves at the ends downstream.
+/// A groove over the widest film brings oil: what is carried into the loaded film is at least what leaves at the ends
+/// downstream.
 #[test]
 fn the_oil_of_a_groove_on_the_widest_film_is_carried_in() {
     let film = |groove: &str| {

@@ -1,4 +1,5 @@
-//! Verdicts under a balance of heat, and what they keep in reserve: the oil that leaves, broken assumptions, and oil at high shear.
+//! Verdicts under a balance of heat, and what they keep in reserve: the oil that leaves, broken assumptions, and oil at
+//! high shear.
 
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
@@ -46,7 +47,8 @@ fn the_oil_that_leaves_is_a_criterion() {
     assert_eq!(outlet(&report("")).most, Some(125.0));
 }
 
-/// One viscosity for oil that leaves several times thinner is a broken assumption, and no verdict is without reserve beside one.
+/// One viscosity for oil that leaves several times thinner is a broken assumption, and no verdict is without reserve
+/// beside one.
 #[test]
 fn no_verdict_without_reserve_beside_a_broken_assumption() {
     let bench = Bench::new();
@@ -80,7 +82,8 @@ fn a_sheared_multigrade_is_told() {
     assert!(!is_told(&bearing(&format!("{GRADE}\nhigh_shear = 0.8"), "")));
 }
 
-/// The viscosity of the film is the part that shear leaves, at any temperature: a factor, or the viscosity at 150 degrees C over that at low shear.
+/// The viscosity of the film is the part that shear leaves, at any temperature: a factor, or the viscosity at 150
+/// degrees C over that at low shear.
 #[test]
 fn shear_takes_its_part_of_the_viscosity() {
     let plain = viscosity(&solved(&bearing(GRADE, "")));

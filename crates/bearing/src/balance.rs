@@ -1,4 +1,5 @@
-//! A balance found in a search, from which the [`Equilibrium`] is made that is reported: one on the way to it needs no tangent.
+//! A balance found in a search, from which the [`Equilibrium`] is made that is reported: one on the way to it needs no
+//! tangent.
 
 use crate::NoEquilibrium;
 use crate::equilibrium::Equilibrium;

@@ -1,10 +1,10 @@
 //! # Cap bolts: the forces in the bolted joint of a connecting rod's cap
 //!
 //! **Equation.** At the top dead centre before intake nothing but the cap holds what lies beyond the parting plane:
-//! `P = omega^2 r [m_j (1 + r/l) + (m_r - m_c)]`, on each of i bolts `P/i`. The joint stays closed with a safety nu, and the halves of
-//! the shell, which stand out by Delta before they are clamped, are pressed to the length of their seat by `2 R` in all:
-//! `R = Delta E F/(pi rho)`, `Q = nu (1 - chi) P/i + 2 R/i`, `M = k Q d`. In use a bolt bears between `Q` and `Q + chi P/i`, the joint opens where
-//! the cap is pulled with `nu P`.
+//! `P = omega^2 r [m_j (1 + r/l) + (m_r - m_c)]`, on each of i bolts `P/i`. The joint stays closed with a safety nu,
+//! and the halves of the shell, which stand out by Delta before they are clamped, are pressed to the length of their
+//! seat by `2 R` in all: `R = Delta E F/(pi rho)`, `Q = nu (1 - chi) P/i + 2 R/i`, `M = k Q d`. In use a bolt bears
+//! between `Q` and `Q + chi P/i`, the joint opens where the cap is pulled with `nu P`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -15,9 +15,12 @@
 //! | Delta, E, F, rho | m, Pa, m2, m | `protrusion`, `modulus`, `section`, `radius` |
 //! | P, R, Q, M | N, N, N, N m | `cap_force`, `shell_force`, `preload`, `torque` |
 //!
-//! **Source.** Design of a tractor engine (in Ukrainian), section 6.4 "Connecting-rod bolts", as in textbooks on engine design.
-//! **Range.** A stiff cap whose joint does not open; the crank at steady speed; the first two orders of the piston's acceleration.
-//! **Verified by** `tests/tests/literature/connecting_rod_bolts.rs`, and `the_joint_opens_where_its_clamping_is_used_up` below.
+//! **Source.** Design of a tractor engine (in Ukrainian), section 6.4 "Connecting-rod bolts", as in textbooks on engine
+//! design.
+//! **Range.** A stiff cap whose joint does not open; the crank at steady speed; the first two orders of the piston's
+//! acceleration.
+//! **Verified by** `tests/tests/literature/connecting_rod_bolts.rs`, and
+//! `the_joint_opens_where_its_clamping_is_used_up` below.
 
 use std::f64::consts::PI;
 
@@ -138,8 +141,8 @@ mod tests {
         }
     }
 
-    /// Of a pull the bolts take the share chi, and the rest relieves the faces that they clamp: those of the joint bear what the
-    /// shell leaves of the preload.
+    /// Of a pull the bolts take the share chi, and the rest relieves the faces that they clamp: those of the joint bear
+    /// what the shell leaves of the preload.
     #[test]
     fn the_joint_opens_where_its_clamping_is_used_up() {
         let joint = joint();

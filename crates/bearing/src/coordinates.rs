@@ -1,11 +1,13 @@
-//! Coordinates of the journal and the forces that do work on them, one type for a balance of force alone and for one of force and moment.
+//! Coordinates of the journal and the forces that do work on them, one type for a balance of force alone and for one of
+//! force and moment.
 //!
 //! | order | coordinates [m] | forces [N] |
 //! |---|---|---|
 //! | 2 | e_x, e_y | W_x, W_y |
 //! | 4 | e_x, e_y, l g_x, l g_y | W_x, W_y, m_x/l, m_y/l |
 //!
-//! The slopes g are multiplied by the arm l, half of the bearing's length, so that all coordinates are offsets [m] and all forces are in newtons.
+//! The slopes g are multiplied by the arm l, half of the bearing's length, so that all coordinates are offsets [m] and
+//! all forces are in newtons.
 
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{Bearing, CentreVelocity, JournalChange, JournalState};

@@ -1,7 +1,7 @@
 //! The balance of the more accurate force: that of the film in cubic elements, where it is the one reported.
 //!
-//! Journal and a wall that gives way are moved together, by the tangent of the cubic film. In a rigid wall the tangent of the quadratic film is a good start, for the two forces differ by a thousandth or so; each
-//! step corrects it.
+//! Journal and a wall that gives way are moved together, by the tangent of the cubic film. In a rigid wall the tangent
+//! of the quadratic film is a good start, for the two forces differ by a thousandth or so; each step corrects it.
 
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -12,7 +12,8 @@ use crate::deflection::CLOSED;
 use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
 
-/// The balance has been found when force and load differ by this part of the load; where the wall is moved with the journal, no more than this part of its deflection is left either.
+/// The balance has been found when force and load differ by this part of the load; where the wall is moved with the
+/// journal, no more than this part of its deflection is left either.
 const BALANCED: f64 = 1e-10;
 /// Accuracy of the iterations of the cubic film.
 const BALANCED_ENOUGH: f64 = 1e-8;

@@ -1,7 +1,8 @@
-//! Towards a position by the distance of force and load alone, where Newton's steps lead nowhere: at the edge of an arc the force turns with the
-//! position so sharply that its tangent holds over short steps only.
+//! Towards a position by the distance of force and load alone, where Newton's steps lead nowhere: at the edge of an arc
+//! the force turns with the position so sharply that its tangent holds over short steps only.
 //!
-//! **Source.** Nelder and Mead, Computer Journal 7 (1965) 308, in the logarithmic eccentricity and the angle of the line of centres.
+//! **Source.** Nelder and Mead, Computer Journal 7 (1965) 308, in the logarithmic eccentricity and the angle of the
+//! line of centres.
 
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, JournalState};

@@ -8,13 +8,16 @@
 //! | [`Frame::Cylinder`] | x from the centre of the crank to the cylinder, y a right angle from it | turned by beta in a rod, else the same |
 //! | [`Frame::Pin`] | of the journal: x along the throw, from the centre of the crank to the pin | turned by the crank angle theta, then as the cylinder's |
 //!
-//! Angles grow from x to y in all of them. A shell in a rod turns with it: x lies along the rod from the big end to the small end, and the journal turns against it with
-//! `omega (1 + d beta/d theta)`. The film has no inertia, so nothing else changes.
+//! Angles grow from x to y in all of them. A shell in a rod turns with it: x lies along the rod from the big end to the
+//! small end, and the journal turns against it with `omega (1 + d beta/d theta)`. The film has no inertia, so nothing
+//! else changes.
 //!
-//! **Angle.** A load goes by the angle of the crank, which turns with the journal, or by an angle of its own: one turn of it is then one period ([`DutyCycle::at_frequency`]).
+//! **Angle.** A load goes by the angle of the crank, which turns with the journal, or by an angle of its own: one turn
+//! of it is then one period ([`DutyCycle::at_frequency`]).
 //!
-//! **Signs.** A force F is that of [`crate::Load`]: external, on the journal; the film pushes the journal with -F and the shell with F. The crank angle
-//! grows with time. Where the journal turns towards falling angles of its bearing, the mechanism is mirrored in the x axis.
+//! **Signs.** A force F is that of [`crate::Load`]: external, on the journal; the film pushes the journal with -F and
+//! the shell with F. The crank angle grows with time. Where the journal turns towards falling angles of its bearing,
+//! the mechanism is mirrored in the x axis.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -22,8 +25,9 @@
 //! | F, M | N, N m | [`Duty::force`], [`Duty::moment`] |
 //! | omega; against the shell | rad/s | [`Turning::speed`]; [`Duty::speed`] |
 //!
-//! **Source.** Mechanics of the slider crank ([`crank`]); periodic cubic spline: C. de Boor, A Practical Guide to Splines, 1978, ch. IV ([`spline`]). **Range.**
-//! Constant speed of the crank. **Verified by** `duty_cycle/tests.rs` and `tests/tests/duty_cycle.rs`.
+//! **Source.** Mechanics of the slider crank ([`crank`]); periodic cubic spline: C. de Boor, A Practical Guide to
+//! Splines, 1978, ch. IV ([`spline`]). **Range.** Constant speed of the crank. **Verified by** `duty_cycle/tests.rs`
+//! and `tests/tests/duty_cycle.rs`.
 
 pub mod crank;
 mod frame;
@@ -80,14 +84,16 @@ enum Source {
 }
 
 impl DutyCycle {
-    /// A load that does not change, with a nominal period [rad] of the crank angle and an angular speed [rad/s] of the crank.
+    /// A load that does not change, with a nominal period [rad] of the crank angle and an angular speed [rad/s] of the
+    /// crank.
     pub fn constant(duty: Duty, period: f64, angular_speed: f64) -> Self {
         Self { period, angular_speed, at: 0.0, unbalance: None, source: Source::Constant(duty) }
     }
 
-    /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is not repeated at the end. The
-    /// points are turned to the frame of the shell, and joined there by a periodic cubic within them ([`PeriodicSpline::within_points`]), so that tables of the same
-    /// forces in several frames are the same load.
+    /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is
+    /// not repeated at the end. The points are turned to the frame of the shell, and joined there by a periodic cubic
+    /// within them ([`PeriodicSpline::within_points`]), so that tables of the same forces in several frames are the
+    /// same load.
     ///
     /// # Errors
     /// [`NoSpline`]: the angles do not grow, or there are too few points.
@@ -101,15 +107,17 @@ impl DutyCycle {
         Self::of(period, turning, Source::Harmonics(turning, frame, harmonics))
     }
 
-    /// The load of the big end of a crank that turns with `speed` [rad/s], positive towards growing angles of the bearing.
+    /// The load of the big end of a crank that turns with `speed` [rad/s], positive towards growing angles of the
+    /// bearing.
     pub fn of_big_end(crank: Crank, speed: f64) -> Self {
         let rod = Some(crank.linkage);
         let turning = Turning { speed, rod };
         Self::of(crank.gas.period(), turning, Source::BigEnd(turning, crank))
     }
 
-    /// The load of a main bearing of a crankshaft that turns with `speed` [rad/s], positive towards growing angles of the bearing: shares of the loads of the
-    /// throws beside it, each with this crank drive. The axis x of the bearing points to the cylinders, which are in line.
+    /// The load of a main bearing of a crankshaft that turns with `speed` [rad/s], positive towards growing angles of
+    /// the bearing: shares of the loads of the throws beside it, each with this crank drive. The axis x of the bearing
+    /// points to the cylinders, which are in line.
     pub fn of_main(crank: Crank, throws: Vec<Throw>, speed: f64) -> Self {
         let turning = Turning { speed, rod: None };
         Self::of(crank.gas.period(), turning, Source::Main(turning, crank, throws))
@@ -119,20 +127,22 @@ impl DutyCycle {
         Self { period, angular_speed: turning.speed.abs(), at: 0.0, unbalance: None, source }
     }
 
-    /// This load with its force at the axial position `at` [m], 0 midway between the ends: the moment grows by that of the force.
+    /// This load with its force at the axial position `at` [m], 0 midway between the ends: the moment grows by that of
+    /// the force.
     #[must_use]
     pub fn acting_at(self, at: f64) -> Self {
         Self { at, ..self }
     }
 
-    /// This load with the pull of what is out of balance on the shaft: mass times radius [kg m] along the axes of the shaft, which are those of the shell at
-    /// crank angle 0 and turn with the journal.
+    /// This load with the pull of what is out of balance on the shaft: mass times radius [kg m] along the axes of the
+    /// shaft, which are those of the shell at crank angle 0 and turn with the journal.
     #[must_use]
     pub fn with_unbalance(self, unbalance: [f64; 2]) -> Self {
         Self { unbalance: Some(unbalance), ..self }
     }
 
-    /// This load with an angle of its own, which grows at this rate [rad/s] however the journal turns. Its frame is that of the shell, which is at rest.
+    /// This load with an angle of its own, which grows at this rate [rad/s] however the journal turns. Its frame is
+    /// that of the shell, which is at rest.
     #[must_use]
     pub fn at_frequency(self, angular_speed: f64) -> Self {
         Self { angular_speed, ..self }

@@ -1,7 +1,7 @@
 //! # Equilibrium: the position in which the film carries the load, and the tilt in which it carries its moment
 //!
-//! **Equation.** `W(e) = F` for the journal's offset `e`; where the tilt g is free, `W(e, g) = F` and `m(e, g) = M + k (g_0 - g)` for offset and
-//! slope. Newton's method with the exact tangent of the film bordered by
+//! **Equation.** `W(e) = F` for the journal's offset `e`; where the tilt g is free, `W(e, g) = F` and
+//! `m(e, g) = M + k (g_0 - g)` for offset and slope. Newton's method with the exact tangent of the film bordered by
 //! that of the load: `dW/de = -(dW/dp) (dR/dp)^-1 (dR/de)`, the cavity held.
 //!
 //! | symbol | unit | code |
@@ -13,12 +13,12 @@
 //! | s | - | `log_eccentricity` |
 //!
 //! Far from the balance steps are taken in `ln |W|` against `s = ln eps - 3/2 ln(1 - eps)` and in the angles: the load
-//! grows like eps for a centred journal and like (1 - eps)^(-3/2) near contact, so both are nearly linear over the whole
-//! range, and the film thickness stays positive by itself. Near the balance they are those in `e`.
+//! grows like eps for a centred journal and like (1 - eps)^(-3/2) near contact, so both are nearly linear over the
+//! whole range, and the film thickness stays positive by itself. Near the balance they are those in `e`.
 //!
-//! **Source.** Definition; Hamrock, Schmid, Jacobson (2004), ch. 10, for the limits of the load. **Range.** Steady positions;
-//! the velocity of a moving centre turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
-//! tangent against differences, and eccentricities recovered from their loads.
+//! **Source.** Definition; Hamrock, Schmid, Jacobson (2004), ch. 10, for the limits of the load. **Range.** Steady
+//! positions; the velocity of a moving centre turns with the line of centres. **Verified by**
+//! `tests/tests/equilibrium.rs`: the tangent against differences, and eccentricities recovered from their loads.
 
 use oilwedge_reynolds::SolvedFilm;
 
@@ -28,7 +28,8 @@ use crate::{Coordinates, Stiffness, WallByPlace};
 pub(crate) const BALANCED: f64 = 1e-12;
 /// On coarser meshes, which only give a start, this part is enough.
 pub const ROUGHLY_BALANCED: f64 = 1e-4;
-/// Where force and load differ by less than this part of the load the tangent predicts the distance to the balance, and steps are taken in `e`.
+/// Where force and load differ by less than this part of the load the tangent predicts the distance to the balance, and
+/// steps are taken in `e`.
 pub const NEAR: f64 = 0.1;
 
 /// A journal in balance.
@@ -42,7 +43,8 @@ pub struct Equilibrium {
     pub residual: f64,
     /// Load less force of the film [N].
     pub unbalanced: f64,
-    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both relative to the load.
+    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both
+    /// relative to the load.
     pub parts: [f64; 2],
     /// What is free.
     pub coordinates: Coordinates,
@@ -50,8 +52,8 @@ pub struct Equilibrium {
     pub steps: usize,
     /// True where the deadline passed before the load was balanced: the film is that of the position reached.
     pub is_ended: bool,
-    /// `dW/de` [N/m] in these coordinates, row: force; of a search from nearby and of a cubic balance as corrected by its steps: the error is of the
-    /// order of the square root of the residual that they gained.
+    /// `dW/de` [N/m] in these coordinates, row: force; of a search from nearby and of a cubic balance as corrected by
+    /// its steps: the error is of the order of the square root of the residual that they gained.
     pub stiffness: Stiffness,
     /// How the wall follows in that tangent.
     pub wall: WallByPlace,

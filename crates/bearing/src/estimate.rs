@@ -1,8 +1,8 @@
 //! Where the position under a load is sought first: a closed estimate for a full ring.
 //!
-//! The infinitely short and the infinitely long bearing both carry more than the finite one; the reciprocals of their Sommerfeld
-//! numbers added give that of the finite one to some ten percent (Reason, Narang, ASLE Trans. 25 (1982), 437, who add
-//! the reciprocals of pressures).
+//! The infinitely short and the infinitely long bearing both carry more than the finite one; the reciprocals of their
+//! Sommerfeld numbers added give that of the finite one to some ten percent (Reason, Narang, ASLE Trans. 25 (1982),
+//! 437, who add the reciprocals of pressures).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -16,7 +16,8 @@ use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 /// No position is sought nearer to contact: a film of a ten-thousandth of the clearance is some nanometres thick.
 pub const GREATEST_ECCENTRICITY: f64 = 0.9999;
 
-/// Whether the film of a journal is thinner somewhere than that of a parallel one at [`GREATEST_ECCENTRICITY`]: no position is sought there.
+/// Whether the film of a journal is thinner somewhere than that of a parallel one at [`GREATEST_ECCENTRICITY`]: no
+/// position is sought there.
 pub fn is_contact(gap: &Gap, journal: &JournalState) -> bool {
     is_film_of_contact(gap.least(journal), gap.bearing().clearance)
 }
@@ -27,8 +28,9 @@ pub(crate) fn is_film_of_contact(least: f64, clearance: f64) -> bool {
     least < (1.0 - ROUNDING) * (1.0 - GREATEST_ECCENTRICITY) * clearance
 }
 
-/// Estimated eccentricity [1] and attitude angle [rad] of a ring of slenderness `B/D` under a load of this Sommerfeld number; of the
-/// film with tension (`full`), or of one that breaks. At most [`GREATEST_ECCENTRICITY`]; `None` where the number is not one.
+/// Estimated eccentricity [1] and attitude angle [rad] of a ring of slenderness `B/D` under a load of this Sommerfeld
+/// number; of the film with tension (`full`), or of one that breaks. At most [`GREATEST_ECCENTRICITY`]; `None` where
+/// the number is not one.
 pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> Option<(f64, f64)> {
     if !(sommerfeld_number.is_finite() && sommerfeld_number >= 0.0) {
         return None;
@@ -57,7 +59,8 @@ pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> O
     Some((eps, attitude))
 }
 
-/// Eccentricity [1] at which the contact of a parallel journal in a plain ring carries `force` [N] alone; at most [`GREATEST_ECCENTRICITY`].
+/// Eccentricity [1] at which the contact of a parallel journal in a plain ring carries `force` [N] alone; at most
+/// [`GREATEST_ECCENTRICITY`].
 pub fn first_contact(law: &ContactLaw, bearing: &Bearing, force: f64) -> f64 {
     const HALVINGS: usize = 50;
     const POINTS: u32 = 2000;
@@ -80,8 +83,8 @@ pub fn first_contact(law: &ContactLaw, bearing: &Bearing, force: f64) -> f64 {
     high
 }
 
-/// Sommerfeld number of the infinitely long bearing with the half film: `3 eps sqrt(pi^2 - eps^2 (pi^2 - 4)) / ((2 + eps^2)
-/// (1 - eps^2))` (Hamrock, Schmid, Jacobson (2004), eq. 10.25).
+/// Sommerfeld number of the infinitely long bearing with the half film:
+/// `3 eps sqrt(pi^2 - eps^2 (pi^2 - 4)) / ((2 + eps^2) (1 - eps^2))` (Hamrock, Schmid, Jacobson (2004), eq. 10.25).
 fn half_long(eps: f64) -> f64 {
     let square = eps * eps;
     3.0 * eps * (PI * PI - square * (PI * PI - 4.0)).sqrt() / ((2.0 + square) * (1.0 - square))
@@ -93,8 +96,8 @@ mod tests {
 
     #[test]
     fn the_estimate_is_near_finite_bearings() {
-        // Swift-Stieber films of B/D = 1/2: eccentricity and So (Raimondi, Boyd 1958: S = 0.0923, 0.0319 at eps 0.7, 0.9
-        // for a journal bearing of L/D = 1/2 rounded).
+        // Swift-Stieber films of B/D = 1/2: eccentricity and So (Raimondi, Boyd 1958: S = 0.0923, 0.0319 at eps 0.7,
+        // 0.9 for a journal bearing of L/D = 1/2 rounded).
         for (eps, s) in [(0.6, 0.149), (0.8, 0.0505), (0.9, 0.0210)] {
             let (found, _) = first_position(1.0 / (2.0 * PI * s), 0.5, false).expect("a number");
             let ratio = (1.0 - found) / (1.0 - eps);
@@ -114,7 +117,8 @@ mod tests {
 
     #[test]
     fn the_long_half_film_carries_its_pressure() {
-        // Int of Sommerfeld's pressure over the converging half: So = 1/2 hypot(Int p cos, Int p sin) with p over mu omega / psi^2.
+        // Int of Sommerfeld's pressure over the converging half: So = 1/2 hypot(Int p cos, Int p sin) with p over mu
+        // omega / psi^2.
         let eps = 0.7;
         let n = 20_000;
         let mut force = [0.0; 2];

@@ -1,4 +1,5 @@
-//! The search for the position in which the film carries the load: from coarser meshes to the mesh asked for, step by step.
+//! The search for the position in which the film carries the load: from coarser meshes to the mesh asked for, step by
+//! step.
 
 use oilwedge_reynolds::solve::Neighbour;
 use std::sync::Arc;
@@ -22,17 +23,19 @@ const MOST_STEPS: usize = 40;
 const BALANCED_ENOUGH: f64 = 1e-10;
 /// Force and wall are sought together again where less than this part is left of what was left where that has failed.
 const OF_FAILED: f64 = 0.1;
-/// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
+/// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a
+/// coarser mesh is to be a start.
 const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
-/// A mass-conserving film that is thinner than this part while force and moment are far from balanced was driven into contact: the branch of balances leads on from elsewhere.
+/// A mass-conserving film that is thinner than this part while force and moment are far from balanced was driven into
+/// contact: the branch of balances leads on from elsewhere.
 const DRIVEN: f64 = 1e-3;
 /// A failed search whose film is thinner than this part of the clearance was driven into contact.
 const NEARLY_CONTACT: f64 = 1e-2;
 
-/// Finds the position, and the tilt where that is free, in which the film carries `load`, searched from that of `problem`. Where the deadline passes before, the position
-/// reached is the answer.
+/// Finds the position, and the tilt where that is free, in which the film carries `load`, searched from that of
+/// `problem`. Where the deadline passes before, the position reached is the answer.
 ///
 /// # Errors
 /// [`NoEquilibrium`]: the reason why there is none. A search from a neighbouring point may fail where a cold one finds a position.
@@ -51,7 +54,8 @@ pub fn find(
     }
 }
 
-/// As [`find`] from a cold start with quadratic elements, where the coarser mesh of the system is known to have no balance, for this `reason`.
+/// As [`find`] from a cold start with quadratic elements, where the coarser mesh of the system is known to have no
+/// balance, for this `reason`.
 ///
 /// # Errors
 /// [`NoEquilibrium`]: the reason why there is none.
@@ -109,7 +113,8 @@ impl Search<'_> {
         }
     }
 
-    /// An outcome; that the journal is in contact where a free tilt has led it there, on the `way` that another mesh has shown.
+    /// An outcome; that the journal is in contact where a free tilt has led it there, on the `way` that another mesh
+    /// has shown.
     fn inside(
         &self,
         outcome: Result<Balance, NoEquilibrium>,
@@ -169,7 +174,8 @@ impl Search<'_> {
         if matches!(reason, NoEquilibrium::Unreachable { why: SearchEnd::FarBelow, .. }) {
             return Err(reason);
         }
-        // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
+        // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin
+        // for it.
         let is_resolved = |journal: &JournalState| {
             let bearing = &problem.bearing;
             bearing.clearance - self.gap.least(journal) < RESOLVED * bearing.clearance
@@ -298,8 +304,8 @@ impl Search<'_> {
         }
     }
 
-    /// From the start of `problem` or, where that fails, from the best of positions all over the bearing; with a free tilt from the balance
-    /// of the force alone on.
+    /// From the start of `problem` or, where that fails, from the best of positions all over the bearing; with a free
+    /// tilt from the balance of the force alone on.
     fn everywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         const STARTS: usize = 3;
         let mut outcome = self.run(problem, problem.journal);
@@ -313,7 +319,8 @@ impl Search<'_> {
         if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome
             && self.options.purpose != Purpose::Branch
         {
-            // A search that was driven into contact: what the film carries there shows whether there is a position elsewhere.
+            // A search that was driven into contact: what the film carries there shows whether there is a position
+            // elsewhere.
             let is_driven = self.gap.least(journal) < NEARLY_CONTACT * problem.bearing.clearance;
             let is_tilted = problem.journal.tilt != [0.0; 2];
             // A tilted film may point towards the load at several contacts: the best of them counts.

@@ -1,7 +1,10 @@
-//! The balance of the hill of a mass-conserving film ([`oilwedge_reynolds::sharp`]): from the balance of the film itself, by its tangent.
+//! The balance of the hill of a mass-conserving film ([`oilwedge_reynolds::sharp`]): from the balance of the film
+//! itself, by its tangent.
 //!
-//! The two forces differ by a hundredth or less, and each step corrects the tangent. The first step, and each long one, finds the cavities anew; the others keep them, so that the
-//! force depends smoothly on the position, as it does not where nodes change sides. What it changes by if the cavities are found anew at the balanced position is a part of its error bar.
+//! The two forces differ by a hundredth or less, and each step corrects the tangent. The first step, and each long one,
+//! finds the cavities anew; the others keep them, so that the force depends smoothly on the position, as it does not
+//! where nodes change sides. What it changes by if the cavities are found anew at the balanced position is a part of
+//! its error bar.
 
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
@@ -20,8 +23,8 @@ const MOST_STEPS: usize = 12;
 /// A step that is longer than this part of the least film thickness finds cavities anew.
 const SHORT: f64 = 1e-2;
 
-/// The position at which the hill carries the `load`, and the hill there, from that of the `film`, its `hill` and its `tangent` dW/de [N/m]; none
-/// where a film nearby has no hill, or forces do not come to the load.
+/// The position at which the hill carries the `load`, and the hill there, from that of the `film`, its `hill` and its
+/// `tangent` dW/de [N/m]; none where a film nearby has no hill, or forces do not come to the load.
 pub fn balance_hill(
     (film, hill): (&SolvedFilm, SharpFilm),
     load: Load,

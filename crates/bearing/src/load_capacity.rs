@@ -23,7 +23,8 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 const AROUND: u32 = 24;
 /// Most halvings between two of these places.
 const HALVINGS: usize = 12;
-/// Contact presses a wall no further out where one more solve of it moves the end of the journal's way by less than this part of the clearance,
+/// Contact presses a wall no further out where one more solve of it moves the end of the journal's way by less than
+/// this part of the clearance,
 const YIELDED: f64 = 1e-4;
 /// Most of these solves of the wall.
 const MOST_YIELDS: usize = 6;
@@ -35,8 +36,8 @@ const BEFORE: f64 = 0.99;
 pub(crate) const ROUNDING: f64 = 1e-10;
 
 impl Search<'_> {
-    /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load; the line of centres is turned to that from that
-    /// of `start`.
+    /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load;
+    /// the line of centres is turned to that from that of `start`.
     pub(crate) fn beyond_capacity(&self, problem: &FilmProblem, start: &JournalState) -> Option<NoEquilibrium> {
         let trial = self.contact_towards_load(problem, start.min_film_angle())?;
         // A film under tension may point there from its wide side too, with next to no force.
@@ -53,7 +54,8 @@ impl Search<'_> {
         }
     }
 
-    /// The film at the greatest eccentricity whose force points towards the load; the line of centres is turned to that from `angle` [rad].
+    /// The film at the greatest eccentricity whose force points towards the load; the line of centres is turned to that
+    /// from `angle` [rad].
     fn contact_towards_load(&self, problem: &FilmProblem, mut angle: f64) -> Option<Trial> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
         let mut before: Option<[f64; 2]> = None;
@@ -72,7 +74,8 @@ impl Search<'_> {
         None
     }
 
-    /// The reason if the film of a journal in contact, whose force points towards the load, carries less than that, and more than before contact.
+    /// The reason if the film of a journal in contact, whose force points towards the load, carries less than that, and
+    /// more than before contact.
     fn beyond(&self, trial: &Trial) -> Option<NoEquilibrium> {
         let (asked, greatest) = (self.load.magnitude(), size(trial));
         let FilmProblem { bearing, journal, .. } = &trial.film.problem;
@@ -90,7 +93,8 @@ impl Search<'_> {
         })
     }
 
-    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not asked, nor one of a search whose answer is a start at most.
+    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not
+    /// asked, nor one of a search whose answer is a start at most.
     fn error(&self, trial: &Trial) -> Option<f64> {
         if size(trial) < FAR_BELOW * self.load.magnitude() || self.options.purpose == Purpose::Start {
             return Some(0.0);
@@ -99,8 +103,9 @@ impl Search<'_> {
         Some(x.hypot(y))
     }
 
-    /// By how much forces [N] of another film under the same wall differ from those of a film: the one in cubic elements or, of a film that conserves oil, the one on the coarser mesh, which is
-    /// further from the limit of fine meshes. None where there is no such film.
+    /// By how much forces [N] of another film under the same wall differ from those of a film: the one in cubic
+    /// elements or, of a film that conserves oil, the one on the coarser mesh, which is further from the limit of fine
+    /// meshes. None where there is no such film.
     pub(crate) fn missed(&self, film: &SolvedFilm) -> Option<Vector> {
         let other = match film.problem.cavitation.conserves_oil() {
             false => film.cubic_film(None).ok()?,
@@ -113,8 +118,9 @@ impl Search<'_> {
         Some(moved(other, -1.0, of_film))
     }
 
-    /// The film at the greatest eccentricity towards an angle [rad]. A wall that gives way to contact lets the journal go on until contact presses it out no further; none where that is far: it
-    /// carries more the further it is pressed out. The pressure of a film alone leaves the ends of the wall where they are.
+    /// The film at the greatest eccentricity towards an angle [rad]. A wall that gives way to contact lets the journal
+    /// go on until contact presses it out no further; none where that is far: it carries more the further it is pressed
+    /// out. The pressure of a film alone leaves the ends of the wall where they are.
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
         if self.options.deadline.is_over() {
             return None;
@@ -143,8 +149,8 @@ impl Search<'_> {
         None
     }
 
-    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing, where the wall gives way in a rigid one,
-    /// and at the best place there in the wall itself.
+    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked
+    /// all around the bearing, where the wall gives way in a rigid one, and at the best place there in the wall itself.
     pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
         let guide = problem.deflection().map(|_| self.in_rigid_wall(problem));
@@ -192,14 +198,16 @@ impl Search<'_> {
         best.and_then(|(_, journal)| self.still_beyond(problem, &journal))
     }
 
-    /// The problem in a rigid wall, and this search there; what it finds is no force of the film asked for, and kept apart.
+    /// The problem in a rigid wall, and this search there; what it finds is no force of the film asked for, and kept
+    /// apart.
     pub(crate) fn in_rigid_wall(&self, problem: &FilmProblem) -> (FilmProblem, Self) {
         let rigid = problem.clone().with_rigid_wall();
         let search = Self::new(&rigid, self.system, self.load, self.options);
         (rigid, search)
     }
 
-    /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.
+    /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc
+    /// it need not.
     fn grows(&self, problem: &FilmProblem, angle: f64, greatest: f64) -> bool {
         let e = BEFORE * self.gap.reach(&problem.journal, angle);
         let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);

@@ -5,7 +5,8 @@ pub(crate) fn log_eccentricity(eps: f64) -> f64 {
     eps.ln() - 1.5 * (1.0 - eps).ln()
 }
 
-/// The eccentricity at a logarithmic one, by bisection: of `ln eps` where that is small, of `ln(1 - eps)` where it is large.
+/// The eccentricity at a logarithmic one, by bisection: of `ln eps` where that is small, of `ln(1 - eps)` where it is
+/// large.
 pub(crate) fn eccentricity_at(s: f64) -> f64 {
     let (mut low, mut high) = (f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
     for _ in 0..200 {

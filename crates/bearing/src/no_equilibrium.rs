@@ -5,7 +5,8 @@ use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
-/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
+/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by
+/// a finer mesh.
 pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
 /// A film that carries less than what is asked by more than so many times its error does not carry it.
 pub(crate) const DISTINCT: f64 = 2.0;
@@ -150,7 +151,8 @@ pub enum NoEquilibrium {
         /// Where a finer mesh takes up the way there.
         way: Option<Box<Waypoint>>,
     },
-    /// The Swift-Stieber film has no balance; at the same gap the film that conserves oil is nowhere under more pressure, so that a balance of it is unlikely.
+    /// The Swift-Stieber film has no balance; at the same gap the film that conserves oil is nowhere under more
+    /// pressure, so that a balance of it is unlikely.
     #[error(
         "{0} (found for the Swift-Stieber film; at the same gap a film that conserves oil is nowhere under more pressure)"
     )]

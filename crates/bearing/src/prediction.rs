@@ -52,7 +52,8 @@ pub struct Predicted {
 /// The position at `point`, predicted from the positions visited last; the last one itself
 /// where they predict nothing better. `None` where none was visited.
 ///
-/// Over the duty where that changes: the logarithm of the load is nearly linear in the logarithmic eccentricity, with a slope of one.
+/// Over the duty where that changes: the logarithm of the load is nearly linear in the logarithmic eccentricity, with a
+/// slope of one.
 pub fn predicted(visited: &[Visited], point: Point) -> Option<Predicted> {
     let last = visited.last()?;
     let points = &visited[visited.len().saturating_sub(MOST_POINTS)..];

@@ -16,8 +16,9 @@ const NEARLY: f64 = 2.0;
 const ASTRAY: f64 = 0.5;
 
 impl Search<'_> {
-    /// The reason as far as it is known. A search that was ended, or found no better position, does not prove that there is none, unless the film carries nothing anywhere or the load points out of
-    /// the shell; a load near round-off is reported as one.
+    /// The reason as far as it is known. A search that was ended, or found no better position, does not prove that
+    /// there is none, unless the film carries nothing anywhere or the load points out of the shell; a load near
+    /// round-off is reported as one.
     pub(crate) fn confirmed(&self, reason: NoEquilibrium) -> NoEquilibrium {
         let least = LOST * self.reference_force;
         match reason {
@@ -91,7 +92,8 @@ impl Search<'_> {
     }
 }
 
-/// Angle [rad] between the nodes of a film on both sides of a direction [rad]: more than pi where the shell of an arc does not reach around it.
+/// Angle [rad] between the nodes of a film on both sides of a direction [rad]: more than pi where the shell of an arc
+/// does not reach around it.
 pub(crate) fn opening(system: &FilmSystem, radius: f64, direction: f64) -> f64 {
     let beyond = |[x, _]: [f64; 2]| (x / radius - direction).rem_euclid(TAU);
     let places = system.space().positions().into_iter().map(beyond);

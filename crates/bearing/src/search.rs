@@ -74,15 +74,7 @@ pub(crate) struct Trial {
 impl Trial {
     /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
-        Self {
-            film,
-            cubic: None,
-            carried,
-            contact: None,
-            may_leave: CLOSED,
-            left: None,
-            least_film: OnceCell::new(),
-        }
+        Self { film, cubic: None, carried, contact: None, may_leave: CLOSED, left: None, least_film: OnceCell::new() }
     }
 }
 
@@ -206,7 +198,8 @@ impl<'a> Search<'a> {
         self.coordinates.at(&JournalState { offset, ..problem.journal })
     }
 
-    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall is bent that which is looked for is near.
+    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall
+    /// is bent that which is looked for is near.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
         self.trial_within(problem, at, near, 0.0)
     }
@@ -229,8 +222,8 @@ impl<'a> Search<'a> {
         Ok(self.recorded(Trial { contact, may_leave, ..Trial::of(film, carried.total.resultant()) }))
     }
 
-    /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that of a neighbouring position, if there is one. No more of a deflection is
-    /// left than the part `closed`.
+    /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that
+    /// of a neighbouring position, if there is one. No more of a deflection is left than the part `closed`.
     pub(crate) fn cubic_trial(
         &self,
         problem: &FilmProblem,
@@ -335,8 +328,8 @@ impl<'a> Search<'a> {
         (load / force).ln().hypot(across.atan2(along)).hypot(arm_x.hypot(arm_y))
     }
 
-    /// How far the arms of the film, its moment over its force, are from those that the load and, at this tilt, the support leave to it, in half lengths of the
-    /// bearing.
+    /// How far the arms of the film, its moment over its force, are from those that the load and, at this tilt, the
+    /// support leave to it, in half lengths of the bearing.
     pub(crate) fn arms_off(&self, trial: &Trial) -> [f64; 2] {
         let (film, tilted) = (self.coordinates.forces(&trial.carried), self.response(trial));
         let asked = self.asked();

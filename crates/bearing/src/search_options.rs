@@ -8,11 +8,12 @@ use crate::SearchObserver;
 use crate::Waypoint;
 use crate::equilibrium::{BALANCED, ROUGHLY_BALANCED};
 
-/// A balance sought from nearby is found at this difference of force and load over the load: another step of Newton's method would
-/// leave round-off.
+/// A balance sought from nearby is found at this difference of force and load over the load: another step of Newton's
+/// method would leave round-off.
 const NEARLY_BALANCED: f64 = 1e-10;
 
-/// Options of [`crate::find`]; by default a centre at rest, no deadline, a cold start and the force of the quadratic film.
+/// Options of [`crate::find`]; by default a centre at rest, no deadline, a cold start and the force of the quadratic
+/// film.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SearchOptions<'a> {
     /// Velocity of the journal's centre.
@@ -37,12 +38,14 @@ pub enum InitialGuess<'a> {
     /// At the position of the problem, improved on coarser meshes, if the system has any.
     #[default]
     Cold,
-    /// At the position of the problem, which balances the load roughly, as a coarser mesh has shown; as [`Self::Cold`] where that leads nowhere.
+    /// At the position of the problem, which balances the load roughly, as a coarser mesh has shown; as [`Self::Cold`]
+    /// where that leads nowhere.
     NearlyBalanced,
-    /// At a balance on the way that a growing moment takes, as another mesh has shown; as [`Self::Cold`] where there is none near it, or the way from there ends without a reason.
+    /// At a balance on the way that a growing moment takes, as another mesh has shown; as [`Self::Cold`] where there is
+    /// none near it, or the way from there ends without a reason.
     Along(&'a Waypoint),
-    /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on the same system,
-    /// if there is one.
+    /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on
+    /// the same system, if there is one.
     Near(Neighbour<'a>),
 }
 
@@ -62,7 +65,8 @@ pub enum Purpose {
     /// The answer on its mesh.
     #[default]
     Answer,
-    /// A start on a finer mesh, which shows what a thin film carries: it is not followed into contact under a wall that gives way.
+    /// A start on a finer mesh, which shows what a thin film carries: it is not followed into contact under a wall that
+    /// gives way.
     Start,
     /// The beginning of a branch of balances, where another one is at hand: it is not sought all over the bearing.
     Branch,

@@ -69,8 +69,9 @@ impl Stiffness {
         self
     }
 
-    /// The tangent corrected by what it `missed` of the forces after a `step`, so that it still gives what a step `before` has given: that part of
-    /// the step counts which lies across the one before (Gay, Schnabel, Nonlinear Programming 3 (1978) 245); all of it where they are nearly parallel.
+    /// The tangent corrected by what it `missed` of the forces after a `step`, so that it still gives what a step
+    /// `before` has given: that part of the step counts which lies across the one before (Gay, Schnabel, Nonlinear
+    /// Programming 3 (1978) 245); all of it where they are nearly parallel.
     pub fn corrected_beside(self, before: Vector, step: Vector, missed: Vector) -> Self {
         let product = |a: Vector, b: Vector| (0..self.order).fold(0.0, |sum, k| sum + a[k] * b[k]);
         let across = moved(step, -product(step, before) / product(before, before), before);

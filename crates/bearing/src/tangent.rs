@@ -1,7 +1,7 @@
 //! The tangent of a trial: how its forces, and a wall that gives way, change with the coordinates of the journal.
 //!
-//! A journal that presses a soft wall out takes it along: the gap shrinks by a small part of the way. So a step is judged, and its film begun, under the wall
-//! where the step takes it to first order.
+//! A journal that presses a soft wall out takes it along: the gap shrinks by a small part of the way. So a step is
+//! judged, and its film begun, under the wall where the step takes it to first order.
 
 use std::sync::Arc;
 
@@ -13,7 +13,8 @@ use crate::deflection::{Carried, carried_touching, contact_on_wall};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 
-/// Accuracy to which a wall that gives way follows in the tangent of a search: each step leaves about this part of the difference.
+/// Accuracy to which a wall that gives way follows in the tangent of a search: each step leaves about this part of the
+/// difference.
 const FOLLOWED: f64 = 1e-4;
 
 /// How the coefficients of a deflection change with each coordinate of the journal [1]; nothing of a rigid wall.

@@ -4,11 +4,13 @@
 //! ```text
 //! P(t) = rho c Q(t) (t_out - t_0) + G (t - t_a),      t = (t_in + t_out)/2,      t_in = t_0 + (t_out - t_in) r
 //! ```
-//! Q is the oil that leaves the film, and is fed with the temperature t_0; r = q_0/q_1 is what goes round hot with the journal and mixes with
-//! it, over that. So `t_out - t_0 = 2 (t - t_0) (1 + r)/(1 + 2 r)`. P falls with t and the right side rises: there is one root.
+//! Q is the oil that leaves the film, and is fed with the temperature t_0; r = q_0/q_1 is what goes round hot with the
+//! journal and mixes with it, over that. So `t_out - t_0 = 2 (t - t_0) (1 + r)/(1 + 2 r)`. P falls with t and the right
+//! side rises: there is one root.
 //!
-//! The flows at a temperature t lead to another one, g(t), at which they would be balanced; as P falls and Q rises, the root lies between t and g(t):
-//! that brackets it from any start. Within, false position (Illinois), bisected where that is slow, so it always converges.
+//! The flows at a temperature t lead to another one, g(t), at which they would be balanced; as P falls and Q rises, the
+//! root lies between t and g(t): that brackets it from any start. Within, false position (Illinois), bisected where
+//! that is slow, so it always converges.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -17,9 +19,10 @@
 //! | G, t_a | W/K, K | `conductance`, `ambient` |
 //! | P - right side | W | `surplus` |
 //!
-//! **Source.** Heat balance of engine bearings in textbooks on engine design (eqs. 19.9 to 19.11 and eight steps), with hot oil carried over
-//! as in the design of a tractor engine (in Ukrainian); ISO 7902-1. **Range.** One temperature for all of the film; what
-//! the feeds' pressure puts in is left out. **Verified by** `tests/tests/literature/thermal_balance.rs`, and the tests below.
+//! **Source.** Heat balance of engine bearings in textbooks on engine design (eqs. 19.9 to 19.11 and eight steps), with
+//! hot oil carried over as in the design of a tractor engine (in Ukrainian); ISO 7902-1. **Range.** One temperature for
+//! all of the film; what the feeds' pressure puts in is left out. **Verified by**
+//! `tests/tests/literature/thermal_balance.rs`, and the tests below.
 
 /// What heats and what cools one film at a temperature.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -192,7 +195,8 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
         found.ok_or(NoBalance::NoFilm(reason))
     }
 
-    /// The film nearest to the root that secants lead to while they are quick, from a `slope` of the surplus; with the last slope [W/K].
+    /// The film nearest to the root that secants lead to while they are quick, from a `slope` of the surplus; with the
+    /// last slope [W/K].
     fn by_slope(&mut self, first: Point, slope: Option<f64>, accuracy: f64) -> (Point, f64) {
         let [coldest, hottest] = self.balance.range();
         let (mut near, mut last_slope) = (first, slope.unwrap_or(f64::NAN));
@@ -299,8 +303,8 @@ impl Start {
     }
 }
 
-/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power. `evaluate` gives what heats and cools the film at a
-/// temperature [K].
+/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power. `evaluate` gives what heats
+/// and cools the film at a temperature [K].
 ///
 /// # Errors
 /// [`NoBalance`]: the reason why there is none.

@@ -1,11 +1,13 @@
-//! The balance of a moment that no start leads to at once: a branch of balances is followed, around its folds too. It begins with the balance of the force alone, or with
-//! the balance of the film that guides the search.
+//! The balance of a moment that no start leads to at once: a branch of balances is followed, around its folds too. It
+//! begins with the balance of the force alone, or with the balance of the film that guides the search.
 //!
-//! **Equation.** With the difference R of forces and load and the first position x_0, `R(x) = (1 - part) R(x_0)`: x_0 at `part = 0`, the balance asked
-//! for at `part = 1`. Where a film resists tilt no more, the part has a greatest value and falls beyond it. So steps are taken along the length of the branch,
-//! in clearances and parts, and corrected across it.
+//! **Equation.** With the difference R of forces and load and the first position x_0, `R(x) = (1 - part) R(x_0)`: x_0
+//! at `part = 0`, the balance asked for at `part = 1`. Where a film resists tilt no more, the part has a greatest value
+//! and falls beyond it. So steps are taken along the length of the branch, in clearances and parts, and corrected
+//! across it.
 //!
-//! **Source.** Keller, in: Applications of Bifurcation Theory, Academic Press (1977) 359 (continuation by arc length). **Verified by** `tests/tests/tilt/balance.rs`.
+//! **Source.** Keller, in: Applications of Bifurcation Theory, Academic Press (1977) 359 (continuation by arc length).
+//! **Verified by** `tests/tests/tilt/balance.rs`.
 
 mod error;
 
@@ -45,7 +47,8 @@ const SHORTEST: f64 = 0.1;
 const MOST_POINTS: usize = 60;
 /// A branch whose part has fallen by so much from its greatest value does not return.
 const FALLEN: f64 = 0.5;
-/// A film that has lost so much of the clearance at an end, where the branch cannot be followed further, is one in contact there.
+/// A film that has lost so much of the clearance at an end, where the branch cannot be followed further, is one in
+/// contact there.
 const NEAR_CONTACT: f64 = 0.05;
 /// A finer mesh begins where the film on the coarser one was still this part of the clearance.
 const WAYPOINT: f64 = 0.02;
@@ -113,7 +116,8 @@ impl Search<'_> {
         branch.followed(branch.point(trial, 0.0)?)
     }
 
-    /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that point.
+    /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that
+    /// point.
     pub(crate) fn continued(&self, problem: &FilmProblem, way: &Waypoint) -> Option<Result<Balance, NoEquilibrium>> {
         let options = SearchOptions {
             guess: InitialGuess::Cold,
@@ -135,7 +139,8 @@ impl Search<'_> {
         outcome.unwrap_or_else(|| self.by_parts_of_tilting(problem))
     }
 
-    /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced, with its error where that is known.
+    /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is
+    /// balanced, with its error where that is known.
     pub(crate) fn in_contact(
         &self,
         problem: &FilmProblem,
@@ -260,7 +265,8 @@ impl Branch<'_, '_> {
         self.search.least_film(trial) / self.clearance
     }
 
-    /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts. None where the tangent is singular.
+    /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts.
+    /// None where the tangent is singular.
     fn direction(&self, at: &Point, before: Option<&Direction>) -> Option<Direction> {
         let long = (length(at.ahead.place) / self.clearance).hypot(1.0);
         let is_back = before.is_some_and(|before| self.product(before, at.ahead.place, 1.0) < 0.0);
@@ -286,7 +292,8 @@ impl Branch<'_, '_> {
         places / (self.clearance * self.clearance) + along.part * part
     }
 
-    /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
+    /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or
+    /// shorter afterwards. None where no step leads on.
     fn next(&self, here: &Point, along: &Direction, wanted: &mut f64) -> Option<Next> {
         let (search, gap, [quick, _]) = (self.search, self.gap(&here.trial), corrections(&here.trial));
         // A search that was ended may begin where the gap vanishes.
@@ -354,7 +361,8 @@ impl Branch<'_, '_> {
         None
     }
 
-    /// Whether a film at this part is a point of the branch or, where it lies beside, the moves and the change of the part that lead across `along` to it.
+    /// Whether a film at this part is a point of the branch or, where it lies beside, the moves and the change of the
+    /// part that lead across `along` to it.
     fn judged(&self, along: &Direction, trial: &Trial, part: f64) -> Option<Judged> {
         let search = self.search;
         let wall = search.left_of_wall(trial);

@@ -4,8 +4,10 @@
 //! W(x, d) = F        C f(p(x, d)) = d
 //! ```
 //!
-//! **Method.** Newton's, with the tangent of both: [`Joint`], the journal eliminated and the wall found by GMRES, or [`Bordered`], of the film in cubic elements. Under a load the wall answers less than at a place, so that it is found under soft walls in contact too, where no place
-//! that is held has one near. Far from the balance the wall is closed at each place that is tried. **Verified by** `tests/tests/liner`: balances of force and wall.
+//! **Method.** Newton's, with the tangent of both: [`Joint`], the journal eliminated and the wall found by GMRES, or
+//! [`Bordered`], of the film in cubic elements. Under a load the wall answers less than at a place, so that it is found
+//! under soft walls in contact too, where no place that is held has one near. Far from the balance the wall is closed
+//! at each place that is tried. **Verified by** `tests/tests/liner`: balances of force and wall.
 
 use std::borrow::Cow;
 
@@ -49,7 +51,8 @@ pub(crate) enum Tangents<'a> {
 }
 
 impl Tangents<'_> {
-    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it,
+    /// or by no more.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -74,7 +77,8 @@ impl Tangents<'_> {
 }
 
 impl Search<'_> {
-    /// The film `at` these coordinates under the wall of a problem as it is, what it leaves of the balance of that wall included. Contact is integrated as finely as a balance to the `part` asks for.
+    /// The film `at` these coordinates under the wall of a problem as it is, what it leaves of the balance of that wall
+    /// included. Contact is integrated as finely as a balance to the `part` asks for.
     pub(crate) fn open(&self, problem: &FilmProblem, at: Vector, near: Neighbour, part: f64) -> Result<Trial, NoFilm> {
         let problem = self.placed(problem, at).with_contact(fineness(part));
         let film = problem.solve_from(self.system, near)?;
@@ -171,7 +175,8 @@ impl Search<'_> {
         }
     }
 
-    /// As [`Self::led_to`], contact settled under the wall there; none where the film along the tangent is thinner than `least` [m].
+    /// As [`Self::led_to`], contact settled under the wall there; none where the film along the tangent is thinner than
+    /// `least` [m].
     pub(crate) fn led_on(&self, trial: &Trial, moves: &Moves, part: f64, least: f64) -> Option<(FilmProblem, Vector)> {
         let (bent, at) = self.led_to(trial, moves, part);
         let led = FilmProblem { journal: self.coordinates.placed(&trial.film.problem.journal, at), ..bent };
@@ -188,7 +193,8 @@ impl Search<'_> {
         })
     }
 
-    /// The balance of force and wall near a trial, until force and load differ by less than `balanced` of the load, and less than the part `closed` of the deflection is left.
+    /// The balance of force and wall near a trial, until force and load differ by less than `balanced` of the load, and
+    /// less than the part `closed` of the deflection is left.
     ///
     /// # Errors
     /// The trial itself, where the balance is not near; that which is nearest to it, where the search was ended.
@@ -219,7 +225,8 @@ impl Search<'_> {
         Err(Box::new(from))
     }
 
-    /// A trial whose contact is not integrated as finely as a balance asks for, with it so: films of one balance are compared. None where it is, or there is no such film.
+    /// A trial whose contact is not integrated as finely as a balance asks for, with it so: films of one balance are
+    /// compared. None where it is, or there is no such film.
     fn as_fine(&self, trial: &Trial, closed: f64, tried: &mut usize) -> Option<Trial> {
         let is_fine = |contact: Contact| contact.fineness == fineness(closed);
         if trial.film.problem.contact.is_none_or(is_fine) || trial.cubic.is_some() {
@@ -230,7 +237,8 @@ impl Search<'_> {
         self.open(&trial.film.problem, here, Neighbour::Start(&trial.film), closed).ok()
     }
 
-    /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none where no step does.
+    /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none
+    /// where no step does.
     fn nearer(&self, trial: &Trial, left: &Left, closed: f64, tried: &mut usize) -> Result<Option<Trial>, NoFilm> {
         let before = self.residual(trial).hypot(left.residual);
         let accuracy = (OF_LEFT * before).max(SPARE * closed / before).min(ROUGHEST);

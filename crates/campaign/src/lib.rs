@@ -1,4 +1,5 @@
-//! One scene to many answers: sweeps, convergence studies, the cost of effects, bearing theories, characteristics, the ISO 7902 twin.
+//! One scene to many answers: sweeps, convergence studies, the cost of effects, bearing theories, characteristics, the
+//! ISO 7902 twin.
 
 mod add_on;
 pub mod characteristics;

@@ -17,7 +17,8 @@ const COMPARED: [&Row; 3] =
 /// Part of the time that following the orbit took.
 const ORBIT: &str = "orbit";
 
-/// The orbit of a scene by maps, beside that of its film, whose `result` and `path` are given. A map that does not exist has its reason.
+/// The orbit of a scene by maps, beside that of its film, whose `result` and `path` are given. A map that does not
+/// exist has its reason.
 ///
 /// # Errors
 /// The scene does not become a film.

@@ -1,7 +1,8 @@
 //! The standard's twin: what ISO 7902 and DIN 31652 give for the bearing of a scene, beside its own film.
 //!
-//! Both have the same input: the load where the scene has one, else the eccentricity; and the viscosity of the film. A groove all around
-//! makes two bearings of the lands beside it, each with half of the load. `twin.rs` evaluates the fits, `feed.rs` finds the standard's feed.
+//! Both have the same input: the load where the scene has one, else the eccentricity; and the viscosity of the film. A
+//! groove all around makes two bearings of the lands beside it, each with half of the load. `twin.rs` evaluates the
+//! fits, `feed.rs` finds the standard's feed.
 
 use ciborium::Value;
 use oilwedge_reynolds::lubricant::PressureLaw;

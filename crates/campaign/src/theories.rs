@@ -1,8 +1,9 @@
 //! A scene by three theories: the film of finite length beside those of short and of long bearings.
 //!
-//! The scene is run again with the theories that are not its own. Where a theory does not apply (an arc, a feed, a conserved oil, a mesh
-//! without a line of given pressure) its reason stands in place of numbers. Feeds and the conservation of oil, which neither a short nor a
-//! long bearing has, are left out of all three where the liner is drawn here: the error of a theory is a matter of B/D and eccentricity first.
+//! The scene is run again with the theories that are not its own. Where a theory does not apply (an arc, a feed, a
+//! conserved oil, a mesh without a line of given pressure) its reason stands in place of numbers. Feeds and the
+//! conservation of oil, which neither a short nor a long bearing has, are left out of all three where the liner is
+//! drawn here: the error of a theory is a matter of B/D and eccentricity first.
 
 use std::f64::consts::{PI, TAU};
 
@@ -53,8 +54,8 @@ struct TheoryFilm {
     quantities: Vec<Quantity>,
 }
 
-/// Runs `scene` by the theories that are not its own; `result` is that of the scene itself, with the same options. A theory without an answer
-/// has its reason.
+/// Runs `scene` by the theories that are not its own; `result` is that of the scene itself, with the same options. A
+/// theory without an answer has its reason.
 pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> AddOn {
     let (films, without) = films(scene, options, result);
     let alternatives = [0, 1, 2].map(|k| films[k].beside(&films[1]));
@@ -196,8 +197,8 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
     }
 }
 
-/// The scene by another theory, and the film start [rad] that it was given: a long ring at a given position begins where it is widest. A theory
-/// that lets no oil out at the ends has no tolerance of that flow.
+/// The scene by another theory, and the film start [rad] that it was given: a long ring at a given position begins
+/// where it is widest. A theory that lets no oil out at the ends has no tolerance of that flow.
 fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
     let mut scene = scene.clone();
     scene.bearing.theory = theory;
@@ -256,7 +257,8 @@ cavitation = { model = "guembel" }
         film.quantity(row).unwrap_or_else(|| panic!("no {row:?}: {film:?}")).value
     }
 
-    /// Short: Ocvirk's load. Long: its half film, from the widest film on, is that of Sommerfeld without its other half.
+    /// Short: Ocvirk's load. Long: its half film, from the widest film on, is that of Sommerfeld without its other
+    /// half.
     #[test]
     fn a_ring_has_all_three_whatever_its_own() {
         let (all, _) = found(RING);

@@ -22,7 +22,8 @@ pub(crate) struct CharacteristicsOf {
     #[command(flatten)]
     run: RunArguments,
 
-    /// Solve 70 straight bearings as well, and fit the seven characteristics of a parallel journal over eccentricity and B/D.
+    /// Solve 70 straight bearings as well, and fit the seven characteristics of a parallel journal over eccentricity
+    /// and B/D.
     #[arg(long)]
     fit: bool,
 }

@@ -126,7 +126,8 @@ impl Failure {
         }
     }
 
-    /// A failure of the scene at `path`: errors of a liner that was meshed here name regions and keys, but not the file.
+    /// A failure of the scene at `path`: errors of a liner that was meshed here name regions and keys, but not the
+    /// file.
     pub(crate) fn of<E: Into<Self>>(path: &Path) -> impl Fn(E) -> Self {
         move |error| match error.into() {
             Self::Message(message) => Self::Message(format!("the scene {}: {message}", path.display())),
@@ -161,7 +162,8 @@ impl Failure {
     }
 }
 
-/// A line on stderr, with its colours where that is a terminal that shows them. That it cannot be written does not change how the run ends.
+/// A line on stderr, with its colours where that is a terminal that shows them. That it cannot be written does not
+/// change how the run ends.
 pub(crate) fn say(line: &str) {
     let written = writeln!(anstream::stderr().lock(), "{line}");
     drop(written);

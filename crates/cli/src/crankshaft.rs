@@ -111,7 +111,8 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
     Ok(exit_code(run.result.status))
 }
 
-/// The shaft with all its bearings, and the load, the path and the film of each one over the cycle as pictures, and a line about them.
+/// The shaft with all its bearings, and the load, the path and the film of each one over the cycle as pictures, and a
+/// line about them.
 fn drawn(folder: &Path, run: &ShaftRun, views: &ShaftViews) -> Result<String, Failure> {
     let width = plot::usual().width;
     let of_bearing = |(number, bearing): (usize, &oilwedge_study::shaft::BearingPath)| {

@@ -10,7 +10,8 @@ use std::process::ExitCode;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Explain {
-    /// The name of a quantity, effect, key of a scene, field or warning, whole or its last part, a symbol, or words that others use or that its sentence has.
+    /// The name of a quantity, effect, key of a scene, field or warning, whole or its last part, a symbol, or words
+    /// that others use or that its sentence has.
     #[arg(value_name = "NAME", required_unless_present = "all")]
     name: Option<String>,
 

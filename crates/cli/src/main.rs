@@ -1,7 +1,8 @@
 //! `oilwedge`: the oil film of journal bearings at the command line. One file a verb.
 //!
-//! Exit status: 0 done; 1 the problem has no solution or was not converged, or stdout failed after the results were written; 2 bad scene, mesh or arguments, and then
-//! nothing was written; 130 interrupted. Results for people and `--json` go to stdout, everything else to stderr.
+//! Exit status: 0 done; 1 the problem has no solution or was not converged, or stdout failed after the results were
+//! written; 2 bad scene, mesh or arguments, and then nothing was written; 130 interrupted. Results for people and
+//! `--json` go to stdout, everything else to stderr.
 
 mod characteristics;
 mod characteristics_report;
@@ -84,7 +85,8 @@ enum Verb {
     Sweep(sweep::Sweep),
     /// Print and draw the load of a scene over a cycle.
     Load(load::Load),
-    /// Solve the film of each motion of the journal by itself: its sixteen characteristics, and their sum beside the film.
+    /// Solve the film of each motion of the journal by itself: its sixteen characteristics, and their sum beside the
+    /// film.
     Characteristics(characteristics::CharacteristicsOf),
     /// Draw the film of a scene, or the results in a folder, as SVG and PNG.
     Plot(plot::Plot),

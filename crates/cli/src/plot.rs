@@ -1,4 +1,5 @@
-//! `oilwedge plot`: pictures of a film, a sweep or a convergence study, from a scene or from a folder of results; and `--plot` of other verbs.
+//! `oilwedge plot`: pictures of a film, a sweep or a convergence study, from a scene or from a folder of results; and
+//! `--plot` of other verbs.
 
 use crate::complain::{self, Failure};
 use crate::interrupt;
@@ -38,7 +39,8 @@ pub(crate) struct Plot {
     #[arg(value_name = "DIR")]
     beside: Option<PathBuf>,
 
-    /// What to draw: fields of film.vtu, mesh, section, profiles, heat; of a sweep its quantities [default: all that say something].
+    /// What to draw: fields of film.vtu, mesh, section, profiles, heat; of a sweep its quantities [default: all that
+    /// say something].
     #[arg(long = "field", value_name = "NAME", value_delimiter = ',')]
     fields: Vec<String>,
 
@@ -46,7 +48,8 @@ pub(crate) struct Plot {
     #[arg(long, value_name = "LENGTH", default_value = "170 mm", value_parser = width)]
     width: f64,
 
-    /// Folder of the results [default: out/NAME for NAME.toml, or the folder DIR]; the pictures go to the folder plot in it.
+    /// Folder of the results [default: out/NAME for NAME.toml, or the folder DIR]; the pictures go to the folder plot
+    /// in it.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

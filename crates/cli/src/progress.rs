@@ -164,8 +164,8 @@ pub(crate) struct Progress {
     told: Instant,
 }
 
-/// Seconds that the cases left will take at the speed of this run: those of an earlier run are not counted. `None` before the first case,
-/// and after the last.
+/// Seconds that the cases left will take at the speed of this run: those of an earlier run are not counted. `None`
+/// before the first case, and after the last.
 fn seconds_left(now: Cases, elapsed: f64) -> Option<f64> {
     let own = now.done.saturating_sub(now.kept);
     let left = now.cases.saturating_sub(now.done);

@@ -23,7 +23,8 @@ use crate::terminal::print;
 /// Arguments of verbs that write results.
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub(crate) struct PageArguments {
-    /// Write a page into the folder of the results, which has everything and needs no network: report.html, of a sweep sweep.html, of a convergence study converge.html.
+    /// Write a page into the folder of the results, which has everything and needs no network: report.html, of a sweep
+    /// sweep.html, of a convergence study converge.html.
     #[arg(long)]
     report: bool,
 

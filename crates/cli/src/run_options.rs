@@ -12,7 +12,8 @@ pub(crate) struct RunArguments {
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
 
-    /// Folder of the results [default: out/NAME for NAME.toml]. Earlier results of solve there are replaced, a sweep is continued.
+    /// Folder of the results [default: out/NAME for NAME.toml]. Earlier results of solve there are replaced, a sweep is
+    /// continued.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
@@ -24,13 +25,15 @@ pub(crate) struct RunArguments {
     #[arg(long, value_enum, default_value_t = Bars::Auto)]
     bars: Bars,
 
-    /// Time limit of a run in seconds, of each case of a sweep: for the refinement towards a tolerance and the search for a position
-    /// under a load [default: 60 where the mesh is refined: with a tolerance, or with neither mesh file nor size; none on a given mesh and
-    /// for a crankshaft]. The default does not count the time that a busy machine spends on others. A film that was begun is finished.
+    /// Time limit of a run in seconds, of each case of a sweep: for the refinement towards a tolerance and the search
+    /// for a position under a load [default: 60 where the mesh is refined: with a tolerance, or with neither mesh file
+    /// nor size; none on a given mesh and for a crankshaft]. The default does not count the time that a busy machine
+    /// spends on others. A film that was begun is finished.
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 
-    /// Most unknowns of meshes that are refined towards a tolerance; the first mesh may have 5000 in any case, and one that the scene gives more.
+    /// Most unknowns of meshes that are refined towards a tolerance; the first mesh may have 5000 in any case, and one
+    /// that the scene gives more.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
     max_unknowns: usize,
 }

@@ -20,10 +20,10 @@ use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::Plan;
-use oilwedge_study::{RunOptions, run_telling};
 use oilwedge_study::orbit::{Frame, no_map};
 use oilwedge_study::result::Status;
 use oilwedge_study::shaft::Variant;
+use oilwedge_study::{RunOptions, run_telling};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -69,11 +69,13 @@ pub(crate) struct Solve {
     #[arg(long)]
     theories: bool,
 
-    /// Begin the orbit anew; without it one that was not closed, or was ended by Ctrl-C, is continued from the results in the folder.
+    /// Begin the orbit anew; without it one that was not closed, or was ended by Ctrl-C, is continued from the results
+    /// in the folder.
     #[arg(long)]
     fresh: bool,
 
-    /// Of a crankshaft: seek the counterweights that make the least film of all bearings greatest, on the webs that have one, and show both.
+    /// Of a crankshaft: seek the counterweights that make the least film of all bearings greatest, on the webs that
+    /// have one, and show both.
     #[arg(long)]
     counterweights: bool,
 
@@ -81,7 +83,8 @@ pub(crate) struct Solve {
     #[arg(long)]
     cut: bool,
 
-    /// Follow the orbit by maps of the film too, that of a short film and its own, and show their differences and times.
+    /// Follow the orbit by maps of the film too, that of a short film and its own, and show their differences and
+    /// times.
     #[arg(long)]
     mobility: bool,
 }
@@ -220,7 +223,8 @@ impl Solve {
         Ok(exit_code(run.result.status))
     }
 
-    /// What writes and prints the numbers of a run, without its pictures, that an interrupt ends before it ends by itself; the exit status.
+    /// What writes and prints the numbers of a run, without its pictures, that an interrupt ends before it ends by
+    /// itself; the exit status.
     fn end(&self) -> impl Fn(Best) -> u8 + Send + Sync + 'static {
         let (folder, shown, json) = (self.run.folder(), self.shown(), self.run.json);
         move |Best { result, orbit }| {

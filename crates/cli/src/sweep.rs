@@ -29,12 +29,13 @@ pub(crate) struct Sweep {
     #[arg(long)]
     fresh: bool,
 
-    /// Compute one of N parts of the sweep, for machines that share it, into the folder parts/K-of-N below that of the results. Each part is a number
-    /// of whole chains of neighbouring cases.
+    /// Compute one of N parts of the sweep, for machines that share it, into the folder parts/K-of-N below that of the
+    /// results. Each part is a number of whole chains of neighbouring cases.
     #[arg(long, value_name = "K/N", value_parser = part, conflicts_with_all = ["plot", "report", "open"])]
     part: Option<Part>,
 
-    /// Join the parts in the folder parts below DIR to the table of the whole sweep, in DIR or in the folder of --out. Nothing is computed.
+    /// Join the parts in the folder parts below DIR to the table of the whole sweep, in DIR or in the folder of --out.
+    /// Nothing is computed.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["part", "max_seconds", "max_unknowns"])]
     join: Option<PathBuf>,
 

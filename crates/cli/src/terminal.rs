@@ -6,8 +6,8 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Prints a text to stdout, after results were `written` to a file or folder, if any; that its reader has gone away already (`| head`) is
-/// no fault.
+/// Prints a text to stdout, after results were `written` to a file or folder, if any; that its reader has gone away
+/// already (`| head`) is no fault.
 ///
 /// # Errors
 /// [`Failure::Output`] where stdout cannot be written to.

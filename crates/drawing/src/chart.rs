@@ -26,7 +26,8 @@ pub struct Series {
     pub mark: Option<Mark>,
     /// Its points, x and y.
     pub points: Vec<[f64; 2]>,
-    /// Half lengths of the error bars in y, one for each point; none at all where it is empty, none of a point where it is no number.
+    /// Half lengths of the error bars in y, one for each point; none at all where it is empty, none of a point where it
+    /// is no number.
     pub bars: Vec<f64>,
 }
 

@@ -1,8 +1,9 @@
 //! Filled contours of quadratic fields on triangles.
 //!
-//! Above each level the area is one path, painted over that of the level below, so no seam shows between bands. A triangle is divided
-//! into small ones; the crossings of a level with their sides are the roots of the quadratic there, not of its linear interpolation.
-//! Where two triangles meet, both take the values of their side in the same order, so that their places agree to the last digit.
+//! Above each level the area is one path, painted over that of the level below, so no seam shows between bands. A
+//! triangle is divided into small ones; the crossings of a level with their sides are the roots of the quadratic there,
+//! not of its linear interpolation. Where two triangles meet, both take the values of their side in the same order, so
+//! that their places agree to the last digit.
 
 use std::collections::HashMap;
 
@@ -20,7 +21,8 @@ fn along<const N: usize>(nodes: [[f64; N]; 3], s: f64) -> [f64; N] {
     std::array::from_fn(|k| (0..3).map(|i| shapes[i] * nodes[i][k]).sum())
 }
 
-/// Where a quadratic with these values at the start, in the middle and at the end is zero between start and end, which have different signs.
+/// Where a quadratic with these values at the start, in the middle and at the end is zero between start and end, which
+/// have different signs.
 fn root([start, middle, end]: [f64; 3]) -> f64 {
     let (a, b) = (2.0 * start - 4.0 * middle + 2.0 * end, 4.0 * middle - 3.0 * start - end);
     let discriminant = (b * b - 4.0 * a * start).max(0.0).sqrt();

@@ -133,7 +133,8 @@ impl Frame {
     }
 }
 
-/// A bar with the colours of the values of `axis`, at the right of the rectangle `beside`, and its name above it; returns its width [mm].
+/// A bar with the colours of the values of `axis`, at the right of the rectangle `beside`, and its name above it;
+/// returns its width [mm].
 ///
 /// `edges` are the values between bands of one colour; without any the colours change evenly.
 pub fn draw_colour_bar(figure: &mut Figure, beside: Rectangle, axis: &Axis, map: ColourMap, edges: &[f64]) -> f64 {

@@ -1,12 +1,14 @@
-//! Figures for print: the one way in which this program draws. It knows nothing of oil, and depends on no other crate of the house.
+//! Figures for print: the one way in which this program draws. It knows nothing of oil, and depends on no other crate
+//! of the house.
 //!
-//! All lengths on a sheet are millimetres, `x` to the right and `y` downwards. Letters are at least [`SMALLEST_LETTERS`] points high.
-//! Every figure has a title and a description for those who cannot see it. The same input gives the same bytes.
+//! All lengths on a sheet are millimetres, `x` to the right and `y` downwards. Letters are at least
+//! [`SMALLEST_LETTERS`] points high. Every figure has a title and a description for those who cannot see it. The same
+//! input gives the same bytes.
 //!
-//! Reading order: `colour.rs`, [`colour_map`] (tables of colours), `text.rs` (labels and their widths), `figure.rs` (the sheet),
-//! `axis.rs` and `frame.rs` (axes), `chart.rs` (curves with error bars), `legend.rs`, `polar.rs`, `cells.rs` (grids of coloured cells),
-//! `contour.rs` (filled contours of quadratic fields; `outline.rs` joins their edges), `wires.rs` (meshes); a
-//! figure is a list of primitives, which `svg.rs` writes and `raster.rs` draws (PNG).
+//! Reading order: `colour.rs`, [`colour_map`] (tables of colours), `text.rs` (labels and their widths), `figure.rs`
+//! (the sheet), `axis.rs` and `frame.rs` (axes), `chart.rs` (curves with error bars), `legend.rs`, `polar.rs`,
+//! `cells.rs` (grids of coloured cells), `contour.rs` (filled contours of quadratic fields; `outline.rs` joins their
+//! edges), `wires.rs` (meshes); a figure is a list of primitives, which `svg.rs` writes and `raster.rs` draws (PNG).
 
 mod axis;
 mod cells;

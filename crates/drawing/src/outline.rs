@@ -43,7 +43,8 @@ impl Edges {
         }
     }
 
-    /// Closed lines through the edges, simplified [mm]. As many edges leave each place as arrive there, so all lines close.
+    /// Closed lines through the edges, simplified [mm]. As many edges leave each place as arrive there, so all lines
+    /// close.
     pub(crate) fn into_outlines(self) -> Vec<Vec<[f64; 2]>> {
         let mut edges: Vec<(Place, Place)> =
             self.counts.into_iter().flat_map(|(edge, count)| std::iter::repeat_n(edge, count as usize)).collect();

@@ -1,4 +1,5 @@
-//! A figure as dots. The letters are those of Noto Sans, which the program carries, so the picture is the same on every machine.
+//! A figure as dots. The letters are those of Noto Sans, which the program carries, so the picture is the same on every
+//! machine.
 
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap, Rect, StrokeDash, Transform,

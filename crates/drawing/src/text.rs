@@ -161,8 +161,8 @@ impl Label {
         &self.parts
     }
 
-    /// Sets the letters on a line from 0 on: `put` takes each glyph, its typeface, the length of a unit of that [mm], how far the letter stands
-    /// along the line and how far above it [mm]. Returns the length of the line [mm].
+    /// Sets the letters on a line from 0 on: `put` takes each glyph, its typeface, the length of a unit of that [mm],
+    /// how far the letter stands along the line and how far above it [mm]. Returns the length of the line [mm].
     pub(crate) fn set(&self, letters: Letters, mut put: impl FnMut(GlyphId, &Face, f64, [f64; 2])) -> f64 {
         let mut along = 0.0;
         for (style, text) in &self.parts {

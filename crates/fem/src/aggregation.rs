@@ -1,11 +1,12 @@
 //! Coarser matrices by plain aggregation: unknowns are gathered in groups of neighbours that share one value.
 //!
-//! A group is an unknown and all neighbours to which it is strongly coupled, if none of them has a group yet; what is left joins the
-//! group to which it is coupled most. The coarse matrix is the sum of entries, `A_IJ = sum over i in I, j in J of a_ij`.
-//! Smoothing the functions of groups saves two steps in fifteen and costs as much as it saves.
+//! A group is an unknown and all neighbours to which it is strongly coupled, if none of them has a group yet; what is
+//! left joins the group to which it is coupled most. The coarse matrix is the sum of entries,
+//! `A_IJ = sum over i in I, j in J of a_ij`. Smoothing the functions of groups saves two steps in fifteen and costs as
+//! much as it saves.
 //!
-//! Source: Vanek, Mandel, Brezina, Computing 56 (1996) 179 (groups); Notay, Electron. Trans. Numer. Anal. 37 (2010) 123 (plain
-//! aggregation, which needs a K-cycle).
+//! Source: Vanek, Mandel, Brezina, Computing 56 (1996) 179 (groups); Notay, Electron. Trans. Numer. Anal. 37 (2010) 123
+//! (plain aggregation, which needs a K-cycle).
 
 use std::sync::Arc;
 

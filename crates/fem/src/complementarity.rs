@@ -135,7 +135,8 @@ impl<'a> Iteration<'a> {
         })
     }
 
-    /// Takes Newton's step with this contact set; the reactions that the tangent predicts, exact for a linear law, and whether `u` has settled.
+    /// Takes Newton's step with this contact set; the reactions that the tangent predicts, exact for a linear law, and
+    /// whether `u` has settled.
     fn step(&mut self) -> Result<(Vec<f64>, bool), Failure> {
         let solver = self.equation.solver;
         let minus: Vec<f64> = self.residual.iter().map(|r| -r).collect();
@@ -156,8 +157,8 @@ impl<'a> Iteration<'a> {
         self.equation.law.tangent() == Tangent::Conduction
     }
 
-    /// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than round-off, and more than an iterative
-    /// solver leaves.
+    /// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than round-off, and
+    /// more than an iterative solver leaves.
     fn wrong_signs(&self, reactions: &[f64]) -> Vec<usize> {
         let Self { equation, obstacle, .. } = self;
         let least_value = equation.solver.accuracy() * greatest(&self.u).max(equation.scale);

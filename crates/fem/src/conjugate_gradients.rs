@@ -1,7 +1,7 @@
 //! Preconditioned conjugate gradients on the dofs that are not given.
 //!
-//! Flexible (Golub and Ye, SIAM J. Sci. Comput. 21 (1999) 1305): the preconditioner may be rounded to single precision, or be an
-//! iteration itself. Sums are made in fixed portions, so that threads do not change a bit.
+//! Flexible (Golub and Ye, SIAM J. Sci. Comput. 21 (1999) 1305): the preconditioner may be rounded to single precision,
+//! or be an iteration itself. Sums are made in fixed portions, so that threads do not change a bit.
 
 use rayon::prelude::*;
 
@@ -43,8 +43,8 @@ pub(crate) struct Ending {
     pub(crate) most_steps: usize,
 }
 
-/// Solves `matrix x = b`; nothing where residuals fall too slowly. `fixed` dofs are given: rows and columns there do not count, and
-/// `x` is zero there. `precondition` gives zero there.
+/// Solves `matrix x = b`; nothing where residuals fall too slowly. `fixed` dofs are given: rows and columns there do
+/// not count, and `x` is zero there. `precondition` gives zero there.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or an error of `precondition`.

@@ -14,10 +14,12 @@ pub trait ConservationLaw: Sync {
     /// for [`ConservationLaw::response`] accordingly.
     fn tangent(&self) -> Tangent;
 
-    /// Conductance, rest flux and source of a law of kind [`Tangent::Conduction`] at `positions` [m] in triangle `cell`.
+    /// Conductance, rest flux and source of a law of kind [`Tangent::Conduction`] at `positions` [m] in triangle
+    /// `cell`.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]);
 
-    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind [`Tangent::Conduction`] drops a direction.
+    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind [`Tangent::Conduction`]
+    /// drops a direction.
     fn directions(&self) -> [f64; 2] {
         [1.0; 2]
     }

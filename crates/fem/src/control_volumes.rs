@@ -28,7 +28,8 @@ const QUARTERS: [[[usize; 3]; 4]; 4] = [
     [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]],
 ];
 
-/// One quadrature rule per sub-triangle that triangles of these elements may have, with the shape functions of the whole triangle.
+/// One quadrature rule per sub-triangle that triangles of these elements may have, with the shape functions of the
+/// whole triangle.
 #[derive(Debug)]
 pub struct SubTriangleRules(Vec<([usize; 3], Rule)>);
 
@@ -60,7 +61,8 @@ impl SubTriangleRules {
     }
 }
 
-/// The sub-triangles of triangle `t` by its local nodes, counter-clockwise: four, or itself where the elements are linear.
+/// The sub-triangles of triangle `t` by its local nodes, counter-clockwise: four, or itself where the elements are
+/// linear.
 pub fn sub_triangles(space: &Space, t: usize) -> &'static [[usize; 3]] {
     match space.degree() {
         1 => &[[0, 1, 2]],
@@ -68,7 +70,8 @@ pub fn sub_triangles(space: &Space, t: usize) -> &'static [[usize; 3]] {
     }
 }
 
-/// The sub-triangle of triangle `t` that holds a point of the reference triangle: its number, and the barycentric coordinates of the point in it.
+/// The sub-triangle of triangle `t` that holds a point of the reference triangle: its number, and the barycentric
+/// coordinates of the point in it.
 pub fn sub_triangle_at(space: &Space, t: usize, [xi, eta]: [f64; 2]) -> (usize, [f64; 3]) {
     let places = lagrange::nodes(space.degree());
     let weights = |sub: &[usize; 3]| {

@@ -1,7 +1,7 @@
 //! A value with four partial derivatives: forward differentiation at a point.
 //!
-//! Laws in `(u, du/dx, du/dz)` that are not linear are written once in this type; seeded with these three, a law yields its
-//! Newton tangent. Verified by `derivatives_match_differences`.
+//! Laws in `(u, du/dx, du/dz)` that are not linear are written once in this type; seeded with these three, a law yields
+//! its Newton tangent. Verified by `derivatives_match_differences`.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

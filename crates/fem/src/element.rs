@@ -235,8 +235,8 @@ impl ElementKernel {
         }
     }
 
-    /// A straight cubic triangle: its metric does not vary, so the conductance weighs products of reference gradients. Without the
-    /// part of `u` in the residual.
+    /// A straight cubic triangle: its metric does not vary, so the conductance weighs products of reference gradients.
+    /// Without the part of `u` in the residual.
     fn straight_cubic(
         &self,
         directions: [f64; 2],

@@ -244,7 +244,8 @@ mod tests {
     use crate::Assembler;
     use oilwedge_mesh::{Mesh, RawMesh};
 
-    /// All nodes of one triangle meet: the factor is one block of six columns, with 6, 5, ... 1 entries that are not zero.
+    /// All nodes of one triangle meet: the factor is one block of six columns, with 6, 5, ... 1 entries that are not
+    /// zero.
     #[test]
     fn operations_are_the_squares_of_the_columns() {
         let raw = RawMesh {

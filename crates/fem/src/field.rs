@@ -48,7 +48,8 @@ impl Field<'_> {
         (evaluate(self.space.degree(), &values, point), gradient)
     }
 
-    /// Gradients on the surface [per m] at these reference points of triangle `t`, at most as many as the most nodes of a triangle.
+    /// Gradients on the surface [per m] at these reference points of triangle `t`, at most as many as the most nodes of
+    /// a triangle.
     pub fn gradients(&self, t: usize, points: &[[f64; 2]]) -> [[f64; 2]; MOST_SHAPES] {
         let (mapping, values) = (Mapping::of(self.space.mesh(), t), self.element_values(t));
         let mut gradients = [[0.0; 2]; MOST_SHAPES];

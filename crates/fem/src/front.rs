@@ -1,13 +1,13 @@
-//! One front of a multifrontal LU factorisation: a dense matrix of the unknowns that are eliminated together and of those
-//! that they touch.
+//! One front of a multifrontal LU factorisation: a dense matrix of the unknowns that are eliminated together and of
+//! those that they touch.
 //!
 //! ```text
 //!            own  below
 //!     own  ( L\U |  U  )     panel: own columns (L\U and L), then the own rows below, transposed (U)
 //!   below  (  L  |  S  )     update S: what the elimination leaves for the fronts above
 //! ```
-//! Without pivoting. Columns of upwind schemes are dominated by their diagonals, and stay so; whether a factor is any good,
-//! the residual of each solve shows ([`crate::Linearisation`]).
+//! Without pivoting. Columns of upwind schemes are dominated by their diagonals, and stay so; whether a factor is any
+//! good, the residual of each solve shows ([`crate::Linearisation`]).
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};

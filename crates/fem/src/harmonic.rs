@@ -1,7 +1,8 @@
-//! Systems of harmonic motions, `(A + i D) x = b` with an unsymmetric real tangent A and a real diagonal D, by real factors of twice the size.
+//! Systems of harmonic motions, `(A + i D) x = b` with an unsymmetric real tangent A and a real diagonal D, by real
+//! factors of twice the size.
 //!
-//! With `x = u + i v` and `b = f + i g` it is `A u - D v = f`, `A v + D u = g`. Both parts of a dof are eliminated one after the other, so that the
-//! fronts are those of the real factor with each dof doubled.
+//! With `x = u + i v` and `b = f + i g` it is `A u - D v = f`, `A v + D u = g`. Both parts of a dof are eliminated one
+//! after the other, so that the fronts are those of the real factor with each dof doubled.
 
 use std::sync::Arc;
 

@@ -1,7 +1,8 @@
 //! Integrals over triangles and edges: the quadrature of everything that is not assembled.
 //!
-//! A [`Rule`] visits the points of one triangle in batches of at most [`MOST_POINTS`]; [`integrate`] sums over the triangles of a mesh;
-//! [`edge_points`] are the points of a straight or quadratic edge. Verified by `areas_and_moments_of_a_curved_mesh`.
+//! A [`Rule`] visits the points of one triangle in batches of at most [`MOST_POINTS`]; [`integrate`] sums over the
+//! triangles of a mesh; [`edge_points`] are the points of a straight or quadratic edge. Verified by
+//! `areas_and_moments_of_a_curved_mesh`.
 
 use std::ops::{AddAssign, Range};
 

@@ -4,8 +4,10 @@
 //!   Int_T g(u) dA,   g smooth for u < k and for u > k
 //! ```
 //!
-//! **Method.** A triangle with values below and above `k` at its nodes is quartered, and so is each part of it, [`QUARTERINGS`] times: a part whose nodes lie on one side is integrated as it is. What is left
-//! is the kink within parts of a sixteenth of the edges. Where no kink runs it is the [`Rule`] of the degree. **Verified by** `a_kink_along_a_straight_line_is_integrated`.
+//! **Method.** A triangle with values below and above `k` at its nodes is quartered, and so is each part of it,
+//! [`QUARTERINGS`] times: a part whose nodes lie on one side is integrated as it is. What is left is the kink within
+//! parts of a sixteenth of the edges. Where no kink runs it is the [`Rule`] of the degree. **Verified by**
+//! `a_kink_along_a_straight_line_is_integrated`.
 
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -60,7 +62,8 @@ impl KinkRule {
         self.visit_part((0, 0), &kink, &mut |rule, batch| rule.visit_batch(&mapping, t, batch, &mut visit));
     }
 
-    /// Calls `visit` with the rule and the points of each part, from that of this level and number on, through which no kink runs, or that is not quartered further.
+    /// Calls `visit` with the rule and the points of each part, from that of this level and number on, through which no
+    /// kink runs, or that is not quartered further.
     fn visit_part<const N: usize>(
         &self,
         (level, part): (usize, usize),
@@ -119,7 +122,8 @@ mod tests {
         .expect("a mesh")
     }
 
-    /// `max(xi - k, 0)` over the unit triangle is `(1 - k)^3/6`, and its step function `(1 - k)^2/2`; points far from the kink are few.
+    /// `max(xi - k, 0)` over the unit triangle is `(1 - k)^3/6`, and its step function `(1 - k)^2/2`; points far from
+    /// the kink are few.
     #[test]
     fn a_kink_along_a_straight_line_is_integrated() {
         let mesh = triangle();

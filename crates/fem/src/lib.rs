@@ -1,12 +1,15 @@
 //! Lagrange finite elements for scalar conservation laws on triangles. Knows no oil.
 //!
-//! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
-//! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
-//! freedom), [`field`] (functions), [`extrema`], [`conservation_law`], [`element`] and [`assembly`] (the one
-//! element loop), [`integrate`](mod@integrate) (all other integrals), [`in_order`](mod@in_order), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`] ([`harmonic`]: systems of harmonic motions), [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`];
-//! for large systems `conjugate_gradients`, `multigrid` (on `sweeps`, [`linear_prolongation`] and `aggregation`), and `iterated`, which gives up on it where it is slow.
-//! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
-//! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
+//! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order: [`lagrange`] and [`quadrature`]
+//! (the reference triangle), [`mapping`], [`space`] (degrees of freedom), [`field`] (functions), [`extrema`],
+//! [`conservation_law`], [`element`] and [`assembly`] (the one element loop), [`integrate`](mod@integrate) (all other
+//! integrals), [`in_order`](mod@in_order), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`]
+//! ([`harmonic`]: systems of harmonic motions), [`newton`], [`complementarity`] (obstacles), [`linear_solver`],
+//! [`linearisation`]; for large systems `conjugate_gradients`, `multigrid` (on `sweeps`, [`linear_prolongation`] and
+//! `aggregation`), and `iterated`, which gives up on it where it is slow. [`prolongation`] and [`nested`]: cubic
+//! elements on top of quadratic ones, for error bars. [`marking`] chooses triangles to refine;
+//! [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of
+//! finite volumes.
 
 mod aggregation;
 pub mod assembly;

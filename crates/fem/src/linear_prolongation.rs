@@ -1,7 +1,7 @@
 //! Linear functions as quadratic ones on the same mesh: at the middle of an edge, the mean of its ends.
 //!
-//! The step down from quadratic elements to their vertices, for `multigrid.rs`. A vertex counts as masked where its function would
-//! touch a masked dof: where it is masked itself, or any of its edges is.
+//! The step down from quadratic elements to their vertices, for `multigrid.rs`. A vertex counts as masked where its
+//! function would touch a masked dof: where it is masked itself, or any of its edges is.
 
 use std::sync::Arc;
 

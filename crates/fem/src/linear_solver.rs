@@ -72,8 +72,8 @@ impl LinearSolver {
         }
     }
 
-    /// What will do in an iteration that began with a residual of the Euclidean norm `first`, and now has the `residual` (its
-    /// entries at dofs given by `constraints` are the flow through them).
+    /// What will do in an iteration that began with a residual of the Euclidean norm `first`, and now has the
+    /// `residual` (its entries at dofs given by `constraints` are the flow through them).
     pub fn balanced(&self, first: f64, residual: &[f64], constraints: &Constraints) -> Enough {
         Enough {
             residual: self.enough(first),
@@ -87,7 +87,8 @@ impl LinearSolver {
         self.ends().enough * first
     }
 
-    /// The residual (Euclidean norm) that will do while the set of contact may still change, in an iteration that began with `first`.
+    /// The residual (Euclidean norm) that will do while the set of contact may still change, in an iteration that began
+    /// with `first`.
     pub fn roughly_enough(&self, first: f64) -> f64 {
         self.ends().rough * first
     }

@@ -11,7 +11,8 @@ use crate::{Constraints, Error, Factorization, LinearSolver, Matrix, Unsymmetric
 /// A residual above this fraction of the right-hand side is refined once, and refused after.
 const REFINE_ABOVE: f64 = 1e-12;
 const REFUSE_ABOVE: f64 = 1e-7;
-/// Part of the terms of a row that its residual is at most where the solution is that of a system that differs by rounding.
+/// Part of the terms of a row that its residual is at most where the solution is that of a system that differs by
+/// rounding.
 const ROUNDING: f64 = 1e-12;
 /// Terms of the rows over the right-hand side of a matrix that is singular for all that is known.
 const SINGULAR_ABOVE: f64 = 1e12;
@@ -153,7 +154,8 @@ impl Linearisation {
         self.refined(b, false, enough, REFINE_ABOVE)
     }
 
-    /// Solves likewise until the residual is this `part` of b: a product with an inverse that is to be no more accurate.
+    /// Solves likewise until the residual is this `part` of b: a product with an inverse that is to be no more
+    /// accurate.
     ///
     /// # Errors
     /// As [`Linearisation::solve`], where the residual stays above both 1e-7 and `part` of b.
@@ -179,8 +181,8 @@ impl Linearisation {
         self.refined(b, true, enough, part.max(REFINE_ABOVE))
     }
 
-    /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there is
-    /// no factor: for those who need no more.
+    /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there
+    /// is no factor: for those who need no more.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -257,9 +259,9 @@ impl Linearisation {
         Ok(x)
     }
 
-    /// True if `x` solves a system whose every entry is that of this one to rounding (Oettli, Prager, Numer. Math. 6 (1964) 405): where
-    /// conductances differ by many orders residuals over the right-hand side say little. Not of solutions so large that
-    /// the matrix must be singular.
+    /// True if `x` solves a system whose every entry is that of this one to rounding (Oettli, Prager, Numer. Math. 6
+    /// (1964) 405): where conductances differ by many orders residuals over the right-hand side say little. Not of
+    /// solutions so large that the matrix must be singular.
     fn is_stable(&self, b: &[f64], x: &[f64], residual: &[f64], transposed: bool) -> bool {
         let absolute = Matrix {
             pattern: self.matrix.pattern.clone(),

@@ -1,6 +1,7 @@
 //! Which triangles to refine: the fewest that carry a given share of an indicator (bulk marking).
 //!
-//! Source: W. Doerfler, A convergent adaptive algorithm for Poisson's equation, SIAM J. Numer. Anal. 33 (1996) 1106-1124.
+//! Source: W. Doerfler, A convergent adaptive algorithm for Poisson's equation, SIAM J. Numer. Anal. 33 (1996)
+//! 1106-1124.
 
 /// Marks the fewest entries whose magnitudes add up to `share` of the sum of all; ties go to the lesser number.
 /// Nothing is marked where there is nothing to refine for: an indicator of zeros, or a share of zero. Entries that are

@@ -6,11 +6,13 @@
 //! groups of vertices    the same, until a few thousand unknowns are left
 //! those                 Cholesky factor
 //! ```
-//! All but the last in single precision. Some ten steps of conjugate gradients take ten digits off a residual, whatever the size of the mesh and the
-//! contrast of film thickness. Needles are not served: point sweeps do not see the stiff direction.
+//! All but the last in single precision. Some ten steps of conjugate gradients take ten digits off a residual, whatever
+//! the size of the mesh and the contrast of film thickness. Needles are not served: point sweeps do not see the stiff
+//! direction.
 //!
-//! Source: Notay and Vassilevski, Numer. Linear Algebra Appl. 15 (2008) 473 (K-cycle); Sundar, Stadler, Biros, Numer. Linear Algebra Appl. 22
-//! (2015) 664 (degree first, then size). **Verified by** `steps_do_not_grow_with_the_mesh` (`iterated`).
+//! Source: Notay and Vassilevski, Numer. Linear Algebra Appl. 15 (2008) 473 (K-cycle); Sundar, Stadler, Biros, Numer.
+//! Linear Algebra Appl. 22 (2015) 664 (degree first, then size). **Verified by** `steps_do_not_grow_with_the_mesh`
+//! (`iterated`).
 
 use std::sync::Arc;
 

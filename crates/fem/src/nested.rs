@@ -1,8 +1,8 @@
 //! Conjugate gradients for cubic elements, preconditioned with the factor of the quadratic ones on the same mesh.
 //!
-//! `B r = P A_2^-1 P^T r + D^-1 r`: the quadratic part is solved, in single precision, the diagonal does for the rest. Some ten steps to
-//! a thousandth, whatever the size of the mesh; on needles and jumps of size, where the diagonal does not do, a factor of the cubic
-//! elements takes over. Given dofs are masked on both sides.
+//! `B r = P A_2^-1 P^T r + D^-1 r`: the quadratic part is solved, in single precision, the diagonal does for the rest.
+//! Some ten steps to a thousandth, whatever the size of the mesh; on needles and jumps of size, where the diagonal does
+//! not do, a factor of the cubic elements takes over. Given dofs are masked on both sides.
 
 use std::sync::{Arc, OnceLock};
 

@@ -128,7 +128,8 @@ pub struct Equation<'a> {
     pub law: &'a dyn ConservationLaw,
     /// Given values.
     pub constraints: &'a Constraints,
-    /// Reference size of `u`: a nonlinear iteration has converged when its step falls below [`STEP_TOLERANCE`] of `u` or of this.
+    /// Reference size of `u`: a nonlinear iteration has converged when its step falls below [`STEP_TOLERANCE`] of `u`
+    /// or of this.
     pub scale: f64,
 }
 
@@ -153,7 +154,8 @@ impl Equation<'_> {
             .find(|(damping, _, residual)| self.constraints.free_norm(residual) < (1.0 - 1e-4 * damping) * norm)
     }
 
-    /// The linearisation with this matrix, and Newton's step for this residual to an accuracy relative to the norm `first`.
+    /// The linearisation with this matrix, and Newton's step for this residual to an accuracy relative to the norm
+    /// `first`.
     fn newton_step(
         &self,
         matrix: Matrix,

@@ -4,8 +4,8 @@
 //! ```text
 //! u(1/3) = (2 u_a + 8 u_m - u_b) / 9,    u(2/3) = (2 u_b + 8 u_m - u_a) / 9,    u_c = (4 sum u_m - sum u_v) / 9
 //! ```
-//! The cubics are the quadratics and, one to an edge, `l_a l_b (l_b - l_a)` with `a` the lesser vertex, and one to a triangle,
-//! `l_0 l_1 l_2`: the hierarchical basis, in which the part that quadratics lack stands by itself.
+//! The cubics are the quadratics and, one to an edge, `l_a l_b (l_b - l_a)` with `a` the lesser vertex, and one to a
+//! triangle, `l_0 l_1 l_2`: the hierarchical basis, in which the part that quadratics lack stands by itself.
 
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
@@ -13,7 +13,8 @@ use rayon::prelude::*;
 use crate::Space;
 use crate::in_order;
 
-/// Value of the edge function at two thirds of its edge, counted from the lesser vertex; at one third it is the negative.
+/// Value of the edge function at two thirds of its edge, counted from the lesser vertex; at one third it is the
+/// negative.
 const EDGE_VALUE: f64 = 2.0 / 27.0;
 /// Value of the function of a triangle at its centroid.
 const BUBBLE_VALUE: f64 = 1.0 / 27.0;

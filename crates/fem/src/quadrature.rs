@@ -92,7 +92,8 @@ const DEGREE_8: [(f64, f64); 3] = [
 ];
 const DEGREE_8_SIX: (f64, f64, f64) = (0.027230314174434993, 0.008394777409957605, 0.2631128296346381);
 
-/// Points of the reference triangle in each of its `4^levels` congruent parts, one part after the other: those of part `k` of a level lie in the parts from `4 k` on of the next.
+/// Points of the reference triangle in each of its `4^levels` congruent parts, one part after the other: those of part
+/// `k` of a level lie in the parts from `4 k` on of the next.
 pub(crate) fn in_quarters(points: &[[f64; 2]], levels: usize) -> Vec<[f64; 2]> {
     let quarters: [fn([f64; 2]) -> [f64; 2]; 4] =
         [|[a, b]| [a, b], |[a, b]| [a + 0.5, b], |[a, b]| [a, b + 0.5], |[a, b]| [0.5 - a, 0.5 - b]];

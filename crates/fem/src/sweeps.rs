@@ -1,13 +1,15 @@
 //! Gauss-Seidel sweeps in blocks of rows, in single precision: what takes the short waves out of an error.
 //!
-//! Rows are cut into a fixed number of blocks. A sweep uses new values within a block and old ones of other blocks, so blocks
-//! run side by side and threads do not change a bit. With `M` the lower triangles of the blocks, diagonal included,
+//! Rows are cut into a fixed number of blocks. A sweep uses new values within a block and old ones of other blocks, so
+//! blocks run side by side and threads do not change a bit. With `M` the lower triangles of the blocks, diagonal
+//! included,
 //! ```text
 //! forward from zero:  z = M^-1 r          (reads the lower triangles only)
 //! what it leaves:     r - A z = (M - A) z (reads the rest only)
 //! backward:           z + M^-T (r - A z)
 //! ```
-//! A forward and a backward sweep around something symmetric are symmetric. A masked dof has an inverse diagonal of zero: it stays zero.
+//! A forward and a backward sweep around something symmetric are symmetric. A masked dof has an inverse diagonal of
+//! zero: it stays zero.
 
 use std::ops::Range;
 

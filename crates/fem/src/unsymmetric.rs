@@ -1,14 +1,16 @@
-//! Sparse LU factorisation of unsymmetric matrices on a symmetric pattern: analysed once a mesh, factorised once a tangent.
+//! Sparse LU factorisation of unsymmetric matrices on a symmetric pattern: analysed once a mesh, factorised once a
+//! tangent.
 //!
 //! Multifrontal: dofs that are eliminated together, and those that they touch, make a dense front (`front.rs`); what
-//! its elimination leaves is added to the front above. Fronts are those of the Cholesky factor of the same pattern, in the
-//! geometric order of elimination, and faer finds them. There is no pivoting, and a singular matrix is not noticed here:
-//! every solve is followed by a check of its residual ([`crate::Linearisation`]).
+//! its elimination leaves is added to the front above. Fronts are those of the Cholesky factor of the same pattern, in
+//! the geometric order of elimination, and faer finds them. There is no pivoting, and a singular matrix is not noticed
+//! here: every solve is followed by a check of its residual ([`crate::Linearisation`]).
 //!
-//! A factor that has served is renewed for the next matrix: fronts into which nothing comes that has changed stay. A film
-//! that breaks a little elsewhere costs a fraction of a new factor, and the factor is the same to the last bit.
+//! A factor that has served is renewed for the next matrix: fronts into which nothing comes that has changed stay. A
+//! film that breaks a little elsewhere costs a fraction of a new factor, and the factor is the same to the last bit.
 //!
-//! Duff, Reid, ACM Trans. Math. Softw. 9 (1983) 302 (the method); SIAM J. Sci. Stat. Comput. 5 (1984) 633 (unsymmetric).
+//! Duff, Reid, ACM Trans. Math. Softw. 9 (1983) 302 (the method); SIAM J. Sci. Stat. Comput. 5 (1984) 633
+//! (unsymmetric).
 
 mod factors;
 
@@ -202,8 +204,8 @@ impl UnsymmetricAnalysis {
         }
     }
 
-    /// Factorises `matrix` with the rows and columns of fixed dofs replaced by those of the identity. A factor that is no
-    /// longer needed is `renewed`: what has not changed since is not computed again.
+    /// Factorises `matrix` with the rows and columns of fixed dofs replaced by those of the identity. A factor that is
+    /// no longer needed is `renewed`: what has not changed since is not computed again.
     ///
     /// # Errors
     /// [`Error::NotFinite`] if an entry is not finite, [`Error::TooLarge`] if the factor does not fit.

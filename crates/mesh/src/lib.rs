@@ -5,13 +5,12 @@
 //! `x` modulo its circumference (the *period*), so that its seam is not special: a triangle that
 //! crosses it is laid out next to itself when its corners are asked for.
 //!
-//! Reading order: [`raw`] (triangles as a file lists them) becomes a [`Mesh`], numbered along a
-//! space-filling curve ([`numbering`]), with its edges ([`topology`]) and named sets of edges and
-//! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them and glues the
-//! seam, [`rim`] puts the edges of round holes on their [`circle`], [`refine`] divides
-//! triangles and keeps the geometry, [`coarsen`] meshes the plain liner anew with longer edges,
-//! [`flip`] makes a mesh Delaunay, [`quality`] measures, [`locate`] finds points. What can go wrong is an [`error`]; what can be
-//! wrong with triangles, a [`defect`].
+//! Reading order: [`raw`] (triangles as a file lists them) becomes a [`Mesh`], numbered along a space-filling curve
+//! ([`numbering`]), with its edges ([`topology`]) and named sets of edges and cells ([`region`]). [`gmsh`] reads and
+//! writes files, [`developed`] unrolls them and glues the seam, [`rim`] puts the edges of round holes on their
+//! [`circle`], [`refine`] divides triangles and keeps the geometry, [`coarsen`] meshes the plain liner anew with longer
+//! edges, [`flip`] makes a mesh Delaunay, [`quality`] measures, [`locate`] finds points. What can go wrong is an
+//! [`error`]; what can be wrong with triangles, a [`defect`].
 //!
 //! ```no_run
 //! use oilwedge_mesh::{Circle, Liner, Quality, developed, rim};

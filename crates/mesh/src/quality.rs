@@ -70,7 +70,8 @@ pub fn lies_in_rows(mesh: &Mesh) -> bool {
     share_across_flow(mesh) <= MOST_ACROSS
 }
 
-/// True if an edge of the triangle lies along x: its ends differ by little of the extent of the triangle across the flow.
+/// True if an edge of the triangle lies along x: its ends differ by little of the extent of the triangle across the
+/// flow.
 fn follows_flow(corners: [[f64; 2]; 3]) -> bool {
     const LITTLE: f64 = 0.1;
     let z = corners.map(|corner| corner[1]);

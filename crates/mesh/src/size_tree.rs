@@ -1,5 +1,5 @@
-//! Edge lengths of a mesh by place: a tree of halved boxes over its vertices, as deep as its triangles are small. Where there are
-//! none, in cut-outs, edges grow with the box.
+//! Edge lengths of a mesh by place: a tree of halved boxes over its vertices, as deep as its triangles are small. Where
+//! there are none, in cut-outs, edges grow with the box.
 
 use crate::Mesh;
 use crate::raw::doubled_area;

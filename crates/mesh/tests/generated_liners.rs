@@ -55,7 +55,8 @@ fn small_corners_are_refined_for_themselves() {
     assert!(matches!(faults[..], [DrawingError::SmallCorner { .. }]), "{faults:?}");
 }
 
-/// A half groove that is narrow for the wanted size: by size it brings a few times the triangles of the plain liner (72 of edges of 9.5 mm), resolved fifty times as many.
+/// A half groove that is narrow for the wanted size: by size it brings a few times the triangles of the plain liner (72
+/// of edges of 9.5 mm), resolved fifty times as many.
 #[test]
 fn the_wanted_size_counts_beside_a_narrow_groove() {
     let groove = |grading| {

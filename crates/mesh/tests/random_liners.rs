@@ -139,8 +139,9 @@ fn random_liners_are_meshed_or_refused() {
     assert!(angles[150] >= 30.0, "median of the least angles {}", angles[150]);
 }
 
-/// Random liners in rows along the flow, up to four times as long as wide. Measured: no angle below 1 degree (beside narrow grooves all around, where cells are long rectangles), 15 % of the area
-/// across the flow in the worst of small liners with many features, 3 % in the median.
+/// Random liners in rows along the flow, up to four times as long as wide. Measured: no angle below 1 degree (beside
+/// narrow grooves all around, where cells are long rectangles), 15 % of the area across the flow in the worst of small
+/// liners with many features, 3 % in the median.
 #[test]
 fn random_liners_in_rows() {
     let mut random = Random(2025);

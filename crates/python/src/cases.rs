@@ -61,7 +61,8 @@ impl Cases {
         Ok(PyBytes::new(py, &rows?))
     }
 
-    /// Rows for the part at `place`, its number and how many there are, where it cannot be computed, as CSV with headings.
+    /// Rows for the part at `place`, its number and how many there are, where it cannot be computed, as CSV with
+    /// headings.
     fn failed<'py>(
         &self,
         py: Python<'py>,

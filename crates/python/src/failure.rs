@@ -1,4 +1,5 @@
-//! What goes wrong, as exceptions of the package. The exceptions themselves are Python, in `python/oilwedge/_errors.py`.
+//! What goes wrong, as exceptions of the package. The exceptions themselves are Python, in
+//! `python/oilwedge/_errors.py`.
 
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,5 @@
-//! Fields as arrays of numpy: memory is moved there, and nobody can write to it. For pictures and samples a copy is made, which lives as long as they
-//! are drawn.
+//! Fields as arrays of numpy: memory is moved there, and nobody can write to it. For pictures and samples a copy is
+//! made, which lives as long as they are drawn.
 
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use oilwedge_study::fields::FILE_FIELDS;

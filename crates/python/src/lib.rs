@@ -1,9 +1,12 @@
-//! The native part of the Python package `oilwedge`: scenes in, results out. It is thin: what people call is typed Python, in `python/oilwedge`.
+//! The native part of the Python package `oilwedge`: scenes in, results out. It is thin: what people call is typed
+//! Python, in `python/oilwedge`.
 //!
-//! Long work runs on threads of its own (`work.rs`), without Python's lock and with an eye on Ctrl-C; a panic ends there. Fields are moved into
-//! numpy's arrays, not copied (`film.rs`). What goes wrong is an exception of the package (`failure.rs`).
+//! Long work runs on threads of its own (`work.rs`), without Python's lock and with an eye on Ctrl-C; a panic ends
+//! there. Fields are moved into numpy's arrays, not copied (`film.rs`). What goes wrong is an exception of the package
+//! (`failure.rs`).
 //!
-//! Reading order: `scene.rs`, `run.rs`, `numbers.rs`, `film.rs`, `figures.rs`, `sweep.rs`, `cases.rs`, `catalogue.rs`; `work.rs`, `shelf.rs`, `node.rs`, `failure.rs`.
+//! Reading order: `scene.rs`, `run.rs`, `numbers.rs`, `film.rs`, `figures.rs`, `sweep.rs`, `cases.rs`, `catalogue.rs`;
+//! `work.rs`, `shelf.rs`, `node.rs`, `failure.rs`.
 
 mod cases;
 mod catalogue;

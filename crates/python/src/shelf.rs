@@ -1,4 +1,5 @@
-//! What runs borrow and give back, so that thousands of them leave nothing behind: flags that interrupt, and pools of threads.
+//! What runs borrow and give back, so that thousands of them leave nothing behind: flags that interrupt, and pools of
+//! threads.
 
 use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, Ordering};

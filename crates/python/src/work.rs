@@ -14,10 +14,12 @@ use crate::shelf::{Flag, Pool};
 
 /// Time between two looks whether a signal has come.
 const LOOK: Duration = Duration::from_millis(50);
-/// How long work that was interrupted is waited for. What it then still computes it computes for nobody, and ends at its next look.
+/// How long work that was interrupted is waited for. What it then still computes it computes for nobody, and ends at
+/// its next look.
 const FAREWELL: Duration = Duration::from_millis(100);
 
-/// What `job` returns, which runs on so many threads, one for each core where no number is given. It may look whether it is to end.
+/// What `job` returns, which runs on so many threads, one for each core where no number is given. It may look whether
+/// it is to end.
 ///
 /// # Errors
 /// The exception of a signal, the failure of the job, or [`Failure::Panic`].

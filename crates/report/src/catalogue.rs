@@ -85,8 +85,8 @@ impl Entry {
         text
     }
 
-    /// Whether it is meant by `name`: its whole name, the last part of it, as `clearance` of `bearing.clearance` or `jfo` of `cavitation: jfo`, or its
-    /// symbol.
+    /// Whether it is meant by `name`: its whole name, the last part of it, as `clearance` of `bearing.clearance` or
+    /// `jfo` of `cavitation: jfo`, or its symbol.
     fn is_meant_by(&self, name: &str) -> bool {
         let is_member = |family: &str| name.strip_prefix(family).is_some_and(|region| !region.is_empty());
         let is_of_family = self.name.strip_suffix(REGION).is_some_and(is_member);
@@ -158,7 +158,8 @@ fn of_warning(kind: &Kind) -> Entry {
     Entry::new("warning", kind.code, kind.sentence, [])
 }
 
-/// The entries that `name` means: those of this name, and those that others call so; else those whose name and sentence have all its words.
+/// The entries that `name` means: those of this name, and those that others call so; else those whose name and sentence
+/// have all its words.
 ///
 /// # Errors
 /// There is none; the nearest name, if one looks alike.

@@ -61,7 +61,8 @@ pub struct CheckReport {
     pub quality: Quality,
     /// The named regions of the mesh.
     pub regions: Vec<RegionFacts>,
-    /// Unknowns and the entries of the Cholesky factor (8 bytes each): the cost of a solve; `None` where a mesh was checked.
+    /// Unknowns and the entries of the Cholesky factor (8 bytes each): the cost of a solve; `None` where a mesh was
+    /// checked.
     pub cost: Option<Cost>,
     /// Doubts, in sentences.
     pub warnings: Vec<String>,
@@ -155,8 +156,8 @@ fn huge(mesh: &Mesh) -> Option<String> {
     is_huge.then(|| format!("{around:.4} m around and {along:.4} m long"))
 }
 
-/// Writes a mesh as a gmsh 4.1 file, whole or not at all. Through a link the file is replaced that it leads to; what is no plain file
-/// (`/dev/stdout`) is written into.
+/// Writes a mesh as a gmsh 4.1 file, whole or not at all. Through a link the file is replaced that it leads to; what is
+/// no plain file (`/dev/stdout`) is written into.
 ///
 /// # Errors
 /// [`Error::Compile`] where the file cannot be written.

@@ -40,8 +40,8 @@ pub struct ChangedQuantity {
 pub struct Difference {
     /// Keys of the scenes; those of a list of tables by their number in it, `feed[0].pressure`.
     pub keys: Vec<Changed>,
-    /// Facts of the results that differ: status, reason, mesh, and the effects that only one of the two has; check sum of the scene and geometry where a
-    /// result does not hold the text of its scene.
+    /// Facts of the results that differ: status, reason, mesh, and the effects that only one of the two has; check sum
+    /// of the scene and geometry where a result does not hold the text of its scene.
     pub facts: Vec<Changed>,
     /// Quantities that differ by more than round-off, in the order of the catalogue.
     pub quantities: Vec<ChangedQuantity>,

@@ -1,9 +1,9 @@
 //! Files of one folder that are replaced together, whole or not at all.
 //!
-//! A run that is killed leaves the files of before or the new ones, and perhaps a folder `.oilwedge-...` beside them, which the next
-//! run takes away. Runs that write into one folder wait for each other while they do, by a lock on the folder that the system
-//! releases when its holder ends, however it ends. Where the file system has no locks (some network drives, Windows) runs must not
-//! share a folder, and what a killed one leaves stays.
+//! A run that is killed leaves the files of before or the new ones, and perhaps a folder `.oilwedge-...` beside them,
+//! which the next run takes away. Runs that write into one folder wait for each other while they do, by a lock on the
+//! folder that the system releases when its holder ends, however it ends. Where the file system has no locks (some
+//! network drives, Windows) runs must not share a folder, and what a killed one leaves stays.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
@@ -20,11 +20,11 @@ const LONGEST_WAIT: Duration = Duration::from_secs(10);
 /// Between two looks whether it has ended.
 const LOOK: Duration = Duration::from_millis(2);
 
-/// Replaces and removes files of the folder `dir`, which is made if need be, step by step in this order: a name and its new content, or
-/// `None` to remove it. All contents are written beside their places first, so that what may fail has been done when
-/// the first file is touched. A file whose presence shows that others are there is removed in the first step and comes in the last. The disk
-/// is not waited for: it may take longer than the whole run, and what a machine loses that fails in the next seconds is computed
-/// again sooner.
+/// Replaces and removes files of the folder `dir`, which is made if need be, step by step in this order: a name and its
+/// new content, or `None` to remove it. All contents are written beside their places first, so that what may fail has
+/// been done when the first file is touched. A file whose presence shows that others are there is removed in the first
+/// step and comes in the last. The disk is not waited for: it may take longer than the whole run, and what a machine
+/// loses that fails in the next seconds is computed again sooner.
 ///
 /// # Errors
 /// [`Error`]: the system refuses, or a folder stands in the place of a file; the old files are then left as they were.
@@ -75,8 +75,8 @@ pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<()
     Ok(())
 }
 
-/// Waits until no other run writes into the folder `dir`, keeps others out as long as the lock is held, and takes away what runs that were
-/// killed have left. `None` where the file system has no locks.
+/// Waits until no other run writes into the folder `dir`, keeps others out as long as the lock is held, and takes away
+/// what runs that were killed have left. `None` where the file system has no locks.
 ///
 /// # Errors
 /// [`Error::Busy`]: another run keeps writing there.

@@ -1,4 +1,5 @@
-//! The animation of a cycle: `film.pvd`, which ParaView and PyVista open, and a VTU file for each crank angle in the folder `frames`.
+//! The animation of a cycle: `film.pvd`, which ParaView and PyVista open, and a VTU file for each crank angle in the
+//! folder `frames`.
 
 use std::ffi::{OsStr, OsString};
 use std::fs;
@@ -35,7 +36,8 @@ pub fn write_frames(dir: &Path, frames: Vec<Frame>, compression: Compression) ->
     replace(dir, &[(OsStr::new(COLLECTION_FILE), Some(collection.as_bytes()))])
 }
 
-/// Removes the frames of an earlier run, and their folder where nothing else is in it. What cannot be removed does no harm: no collection names it.
+/// Removes the frames of an earlier run, and their folder where nothing else is in it. What cannot be removed does no
+/// harm: no collection names it.
 pub(crate) fn remove_frames(dir: &Path) {
     let folder = dir.join(FRAMES_FOLDER);
     let mut number = 0;

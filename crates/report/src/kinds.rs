@@ -1,6 +1,7 @@
 //! Scenes with comments to begin with, one for each kind of bearing.
 
-/// The scenes by the name of their kind, without the line that names their schema. The first sentence of each says what it describes.
+/// The scenes by the name of their kind, without the line that names their schema. The first sentence of each says what
+/// it describes.
 pub const KINDS: [(&str, &str); 6] = [
     ("plain", include_str!("kinds/plain.toml")),
     ("hole", include_str!("kinds/hole.toml")),

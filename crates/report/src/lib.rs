@@ -1,6 +1,7 @@
 //! Results out: JSON, CSV, VTU, pictures, the HTML page, and folders that are whole after a kill.
 //!
-//! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`shaft`] (that of a crankshaft), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`tables`], [`mod@check`].
+//! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`shaft`] (that of a crankshaft),
+//! [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`tables`], [`mod@check`].
 
 pub mod catalogue;
 pub mod characteristics;

@@ -13,7 +13,8 @@ const ROWS_OF_A_TURN: f64 = 360.0;
 /// Steps by which the work of the gas is integrated: the error of a smooth curve is round-off.
 const STEPS: u32 = 7200;
 
-/// The load of a journal over a cycle. Forces are external ones on the journal, which the film carries, in the frame of the shell.
+/// The load of a journal over a cycle. Forces are external ones on the journal, which the film carries, in the frame of
+/// the shell.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadSheet {
     /// [`LOAD_FORMAT`].
@@ -41,11 +42,13 @@ pub struct LoadSheet {
     pub greatest_moment_n_m: f64,
     /// Least and greatest angular speed of the journal against the shell.
     pub journal_speed_rad_s: [f64; 2],
-    /// Part of the force that turns at half the speed of the journal, over the mean magnitude: where it is most of it, a film collapses.
+    /// Part of the force that turns at half the speed of the journal, over the mean magnitude: where it is most of it,
+    /// a film collapses.
     pub half_speed_share: f64,
     /// Work of the gas on the piston in a period; `None`: the load is not that of a big end computed from its crank.
     pub gas_work_j: Option<f64>,
-    /// Extremes and means of the rows of the table, beside those of the curve through them; `None`: the load is not given by a table.
+    /// Extremes and means of the rows of the table, beside those of the curve through them; `None`: the load is not
+    /// given by a table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<TableLoad>,
     /// The load at growing crank angles.

@@ -90,7 +90,8 @@ impl OrbitCourse {
         self.angles.last().copied().unwrap_or(0.0)
     }
 
-    /// Offset of the journal over the clearance at crank angles [deg], on a smooth curve through its films; none where there is no curve.
+    /// Offset of the journal over the clearance at crank angles [deg], on a smooth curve through its films; none where
+    /// there is no curve.
     pub fn places(&self, angles: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
         let spline = self.spline(&self.offsets);
         spline.map_or(Vec::new(), |spline| angles.map(|angle| spline.at(angle)).collect())

@@ -3,8 +3,8 @@
 use oilwedge_study::quantities::Unit;
 use oilwedge_study::symbol::Symbol;
 
-/// The units in which people read a quantity, from small to large, with their size in its own unit. Pressures have one, that of all
-/// messages, so that no two numbers of a run are in different units of pressure.
+/// The units in which people read a quantity, from small to large, with their size in its own unit. Pressures have one,
+/// that of all messages, so that no two numbers of a run are in different units of pressure.
 fn readable_units(unit: Unit) -> &'static [(&'static str, f64)] {
     match unit {
         Unit::One => &[("", 1.0)],

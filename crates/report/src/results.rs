@@ -1,7 +1,8 @@
-//! The folder of a run: `result.json`, `film.vtu` and, of a balance of heat, `heat.svg` and `heat.png`, written whole or not at all.
+//! The folder of a run: `result.json`, `film.vtu` and, of a balance of heat, `heat.svg` and `heat.png`, written whole
+//! or not at all.
 //!
-//! `result.json` stands beside the picture of its own run or not at all: an old one is taken away before the new picture
-//! comes, and the new one comes last.
+//! `result.json` stands beside the picture of its own run or not at all: an old one is taken away before the new
+//! picture comes, and the new one comes last.
 
 use crate::Error;
 use crate::folder::replace;
@@ -35,8 +36,9 @@ pub struct Beside<'a> {
     pub orbit: Option<&'a [u8]>,
 }
 
-/// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced, and its page and animation are removed; without a picture or curves earlier ones
-/// are removed, since they show another run.
+/// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a
+/// balance of heat. Files of an earlier run are replaced, and its page and animation are removed; without a picture or
+/// curves earlier ones are removed, since they show another run.
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.

@@ -1,5 +1,6 @@
-//! The folder of a run of a crankshaft: `result.json`, `bearings.csv` (a row for each bearing) and, of a cycle, `bearing_N.csv` with the path and the films of each
-//! journal and what its shell bears. Shafts beside it, cut or with other counterweights, have files of the same kinds: `cut.json`, `cut_bearings.csv`, `cut_bearing_N.csv`.
+//! The folder of a run of a crankshaft: `result.json`, `bearings.csv` (a row for each bearing) and, of a cycle,
+//! `bearing_N.csv` with the path and the films of each journal and what its shell bears. Shafts beside it, cut or with
+//! other counterweights, have files of the same kinds: `cut.json`, `cut_bearings.csv`, `cut_bearing_N.csv`.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -36,8 +37,8 @@ fn prefixed(variant: Option<Variant>, file: &str) -> String {
     variant.map_or(file.to_owned(), |variant| format!("{}_{file}", variant.name()))
 }
 
-/// Writes the files of a run and of those beside it into the folder `dir`, which is made if need be, and returns their names. The page of an earlier run is removed, and so are
-/// the numbers of shafts beside it.
+/// Writes the files of a run and of those beside it into the folder `dir`, which is made if need be, and returns their
+/// names. The page of an earlier run is removed, and so are the numbers of shafts beside it.
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
@@ -65,7 +66,8 @@ fn files(variant: Option<Variant>, run: &ShaftRun) -> Result<Vec<(String, Vec<u8
     Ok(files)
 }
 
-/// The table of the bearings: name, place, motion of the shell, greatest tilt, then all numbers with their bars, if any.
+/// The table of the bearings: name, place, motion of the shell, greatest tilt, then all numbers with their bars, if
+/// any.
 ///
 /// # Errors
 /// A number is not finite.

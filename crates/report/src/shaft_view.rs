@@ -1,4 +1,5 @@
-//! A shaft as pictures and pages show it: its numbers and the course of each journal over a cycle, from a run or from the files of its folder.
+//! A shaft as pictures and pages show it: its numbers and the course of each journal over a cycle, from a run or from
+//! the files of its folder.
 
 use std::path::Path;
 

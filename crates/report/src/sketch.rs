@@ -144,7 +144,8 @@ impl Bounds {
     }
 }
 
-/// Distance [m] of a point from the nearest node on the rim of a region: a point outside of the film lies in the cut-out whose rim is nearest.
+/// Distance [m] of a point from the nearest node on the rim of a region: a point outside of the film lies in the
+/// cut-out whose rim is nearest.
 fn from_rim(mesh: &Mesh, region: &Region, [x, z]: [f64; 2]) -> f64 {
     let nodes = region.edges.iter().flat_map(|&edge| mesh.edge_nodes(edge));
     let apart = |along: f64| mesh.period().map_or(along, |period| along - period * (along / period).round());

@@ -1,7 +1,7 @@
 //! Fields for inspection: one VTU file of quadratic triangles that ParaView and PyVista open.
 //!
-//! Arrays stand in the file as base64 text. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know LZ4. Each array of a field has its
-//! unit as VTK's information key `UNITS_LABEL`.
+//! Arrays stand in the file as base64 text. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know
+//! LZ4. Each array of a field has its unit as VTK's information key `UNITS_LABEL`.
 
 use quick_xml::events::BytesText;
 use quick_xml::{Error as Xml, Writer};

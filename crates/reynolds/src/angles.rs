@@ -1,8 +1,8 @@
 //! Angles: the shorter way round, and sines and cosines at points of one triangle.
 //!
 //! Of a triangle's points one pair comes from the library, the others from their small distances to it:
-//! `sin(a + d) = sin a cos d + cos a sin d`, with the Taylor series of `sin d` and `cos d`. That is four times as fast as a call a
-//! point, and accurate to round-off. Verified by `near_and_far_points_agree_with_the_library`.
+//! `sin(a + d) = sin a cos d + cos a sin d`, with the Taylor series of `sin d` and `cos d`. That is four times as fast
+//! as a call a point, and accurate to round-off. Verified by `near_and_far_points_agree_with_the_library`.
 
 use std::f64::consts::TAU;
 

@@ -39,8 +39,8 @@ impl Bearing {
         Thinnest { thickness: self.clearance - x.hypot(y), angle: y.atan2(x), z }
     }
 
-    /// Offset [m] towards `angle` [rad] at which a circular journal with this tilt touches a circular liner at one of its ends; zero where its tilt alone makes
-    /// it touch.
+    /// Offset [m] towards `angle` [rad] at which a circular journal with this tilt touches a circular liner at one of
+    /// its ends; zero where its tilt alone makes it touch.
     pub fn reach(&self, journal: &JournalState, angle: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         let [x, y] = journal.tilt;

@@ -1,9 +1,12 @@
-//! The film in cubic elements on the same mesh: the more accurate one by which the error of the quadratic one is estimated.
+//! The film in cubic elements on the same mesh: the more accurate one by which the error of the quadratic one is
+//! estimated.
 //!
-//! It starts from the quadratic film and is solved on top of its factor. A Swift-Stieber cavity is found anew: with the cavity
-//! of the quadratic film the difference of the two would not contain the error of the cavity's edge, which is most of it.
+//! It starts from the quadratic film and is solved on top of its factor. A Swift-Stieber cavity is found anew: with the
+//! cavity of the quadratic film the difference of the two would not contain the error of the cavity's edge, which is
+//! most of it.
 //!
-//! Source: the difference of two degrees as an error estimate goes back to Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921.
+//! Source: the difference of two degrees as an error estimate goes back to Bank and Smith, SIAM J. Numer. Anal. 30
+//! (1993) 921.
 
 use oilwedge_fem::LinearSolver;
 use oilwedge_fem::complementarity::InitialGuess;
@@ -12,8 +15,9 @@ use oilwedge_fem::nested::Nested;
 use crate::{Form, NoFilm, SolvedFilm};
 
 impl SolvedFilm {
-    /// The film in cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic), from this one in quadratic elements; from the cavity of a cubic film at a `neighbour`ing
-    /// operating point, if there is one. Not for models that conserve oil.
+    /// The film in cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic), from this one in quadratic
+    /// elements; from the cavity of a cubic film at a `neighbour`ing operating point, if there is one. Not for models
+    /// that conserve oil.
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
@@ -37,7 +41,8 @@ impl SolvedFilm {
     pub(crate) fn cubic_film_unchecked(&self, neighbour: Option<&Self>) -> Result<Self, NoFilm> {
         let Self { problem, system, solution } = self;
         let (cubic, neighbour) = (system.cubic(), neighbour.map(|neighbour| &neighbour.solution));
-        // While a wall is closed the neighbour comes as near as the wall, and conjugate gradients end at a part of what they begin with.
+        // While a wall is closed the neighbour comes as near as the wall, and conjugate gradients end at a part of what
+        // they begin with.
         let u = match neighbour.filter(|_| problem.deflection().is_some()) {
             Some(neighbour) => neighbour.unknown.clone(),
             None => cubic.prolongation.prolong(&solution.unknown),

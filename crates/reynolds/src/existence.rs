@@ -158,8 +158,8 @@ impl NoFilm {
 }
 
 impl FilmProblem {
-    /// The problem of a film that is only tried: its viscosity saturates, so that it has a pressure beyond the limit of the viscosity law, too. That of the
-    /// as-printed equation stays, whose solution is another one then.
+    /// The problem of a film that is only tried: its viscosity saturates, so that it has a pressure beyond the limit of
+    /// the viscosity law, too. That of the as-printed equation stays, whose solution is another one then.
     pub fn tried(self) -> Self {
         match self.form {
             Form::Conservative => {
@@ -189,8 +189,8 @@ impl SolvedFilm {
         }
     }
 
-    /// A reduced pressure at or above the limit of the viscosity law has no pressure. The unknown of the as-printed equation is the pressure itself,
-    /// which may be of any size.
+    /// A reduced pressure at or above the limit of the viscosity law has no pressure. The unknown of the as-printed
+    /// equation is the pressure itself, which may be of any size.
     pub(crate) fn check_existence(&self) -> Result<(), NoFilm> {
         let Self { problem, system, solution } = self;
         if problem.form == Form::AsPrinted {
@@ -221,8 +221,8 @@ impl SolvedFilm {
         Ok(())
     }
 
-    /// The reason where the greatest reduced pressure of the film, or that of its reference film, exceeds the `limit` [Pa] of the viscosity
-    /// law: that there is no film, or that the mesh does not resolve it.
+    /// The reason where the greatest reduced pressure of the film, or that of its reference film, exceeds the `limit`
+    /// [Pa] of the viscosity law: that there is no film, or that the mesh does not resolve it.
     pub(crate) fn beyond(&self, limit: f64) -> NoFilm {
         let reached = self.greatest_unknown().value;
         let plainly = NoFilm::AboveLimit {

@@ -116,7 +116,8 @@ impl<'a> FilmLaw<'a> {
         }
     }
 
-    /// Film and what flows at `positions` in triangle `cell`, the thickness that which holds and carries the oil: of rough surfaces the mean gap.
+    /// Film and what flows at `positions` in triangle `cell`, the thickness that which holds and carries the oil: of
+    /// rough surfaces the mean gap.
     pub(crate) fn oil_and_flows(&self, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
         let film = self.film(cell, positions);
         self.of_oil(&film, positions.len())
@@ -145,7 +146,8 @@ impl<'a> FilmLaw<'a> {
         [self.of_oil(&film, positions.len()), (moved, changes)]
     }
 
-    /// Mean gap [m] between rough surfaces at each point of a film, and its derivative by the thickness [1]; none between smooth ones.
+    /// Mean gap [m] between rough surfaces at each point of a film, and its derivative by the thickness [1]; none
+    /// between smooth ones.
     fn mean_gaps(&self, film: &[FilmPoint]) -> impl Iterator<Item = [f64; 2]> {
         let is_rough = !self.problem.flow_factors.is_empty();
         let film = if is_rough { film } else { &[] };
@@ -194,8 +196,8 @@ impl ConservationLaw for FilmLaw<'_> {
         }
     }
 
-    /// As printed: `div(flux - conductance grad p) + storage + (mu(p)/mu0 - 1) (div(flux) + storage) = 0` in the pressure p: the
-    /// balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
+    /// As printed: `div(flux - conductance grad p) + storage + (mu(p)/mu0 - 1) (div(flux) + storage) = 0` in the
+    /// pressure p: the balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
         // In the conservative form the viscosity stands in q, and nothing is made.
         let law = (self.problem.form == Form::AsPrinted).then_some(&self.problem.lubricant.pressure_law);

@@ -28,7 +28,8 @@ pub struct FilmFlow {
     pub storage: f64,
 }
 
-/// Thickness [m] at which a surface of the `velocity` U [m/s] drags a full film along as the flux F [m2/s]: `2 F.U/U^2`; zero at rest.
+/// Thickness [m] at which a surface of the `velocity` U [m/s] drags a full film along as the flux F [m2/s]:
+/// `2 F.U/U^2`; zero at rest.
 pub(crate) fn dragged_thickness(velocity: [f64; 2], flux: [f64; 2]) -> f64 {
     let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
     match square > 0.0 {

@@ -28,8 +28,8 @@ use crate::terms::Term;
 use crate::wall::{GapTangent, Grid, Pressing};
 use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory};
 
-/// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
-/// unknowns; on one core a factor is as quick up to a million (docs/performance.md);
+/// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that
+/// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md);
 const WORTH_MULTIGRID: usize = 8_000;
 /// the same where a factor serves many right-hand sides.
 const WORTH_MULTIGRID_OFTEN: usize = 150_000;
@@ -155,8 +155,8 @@ impl FilmSystem {
         self
     }
 
-    /// How linear systems are solved that come without another one: by a factor where there are few unknowns, and on meshes of
-    /// needles, which multigrid does not serve; else by multigrid.
+    /// How linear systems are solved that come without another one: by a factor where there are few unknowns, and on
+    /// meshes of needles, which multigrid does not serve; else by multigrid.
     pub(crate) fn solver(&self) -> Result<LinearSolver, oilwedge_fem::Error> {
         let between = self.between.get_or_init(|| {
             let serves = self.space().degree() == 2
@@ -318,7 +318,8 @@ impl FilmProblem {
         }
     }
 
-    /// The kink of the effective pressure in a triangle where the unknown of one or several films has these values at the nodes.
+    /// The kink of the effective pressure in a triangle where the unknown of one or several films has these values at
+    /// the nodes.
     pub(crate) fn kink<'a, const N: usize>(&self, functions: [&'a Nodal; N]) -> Kink<'a, N> {
         Kink { level: self.cavitation.kink().map(|p| self.unknown_at(p)), functions }
     }
@@ -356,7 +357,8 @@ impl FilmProblem {
         self.lubricant.viscosity * self.lubricant.pressure_law.viscosity_ratio(p)
     }
 
-    /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell` as a quadrature rule has at once.
+    /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell`
+    /// as a quadrature rule has at once.
     pub(crate) fn unbent_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {
         let mut film = [FilmPoint::default(); MOST_POINTS];
         let is_rigid = |it: &&Arc<dyn FilmContribution>| it.as_deflection().is_none();

@@ -1,9 +1,10 @@
 //! # Where journal and liner are nearest
 //!
-//! **Equation.** `h_min = min h(phi, z)`, `h = c - (e + z g).n + shape(phi, z)`. Circular surfaces: `h_min = c - |e + z g|` at the end where it is least, for
-//! that is convex in z. Others: the least of the contributions to the film thickness on the triangles of the mesh. The film is linear in the place of the
-//! journal, so each node has five numbers: the thickness with the journal in the middle, and what each coordinate changes. The triangles whose quadratic may
-//! be least are then searched in the thickness itself.
+//! **Equation.** `h_min = min h(phi, z)`, `h = c - (e + z g).n + shape(phi, z)`. Circular surfaces:
+//! `h_min = c - |e + z g|` at the end where it is least, for that is convex in z. Others: the least of the
+//! contributions to the film thickness on the triangles of the mesh. The film is linear in the place of the journal, so
+//! each node has five numbers: the thickness with the journal in the middle, and what each coordinate changes. The
+//! triangles whose quadratic may be least are then searched in the thickness itself.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -11,7 +12,8 @@
 //! | e, g | m, rad | `offset`, `tilt` of the journal |
 //! | shape | m | contributions that follow nothing |
 //!
-//! **Source.** Definition. **Range.** Shapes that triangles resolve: a dent that lies between nodes altogether is not seen. **Verified by** the tests below.
+//! **Source.** Definition. **Range.** Shapes that triangles resolve: a dent that lies between nodes altogether is not
+//! seen. **Verified by** the tests below.
 
 mod lattice;
 mod room;
@@ -32,7 +34,8 @@ use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 const SEARCHED: usize = 8;
 /// of so many whose films may be least, where it is nearly even along a line.
 const LOOKED_AT: usize = 64;
-/// Smaller triangles in one of them, each at most three quarters of the one before, by which the least of them are told.
+/// Smaller triangles in one of them, each at most three quarters of the one before, by which the least of them are
+/// told.
 const FEW_SHRINKS: usize = 8;
 /// Smaller triangles in one that is searched.
 const SHRINKS: usize = 96;
@@ -76,7 +79,8 @@ pub struct Gap {
 struct Shaped {
     mesh: Arc<Mesh>,
     film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes; made for the first of many journals.
+    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes;
+    /// made for the first of many journals.
     nodes: OnceLock<Vec<[Quadratic; 5]>>,
 }
 
@@ -98,8 +102,8 @@ impl Gap {
         &self.bearing
     }
 
-    /// Where the gap is least with the journal in this state: over the whole circumference, beside the liner of an arc too, where the bore is taken as
-    /// circular.
+    /// Where the gap is least with the journal in this state: over the whole circumference, beside the liner of an arc
+    /// too, where the bore is taken as circular.
     pub fn thinnest(&self, journal: &JournalState) -> Thinnest {
         self.thinnest_by(journal, Shaped::thinnest)
     }
@@ -124,7 +128,8 @@ impl Gap {
         self.thinnest_by(journal, Shaped::thinnest_of_one).thickness
     }
 
-    /// Offset [m] towards `angle` [rad] at which a journal with this tilt touches; zero where its tilt alone makes it touch.
+    /// Offset [m] towards `angle` [rad] at which a journal with this tilt touches; zero where its tilt alone makes it
+    /// touch.
     pub fn reach(&self, journal: &JournalState, angle: f64) -> f64 {
         if self.shaped.is_none() {
             return self.bearing.reach(journal, angle);
@@ -134,7 +139,8 @@ impl Gap {
         if at(0.0).thickness <= 0.0 {
             return 0.0;
         }
-        // The least of functions that are linear in e is concave: from a journal that touches Newton's method comes nearer without passing.
+        // The least of functions that are linear in e is concave: from a journal that touches Newton's method comes
+        // nearer without passing.
         let mut e = self.bearing.clearance;
         while at(e).thickness > 0.0 {
             e *= 2.0;
@@ -150,7 +156,8 @@ impl Gap {
         e.max(0.0)
     }
 
-    /// Where the film on the liner of `mesh` is least. Where the liner of an arc covers neither end's thinnest gap, that is at an edge.
+    /// Where the film on the liner of `mesh` is least. Where the liner of an arc covers neither end's thinnest gap,
+    /// that is at an edge.
     pub fn thinnest_film(&self, problem: &FilmProblem, system: &FilmSystem) -> Thinnest {
         let (bearing, journal, mesh) = (&self.bearing, &problem.journal, system.space().mesh());
         if let Some(shaped) = &self.shaped {
@@ -240,7 +247,8 @@ impl Shaped {
         self.thinnest_by(at_nodes, journal, radius)
     }
 
-    /// Where the film on the mesh is least for one journal alone: its film at the nodes is evaluated directly, and what each coordinate changes is not made.
+    /// Where the film on the mesh is least for one journal alone: its film at the nodes is evaluated directly, and what
+    /// each coordinate changes is not made.
     fn thinnest_of_one(&self, journal: &JournalState, radius: f64) -> Thinnest {
         let at_nodes = |t: usize| thickness(&self.film_thickness, journal, t, &self.mesh.nodes(t));
         self.thinnest_by(at_nodes, journal, radius)
@@ -274,7 +282,8 @@ impl Shaped {
         searched.fold(Thinnest::NONE, Thinnest::or)
     }
 
-    /// Where the film in triangle `t` is least: in ever smaller triangles, so many, around the least value of a lattice, or of the quadratic through the nodes.
+    /// Where the film in triangle `t` is least: in ever smaller triangles, so many, around the least value of a
+    /// lattice, or of the quadratic through the nodes.
     fn thinnest_in(&self, t: usize, journal: &JournalState, radius: f64, shrinks: usize) -> Thinnest {
         let mapping = Mapping::of(&self.mesh, t);
         let mut corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];

@@ -7,7 +7,8 @@ pub struct JournalState {
     pub offset: [f64; 2],
     /// Velocity `(e_x', e_y')` of the journal's centre at mid-length [m/s].
     pub velocity: [f64; 2],
-    /// Slope `(g_x, g_y)` of the journal's axis against that of the bearing [rad]: the offset grows by it for each metre of z.
+    /// Slope `(g_x, g_y)` of the journal's axis against that of the bearing [rad]: the offset grows by it for each
+    /// metre of z.
     pub tilt: [f64; 2],
     /// Rate `(g_x', g_y')` of that slope [rad/s].
     pub tilt_rate: [f64; 2],
@@ -51,7 +52,8 @@ impl JournalChange {
         is_still.then_some([e_x, e_y, g_x, g_y])
     }
 
-    /// The change of place of this one as a rate [1/s]: velocity and rate of the slope change by what offset and slope did, which do not change.
+    /// The change of place of this one as a rate [1/s]: velocity and rate of the slope change by what offset and slope
+    /// did, which do not change.
     #[must_use]
     pub fn as_rate(&self) -> Self {
         Self { velocity: self.offset, tilt_rate: self.tilt, ..Self::default() }
@@ -98,7 +100,8 @@ impl JournalState {
         Self { offset: [e * cos, e * sin], velocity: [0.0; 2], speed, ..Self::default() }
     }
 
-    /// This position with the centre moving at `velocity`, where the line of centres points to the angle `min_film_angle` [rad].
+    /// This position with the centre moving at `velocity`, where the line of centres points to the angle
+    /// `min_film_angle` [rad].
     pub fn with_centre_velocity(self, velocity: CentreVelocity, min_film_angle: f64) -> Self {
         let CentreVelocity { radial, tangential } = velocity;
         let (sin, cos) = min_film_angle.sin_cos();

@@ -25,7 +25,8 @@ const RATIO: f64 = 2.0;
 /// How the triangles of coarser meshes lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
-    /// Of a film that conserves oil in rows along the flow, where its own mesh lies in rows: oil that triangles spread across the flow would feed a film that should starve.
+    /// Of a film that conserves oil in rows along the flow, where its own mesh lies in rows: oil that triangles spread
+    /// across the flow would feed a film that should starve.
     Rows,
     /// Anyhow.
     Free,
@@ -102,8 +103,8 @@ impl Coarser {
         problem.deflected(fine.deflection())
     }
 
-    /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that
-    /// can be: any one of a mass-conserving film or of linear elements, those amid edges of Swift-Stieber's quadratic ones.
+    /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that can
+    /// be: any one of a mass-conserving film or of linear elements, those amid edges of Swift-Stieber's quadratic ones.
     pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> InitialGuess {
         let space = self.system.space();
         let nodes = lagrange::nodes(space.degree());

@@ -34,10 +34,11 @@
 //! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
 //! film lies at `atan2(e_y, e_x)`; `W` is the external force that the film carries.
 //!
-//! Reading order: [`terms`] (start with `poiseuille.rs`), [`film_thickness`], [`lubricant`],
-//! [`gap`] (where the film is least), [`supply`] (where pressure is given), [`film_problem`] (all of it compiled), [`SolvedFilm`] (solved: what is asked about),
-//! [`sharp`] (the pressure over the cavity that finite volumes have found), [`quantities`] (what is reported), [`analytical`] (closed forms to test against).
-//! An effect is an entry in one of these places; an empty place costs nothing.
+//! Reading order: [`terms`] (start with `poiseuille.rs`), [`film_thickness`], [`lubricant`], [`gap`] (where the film is
+//! least), [`supply`] (where pressure is given), [`film_problem`] (all of it compiled), [`SolvedFilm`] (solved: what is
+//! asked about), [`sharp`] (the pressure over the cavity that finite volumes have found), [`quantities`] (what is
+//! reported), [`analytical`] (closed forms to test against). An effect is an entry in one of these places; an empty
+//! place costs nothing.
 
 pub mod analytical;
 pub mod angles;

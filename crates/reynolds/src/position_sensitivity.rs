@@ -11,8 +11,8 @@ use crate::solve::Neighbour;
 use crate::{FilmChange, FilmProblem, FilmSolution, JournalChange, NoFilm, SolvedFilm};
 
 impl SolvedFilm {
-    /// The film where the journal has moved by a small `change`: along the tangent, but for a mass-conserving one, which is
-    /// solved again from the film that is there.
+    /// The film where the journal has moved by a small `change`: along the tangent, but for a mass-conserving one,
+    /// which is solved again from the film that is there.
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
@@ -25,7 +25,8 @@ impl SolvedFilm {
         Ok(self.along_tangent(moved, &[change.into()], &unknown))
     }
 
-    /// The film of a problem that is `moved` from that of a film without a film fraction, along its tangent: after `changes`, by which its unknown changes by `unknown` at each dof.
+    /// The film of a problem that is `moved` from that of a film without a film fraction, along its tangent: after
+    /// `changes`, by which its unknown changes by `unknown` at each dof.
     pub fn along_tangent(&self, moved: FilmProblem, changes: &[FilmChange<'_>], unknown: &[f64]) -> Self {
         let Self { problem, system, solution } = self;
         let add = |base: &[f64], change: &[f64]| base.iter().zip(change).map(|(b, c)| b + c).collect::<Vec<f64>>();
@@ -50,8 +51,8 @@ impl SolvedFilm {
         Self::new(moved, system, solution)
     }
 
-    /// First-order change of the unknown at each dof [Pa] with a `change` of the journal or the gap. The cavity stays, as
-    /// it does to first order: the pressure is level at its edge.
+    /// First-order change of the unknown at each dof [Pa] with a `change` of the journal or the gap. The cavity stays,
+    /// as it does to first order: the pressure is level at its edge.
     ///
     /// # Errors
     /// The linear system could not be solved.
@@ -59,7 +60,8 @@ impl SolvedFilm {
         self.answer(&self.residual_change(change.into())?, 0.0)
     }
 
-    /// First-order change of the unknown at each dof [Pa] by which a film answers to a change of its residual at each dof; its linear system may leave this `part` of that [1].
+    /// First-order change of the unknown at each dof [Pa] by which a film answers to a change of its residual at each
+    /// dof; its linear system may leave this `part` of that [1].
     ///
     /// # Errors
     /// The linear system could not be solved.
@@ -75,7 +77,9 @@ impl SolvedFilm {
         Ok(unknown)
     }
 
-    /// The transposed of [`Self::answer`]: how a sum over the unknown with these `weights` of the dofs changes with the residual at each dof, zero where the unknown is given; its linear system may leave this `part` of the weights [1].
+    /// The transposed of [`Self::answer`]: how a sum over the unknown with these `weights` of the dofs changes with the
+    /// residual at each dof, zero where the unknown is given; its linear system may leave this `part` of the weights
+    /// [1].
     ///
     /// # Errors
     /// The linear system could not be solved.
@@ -89,7 +93,8 @@ impl SolvedFilm {
         film.linearisation.solve_transposed_within(&minus, part)
     }
 
-    /// First-order change of the residual at each dof with a `change` of the journal or the gap while the unknown stays.
+    /// First-order change of the residual at each dof with a `change` of the journal or the gap while the unknown
+    /// stays.
     ///
     /// # Errors
     /// A system that does not fit in memory.

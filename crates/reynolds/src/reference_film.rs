@@ -8,7 +8,8 @@ use crate::{NoFilm, SolvedFilm};
 /// A second film of the same problem on the same mesh.
 #[derive(Debug)]
 pub enum ReferenceFilm {
-    /// In cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its quantities are reported.
+    /// In cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its
+    /// quantities are reported.
     Cubic(SolvedFilm),
     /// Of models that conserve oil.
     Coarse {
@@ -16,7 +17,8 @@ pub enum ReferenceFilm {
         film: SolvedFilm,
         /// What it shows of the errors of the film; none where it shows nothing.
         error: Option<Box<ConservingError>>,
-        /// The hill over the cavity ([`SolvedFilm::sharp_film`]), more accurate than the film where that is smooth; none where it was not sought or found.
+        /// The hill over the cavity ([`SolvedFilm::sharp_film`]), more accurate than the film where that is smooth;
+        /// none where it was not sought or found.
         hill: Option<Box<SharpFilm>>,
     },
 }
@@ -45,7 +47,8 @@ impl ReferenceFilm {
 }
 
 impl SolvedFilm {
-    /// The film by which the error of this one is estimated, without a hill, where a wall that gives way is `following`. None where a coarse film does not exist: this one may be sound without it.
+    /// The film by which the error of this one is estimated, without a hill, where a wall that gives way is
+    /// `following`. None where a coarse film does not exist: this one may be sound without it.
     ///
     /// # Errors
     /// [`NoFilm`]: cubic elements have no film, or the mesh does not resolve on which side of the limit of the viscosity law it lies.

@@ -7,8 +7,9 @@ use crate::film_thickness::FilmContribution;
 use crate::supply::SupplyRegion;
 
 impl FilmSystem {
-    /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of `film_thickness`: the
-    /// system is then the one that would be made anew. False, and nothing changes, where feeds that touch would get different pressures, or a film of a coarser mesh still lives.
+    /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of
+    /// `film_thickness`: the system is then the one that would be made anew. False, and nothing changes, where feeds
+    /// that touch would get different pressures, or a film of a coarser mesh still lives.
     pub fn renew(
         &mut self,
         pressure: &dyn Fn(&SupplyRegion) -> f64,

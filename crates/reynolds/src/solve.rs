@@ -55,7 +55,8 @@ impl FilmProblem {
         }
     }
 
-    /// Prepares `system` for the solves of this film at once, so that one too large for the machine is refused before any work.
+    /// Prepares `system` for the solves of this film at once, so that one too large for the machine is refused before
+    /// any work.
     ///
     /// # Errors
     /// A system that does not fit in memory.
@@ -165,7 +166,8 @@ impl FilmProblem {
         }
     }
 
-    /// What the least step that fails shows, between two parts of the speed: the fold of the stable branch, or else the failure itself.
+    /// What the least step that fails shows, between two parts of the speed: the fold of the stable branch, or else the
+    /// failure itself.
     fn fold_between(&self, [reached, next]: [f64; 2], failure: NoFilm) -> NoFilm {
         let asked = self.journal.speed.abs();
         let part = match &failure {

@@ -1,8 +1,9 @@
 //! A solved film: the noun of nearly everything that is asked above a solve.
 //!
-//! Loads, flows, powers, tangents and error bars are functions of a [`FilmProblem`], of the [`FilmSystem`] on which it was solved and of its [`FilmSolution`], all three of the same film. A
-//! [`SolvedFilm`] keeps them together, so that they cannot be of different films, and whoever bears a film bears one value. What is known before a solve, as the gap or the points of contact, takes a
-//! problem and a system.
+//! Loads, flows, powers, tangents and error bars are functions of a [`FilmProblem`], of the [`FilmSystem`] on which it
+//! was solved and of its [`FilmSolution`], all three of the same film. A [`SolvedFilm`] keeps them together, so that
+//! they cannot be of different films, and whoever bears a film bears one value. What is known before a solve, as the
+//! gap or the points of contact, takes a problem and a system.
 
 use std::sync::Arc;
 

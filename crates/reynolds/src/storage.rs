@@ -1,8 +1,9 @@
 //! # Storage: oil that the film holds from one time to the next
 //!
-//! **Equation.** `div J + d(theta h)/dt = 0`. Over the cell of a node, with the volume V that it holds when it is full, an implicit stage of a method in
-//! time takes up `(V theta - m)/(gamma dt)` [m3/s], m [m3] being what earlier stages leave to it. Where the film is and was full this is `V dh/dt / h`, as squeeze has
-//! it; where it breaks, the film fraction follows from what the cell held.
+//! **Equation.** `div J + d(theta h)/dt = 0`. Over the cell of a node, with the volume V that it holds when it is full,
+//! an implicit stage of a method in time takes up `(V theta - m)/(gamma dt)` [m3/s], m [m3] being what earlier stages
+//! leave to it. Where the film is and was full this is `V dh/dt / h`, as squeeze has it; where it breaks, the film
+//! fraction follows from what the cell held.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -10,8 +11,8 @@
 //! | m | m3 | `known` |
 //! | V theta | m3 | [`SolvedFilm::oil_held`] |
 //!
-//! **Source.** Elrod, J. Lubr. Technol. 103 (1981) 350. **Range.** Mass-conserving films; the mesh stays. **Verified by** `tests/tests/orbit/storage.rs`:
-//! plates that are squeezed, and orders in time.
+//! **Source.** Elrod, J. Lubr. Technol. 103 (1981) 350. **Range.** Mass-conserving films; the mesh stays. **Verified
+//! by** `tests/tests/orbit/storage.rs`: plates that are squeezed, and orders in time.
 
 use oilwedge_fem::Error;
 
@@ -51,7 +52,8 @@ impl FilmProblem {
         cavitation::cell_volumes(self, system)
     }
 
-    /// A place, angle [rad] and z [m], of a mass-conserving film that no feed, flooded edge or end supplies: how much oil is there follows from what was there before.
+    /// A place, angle [rad] and z [m], of a mass-conserving film that no feed, flooded edge or end supplies: how much
+    /// oil is there follows from what was there before.
     pub fn place_without_supply(&self, system: &FilmSystem) -> Option<[f64; 2]> {
         if !self.cavitation.conserves_oil() {
             return None;

@@ -292,7 +292,8 @@ pub fn rim<'a>(mesh: &'a Mesh, region: &'a SupplyRegion) -> impl Iterator<Item =
         .filter(move |&edge| region.kind == BoundaryKind::Feed && mesh.topology().is_boundary(edge))
 }
 
-/// Each vertex of a closed rim has an even number of its edges. The rim of a groove that reaches from end to end is closed by the ends.
+/// Each vertex of a closed rim has an even number of its edges. The rim of a groove that reaches from end to end is
+/// closed by the ends.
 fn open_rim(mesh: &Mesh, regions: &[SupplyRegion], region: &SupplyRegion) -> Option<SupplyError> {
     let mut count: HashMap<u32, usize> = HashMap::new();
     for edge in rim(mesh, region) {

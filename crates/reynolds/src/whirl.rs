@@ -1,19 +1,21 @@
 //! # Whirl: how a solved film answers to small harmonic motions of the journal
 //!
-//! **Equation.** The journal moves by `Re(de exp(i a t))` about its state; to first order the unknown changes by `Re((u + i a w) de exp(i a t))`, so that u is
-//! its change with the place of the journal and w that with its rate.
+//! **Equation.** The journal moves by `Re(de exp(i a t))` about its state; to first order the unknown changes by
+//! `Re((u + i a w) de exp(i a t))`, so that u is its change with the place of the journal and w that with its rate.
 //!
-//! Where the film holds no oil but what its thickness holds, the frequency makes no difference: `A u = -dR/de`, `A w = -dR/de'`, A the
-//! tangent at the film. A cavity that conserves oil fills and empties: with the volume S that each of its nodes holds when it is full,
-//! `A u - a^2 S w = -dR/de`, `A w + S u = -dR/de'`. The set of the cavity stays.
+//! Where the film holds no oil but what its thickness holds, the frequency makes no difference: `A u = -dR/de`,
+//! `A w = -dR/de'`, A the tangent at the film. A cavity that conserves oil fills and empties: with the volume S that
+//! each of its nodes holds when it is full, `A u - a^2 S w = -dR/de`, `A w + S u = -dR/de'`. The set of the cavity
+//! stays.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | a | rad/s | `frequency` |
 //! | u, w | Pa/m, Pa s/m (of slopes: for each radian) | [`Whirl::response`] |
 //!
-//! **Source.** Lund, Thomsen, Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME (1978) 1 (perturbed films); the cavity that
-//! stays is exact to first order, since pressure is level at its edge. **Range.** Motions far below the film thickness, films without inertia.
+//! **Source.** Lund, Thomsen, Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME
+//! (1978) 1 (perturbed films); the cavity that stays is exact to first order, since pressure is level at its edge.
+//! **Range.** Motions far below the film thickness, films without inertia.
 //! **Verified by** `tests/tests/dynamics`: differences of films, and a second code for mass-conserving films.
 
 use oilwedge_fem::{Error, HarmonicSystem};
@@ -69,7 +71,8 @@ impl<'a> Whirl<'a> {
         Ok(Self { film, taking_up, cavity })
     }
 
-    /// First-order change of the unknown at each dof with the place of the journal, `place`, and with the same motion as a rate [1/s].
+    /// First-order change of the unknown at each dof with the place of the journal, `place`, and with the same motion
+    /// as a rate [1/s].
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -79,7 +82,8 @@ impl<'a> Whirl<'a> {
         self.response_to(FilmChange::Journal(place), FilmChange::Journal(rate))
     }
 
-    /// First-order change of the unknown at each dof where the gap grows by a `shape`, and with the same growth as a rate [1/s].
+    /// First-order change of the unknown at each dof where the gap grows by a `shape`, and with the same growth as a
+    /// rate [1/s].
     ///
     /// # Errors
     /// The linear systems could not be solved.

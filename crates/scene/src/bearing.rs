@@ -51,9 +51,11 @@ pub struct Bearing {
     pub inlet_fraction: Option<f64>,
     /// Ring only: angle of an axial line held at the pressure of the ends [rad].
     pub film_start: Option<f64>,
-    /// Combined roughness of journal and liner (root mean square) [m], for contact and flow factors, and for a warning where no contact is simulated.
+    /// Combined roughness of journal and liner (root mean square) [m], for contact and flow factors, and for a warning
+    /// where no contact is simulated.
     pub roughness: Option<f64>,
-    /// Young's modulus of journal and liner [Pa], for a warning where they deflect; `None`: that of steel. Nothing is computed with it.
+    /// Young's modulus of journal and liner [Pa], for a warning where they deflect; `None`: that of steel. Nothing is
+    /// computed with it.
     pub elastic_modulus: Option<f64>,
     /// Which pressure flows there are.
     pub theory: Theory,
@@ -168,8 +170,8 @@ fn arc(mut table: TableReader<'_>) -> (Option<Arc>, Option<f64>) {
     (Some(Arc { from, to }), inlet_fraction)
 }
 
-/// Scenes that a short or long bearing has no meaning for. A short film is a set of independent lines along the axis; the pressure of a
-/// long one is known up to a constant unless a line fixes it.
+/// Scenes that a short or long bearing has no meaning for. A short film is a set of independent lines along the axis;
+/// the pressure of a long one is known up to a constant unless a line fixes it.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let bearing = &scene.bearing;
     let mut refuse_if = |wrong: bool, message: &str, help: &str| {

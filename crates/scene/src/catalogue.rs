@@ -1,7 +1,7 @@
 //! The catalogue of the keys of a scene: one row each, in the source file of its table.
 //!
-//! The rows stand beside the code that reads the keys; a test keeps them equal to what the readers ask for. The schema, `oilwedge explain` and
-//! `docs/reference/scene.md` are made of them.
+//! The rows stand beside the code that reads the keys; a test keeps them equal to what the readers ask for. The schema,
+//! `oilwedge explain` and `docs/reference/scene.md` are made of them.
 
 use crate::keys::Key;
 

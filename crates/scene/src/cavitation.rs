@@ -106,7 +106,8 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     }
 }
 
-/// The film fraction is carried along by a journal that turns, on a mesh in two dimensions; only a cavity that conserves oil has one.
+/// The film fraction is carried along by a journal that turns, on a mesh in two dimensions; only a cavity that
+/// conserves oil has one.
 fn conservation(scene: &Scene, complaints: &mut Complaints) {
     let conserves = scene.conserves_oil();
     complaints.refuse_if(

@@ -15,8 +15,8 @@ const LONGEST_TEXT: usize = 600;
 /// One thing that is wrong with a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Complaint {
-    /// The key with its tables, `feed "groove".hole.diameter`; feeds without a name of their own are counted from 0, `feed[0]`. Empty for a fault
-    /// of the TOML itself.
+    /// The key with its tables, `feed "groove".hole.diameter`; feeds without a name of their own are counted from 0,
+    /// `feed[0]`. Empty for a fault of the TOML itself.
     pub key: String,
     /// The value as it is written; empty where there is none.
     pub value: String,
@@ -76,7 +76,8 @@ impl Complaints {
         self.spans.insert(key.to_owned(), span);
     }
 
-    /// Names the tables of a list, each by its key (`feed[0]`): complaints call them `list "name"` where no other has that name.
+    /// Names the tables of a list, each by its key (`feed[0]`): complaints call them `list "name"` where no other has
+    /// that name.
     pub(crate) fn name(&mut self, names: impl IntoIterator<Item = (String, String)>) {
         self.names.extend(names);
     }

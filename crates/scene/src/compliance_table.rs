@@ -7,8 +7,9 @@
 //! displacement [nm/N] =
 //! 12.1, 3.2, ...
 //! ```
-//! The angles are equally spaced over the whole circumference, the axial positions grow from end to end of the liner. Row i, column j of the matrix is the
-//! displacement outwards at point i for a unit force outwards at point j; points are numbered along the axis first, then from angle to angle.
+//! The angles are equally spaced over the whole circumference, the axial positions grow from end to end of the liner.
+//! Row i, column j of the matrix is the displacement outwards at point i for a unit force outwards at point j; points
+//! are numbered along the axis first, then from angle to angle.
 
 use std::path::Path;
 

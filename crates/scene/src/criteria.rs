@@ -94,7 +94,8 @@ impl Criteria {
 }
 
 impl Scene {
-    /// Deviation [m] that halves the equivalent film, where a scene asks for the film at mid-length, the deviation or the equivalent film.
+    /// Deviation [m] that halves the equivalent film, where a scene asks for the film at mid-length, the deviation or
+    /// the equivalent film.
     pub fn deviation_scale(&self) -> Option<f64> {
         let criteria = &self.criteria;
         let asked = [criteria.middle_film_min, criteria.deviation_max, criteria.equivalent_film_min];

@@ -148,7 +148,8 @@ impl Dimension {
         self.row().3
     }
 
-    /// The least and the greatest size in SI of a quantity of this kind that is not zero: their products, quotients and cubes are numbers.
+    /// The least and the greatest size in SI of a quantity of this kind that is not zero: their products, quotients and
+    /// cubes are numbers.
     pub fn range(self) -> [f64; 2] {
         let (number, unit) = self.example().split_once(' ').unwrap_or((self.example(), ""));
         let size = self.units().iter().find(|(name, _)| *name == unit).map_or(1.0, |(_, size)| *size);

@@ -137,8 +137,8 @@ impl Scene {
         self.heat.map(|heat| heat.inlet)
     }
 
-    /// Key and value [K] of the temperature at which the scene gives the oil: of that fed where the film's is found, else of the film; none
-    /// where the viscosity does not depend on it.
+    /// Key and value [K] of the temperature at which the scene gives the oil: of that fed where the film's is found,
+    /// else of the film; none where the viscosity does not depend on it.
     pub fn given_temperature(&self) -> Option<(&'static str, f64)> {
         match &self.heat {
             Some(heat) => Some(("heat.inlet", heat.inlet)),

@@ -43,7 +43,8 @@ pub enum Position {
     Given {
         /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
         eccentricity: f64,
-        /// Angle of the journal's offset [rad], of the thinnest film between circles; 0 where the journal is centred and the scene gives none.
+        /// Angle of the journal's offset [rad], of the thinnest film between circles; 0 where the journal is centred
+        /// and the scene gives none.
         min_film_angle: f64,
     },
     /// Where the film carries this load: the position is found.

@@ -30,8 +30,8 @@ pub enum Form<'a> {
 /// One key of a scene.
 #[derive(Debug)]
 pub struct Key {
-    /// Its tables and its name: `bearing.arc.from`. Keys of a list of tables are written once, `feed.group`; a word in capitals stands for names
-    /// that a user chooses.
+    /// Its tables and its name: `bearing.arc.from`. Keys of a list of tables are written once, `feed.group`; a word in
+    /// capitals stands for names that a user chooses.
     pub path: &'static str,
     /// What it may hold: one form, or one of several.
     pub forms: &'static [Form<'static>],

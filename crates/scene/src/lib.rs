@@ -1,15 +1,17 @@
 //! Text to scene: a TOML file about one bearing becomes a checked description in SI. The crate knows no film.
 //!
-//! [`Scene::read`] reads a file and reports everything that is wrong with it at once. A scene never changes; whoever computes passes its
-//! own [`Check`]s of what it cannot compute.
+//! [`Scene::read`] reads a file and reports everything that is wrong with it at once. A scene never changes; whoever
+//! computes passes its own [`Check`]s of what it cannot compute.
 //!
-//! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs`
-//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`,
-//! `cavitation.rs`, `contact.rs`, `roughness.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them; [`periodic_table`] and [`surface_table`] read the tables
-//! in files that a scene names.
+//! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges:
+//! `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs` (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`,
+//! `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`,
+//! `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`, `cavitation.rs`, `contact.rs`, `roughness.rs`,
+//! `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them;
+//! [`periodic_table`] and [`surface_table`] read the tables in files that a scene names.
 //!
-//! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
-//! [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
+//! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong
+//! with it collected), [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
 
 #[macro_use]
 pub mod keys;

@@ -1,5 +1,5 @@
-//! `[load]`: the force that the journal carries, where its position is found, and the moment, where its tilt is found too; `load/cycle.rs` has the keys of a
-//! load over a cycle.
+//! `[load]`: the force that the journal carries, where its position is found, and the moment, where its tilt is found
+//! too; `load/cycle.rs` has the keys of a load over a cycle.
 
 pub(crate) mod cycle;
 

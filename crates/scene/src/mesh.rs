@@ -79,8 +79,8 @@ impl MeshSource {
     }
 }
 
-/// Reads the table of a scene that stands at `scene`. Without a file the liner is meshed, as the film needs where no size is given; a file with
-/// a size is meshed anew.
+/// Reads the table of a scene that stands at `scene`. Without a file the liner is meshed, as the film needs where no
+/// size is given; a file with a size is meshed anew.
 pub(crate) fn read(table: Option<TableReader<'_>>, scene: &Path) -> (MeshSource, Option<Tolerance>) {
     let Some(mut table) = table else {
         return (MeshSource::Drawing { size: None }, Some(Tolerance::Usual));

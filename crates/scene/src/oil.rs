@@ -75,7 +75,8 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     barus::check(scene, complaints);
 }
 
-/// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene must give it.
+/// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene
+/// must give it.
 pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
     let constant = table.positive_if_given("viscosity", Dimension::Viscosity, "40 mPa.s");
     let law = temperature::read(&mut table);

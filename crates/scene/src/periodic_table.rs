@@ -1,7 +1,8 @@
 //! Tables by crank angle in files: `angle [deg], Fx [kN], Fy [kN]` and one row a line.
 //!
-//! The first line that is not empty and does not begin with `#` is the header: names, each with its unit in brackets, in any order. Angles grow, in
-//! steps of any length, over one period; the last row may repeat the first one a period later, or be left out.
+//! The first line that is not empty and does not begin with `#` is the header: names, each with its unit in brackets,
+//! in any order. Angles grow, in steps of any length, over one period; the last row may repeat the first one a period
+//! later, or be left out.
 
 pub(crate) mod columns;
 pub(crate) mod error;
@@ -37,7 +38,8 @@ pub struct LoadRow {
     pub moment: [f64; 2],
 }
 
-/// Reads a table of loads with a period [rad]: `angle`, `Fx`, `Fy` and, if both are there, `Mx`, `My`. A last row that repeats the first is left out.
+/// Reads a table of loads with a period [rad]: `angle`, `Fx`, `Fy` and, if both are there, `Mx`, `My`. A last row that
+/// repeats the first is left out.
 ///
 /// # Errors
 /// [`TableError`]: the file cannot be read, or is no table of one period.
@@ -45,7 +47,8 @@ pub fn read_loads(path: &Path, period: f64) -> Result<Vec<LoadRow>, TableError> 
     loads(&read_text(path)?, period).map_err(|fault| fault.in_file(path))
 }
 
-/// Reads a table of pressures with a period [rad]: pairs of angle [rad] and pressure [Pa], from the columns `angle` and `p`.
+/// Reads a table of pressures with a period [rad]: pairs of angle [rad] and pressure [Pa], from the columns `angle` and
+/// `p`.
 ///
 /// # Errors
 /// As [`read_loads`].

@@ -147,8 +147,8 @@ impl Scene {
         Self::of_text(&text_of(path)?, path, mesh::no_file, checks)
     }
 
-    /// Reads the scene `text`; a relative mesh file counts from the folder of `path`, whose name is the title where the scene gives none.
-    /// Nothing is read from the disk, and the mesh need not exist.
+    /// Reads the scene `text`; a relative mesh file counts from the folder of `path`, whose name is the title where the
+    /// scene gives none. Nothing is read from the disk, and the mesh need not exist.
     ///
     /// # Errors
     /// [`SceneError::Syntax`] and [`SceneError::Complaints`], with everything that is wrong.

@@ -73,7 +73,8 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Support {
     }
 }
 
-/// A tilt is found under a load only, and not where it is given; nothing but a support or a moment holds a load beyond an end.
+/// A tilt is found under a load only, and not where it is given; nothing but a support or a moment holds a load beyond
+/// an end.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     complaints.refuse_if(
         scene.support.is_some() && !scene.is_loaded(),

@@ -1,6 +1,8 @@
-//! Measured surfaces in files: `angle [deg], z [mm], depth [um]` and one point a line, in any order. The points form a grid: each angle at each axial position.
+//! Measured surfaces in files: `angle [deg], z [mm], depth [um]` and one point a line, in any order. The points form a
+//! grid: each angle at each axial position.
 //!
-//! Without the column `angle` the surface is the same all around. Around a full ring the grid is periodic, and its last angle may repeat the first one a turn later.
+//! Without the column `angle` the surface is the same all around. Around a full ring the grid is periodic, and its last
+//! angle may repeat the first one a turn later.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -15,7 +17,8 @@ use crate::wording::{degrees, millimetres};
 
 /// Places that differ by less than this part of the whole are one.
 const SAME: f64 = 1e-7;
-/// The step from the last angle to the first one, and the distance of the outermost points from the ends, may be so many times the longest step.
+/// The step from the last angle to the first one, and the distance of the outermost points from the ends, may be so
+/// many times the longest step.
 const LONGEST_GAP: f64 = 1.5;
 /// Points of which so much of the range of depths is noise are worth a word: see [`SurfacePoints::noise`].
 const NEIGHBOURS: f64 = 20.0;
@@ -77,8 +80,8 @@ pub struct WearingPosition {
     pub tilt: [f64; 2],
 }
 
-/// Reads positions of a journal: `e_x`, `e_y` and, if wanted, `g_x`, `g_y`; or the table of an orbit, `e_x/c`, `e_y/c` over this clearance [m] and, if they are there, `tilt_x`, `tilt_y`,
-/// beside columns that do not matter.
+/// Reads positions of a journal: `e_x`, `e_y` and, if wanted, `g_x`, `g_y`; or the table of an orbit, `e_x/c`, `e_y/c`
+/// over this clearance [m] and, if they are there, `tilt_x`, `tilt_y`, beside columns that do not matter.
 ///
 /// # Errors
 /// [`TableError`]: the file cannot be read, or has no positions.
@@ -248,8 +251,9 @@ fn check_turn(angles: &[f64], covered: Covered) -> Result<(), TableFault> {
 }
 
 impl SurfacePoints {
-    /// Noise of the measurement [m], estimated: the root mean square of the third differences from point to point around, over the root of 20, by which they magnify
-    /// independent errors. Shapes that the grid resolves have next to none.
+    /// Noise of the measurement [m], estimated: the root mean square of the third differences from point to point
+    /// around, over the root of 20, by which they magnify independent errors. Shapes that the grid resolves have next
+    /// to none.
     pub fn noise(&self) -> f64 {
         let around = self.angles.len();
         if around < 4 {

@@ -75,7 +75,8 @@ fn ratio<'a>(table: &mut TableReader<'a>, key: &'a str) -> Option<f64> {
     ratio.given()
 }
 
-/// Reads a table of quantities whose names begin with `prefix`: TOML reads `feed_flow.GROUP` as a table unless it is quoted.
+/// Reads a table of quantities whose names begin with `prefix`: TOML reads `feed_flow.GROUP` as a table unless it is
+/// quoted.
 fn by_name(mut table: TableReader<'_>, prefix: &str, targets: &mut Vec<Target>) {
     for key in table.keys() {
         let quantity = format!("{prefix}{key}");

@@ -1,8 +1,10 @@
-//! Lengths, angles, pressures, forces, temperatures and ratios as sentences give them: six significant digits, no zeros at the end.
+//! Lengths, angles, pressures, forces, temperatures and ratios as sentences give them: six significant digits, no zeros
+//! at the end.
 
 use crate::unit::ZERO_CELSIUS;
 
-/// Without control characters, which could steer a terminal, and characters of direction, which could show a text in another order; each is replaced.
+/// Without control characters, which could steer a terminal, and characters of direction, which could show a text in
+/// another order; each is replaced.
 pub fn printable(text: &str) -> String {
     let shown = |letter: char| match letter {
         '\n' => letter,

@@ -6,7 +6,8 @@ use crate::no_answer::NoAnswer;
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal;
 
-/// Solves a film; under a load at the position found, or reached when the deadline came; with a heat balance at the temperature found.
+/// Solves a film; under a load at the position found, or reached when the deadline came; with a heat balance at the
+/// temperature found.
 ///
 /// # Errors
 /// [`NoAnswer`]: the reason why there is no film or no position; from near another operating point also where a cold start finds an answer.

@@ -1,12 +1,15 @@
 //! Lines of rupture and reformation without the steps of the triangles.
 //!
-//! A set of nodes shows the edge of a cavity to within a triangle, so a line through its triangles runs in steps. The line that is drawn is the smoothest one whose points stay in the box of
-//! their triangle about the points of the set. **Equation.** With the points P_k of a line, their number k as parameter, and u_k what each is moved by, each coordinate minimises
+//! A set of nodes shows the edge of a cavity to within a triangle, so a line through its triangles runs in steps. The
+//! line that is drawn is the smoothest one whose points stay in the box of their triangle about the points of the set.
+//! **Equation.** With the points P_k of a line, their number k as parameter, and u_k what each is moved by, each
+//! coordinate minimises
 //! ```text
 //! Sum w_k u_k^2 + lambda Sum (second difference of P + u)^2,      |u_k| <= s_k
 //! ```
-//! s_k is the extent of the triangle. The weight w_k grows until the bound holds. Ends on an end of the bearing slide along it; ends on a rim stay. **Source.** Whittaker's smoothing (1923), with bounds by
-//! reweighting. **Range.** Pictures; no quantity is measured on these lines. **Verified by** the tests below and `tests/tests/pictures.rs`.
+//! s_k is the extent of the triangle. The weight w_k grows until the bound holds. Ends on an end of the bearing slide
+//! along it; ends on a rim stay. **Source.** Whittaker's smoothing (1923), with bounds by reweighting. **Range.**
+//! Pictures; no quantity is measured on these lines. **Verified by** the tests below and `tests/tests/pictures.rs`.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -16,7 +19,8 @@ pub(crate) type Piece = [[f64; 2]; 2];
 
 /// Ends that are closer than this part of the radius are one.
 const CLOSE: f64 = 1e-9;
-/// Weight of the second differences: waves shorter than some 26 pieces, `2 pi` times its fourth root, are steps of triangles where the bound allows it.
+/// Weight of the second differences: waves shorter than some 26 pieces, `2 pi` times its fourth root, are steps of
+/// triangles where the bound allows it.
 const SMOOTH: f64 = 300.0;
 /// Factor by which the weight of a point grows that is moved too far, and how often.
 const HEAVIER: f64 = 4.0;
@@ -202,7 +206,8 @@ impl CavityPath {
     }
 }
 
-/// What moves places by least squares with these weights and second differences times [`SMOOTH`]: a symmetric system with five diagonals, by `L D L^T`.
+/// What moves places by least squares with these weights and second differences times [`SMOOTH`]: a symmetric system
+/// with five diagonals, by `L D L^T`.
 fn smoothest(places: &[f64], weights: &[f64]) -> Vec<f64> {
     let n = places.len();
     // Diagonal and the two beside it, and the right side.
@@ -257,7 +262,8 @@ mod tests {
     const RADIUS: f64 = 0.05;
     const HALF: f64 = 0.02;
 
-    /// The line x = f(z) by steps: upright pieces in rows `step` high, level ones between them, as a set of triangles has them.
+    /// The line x = f(z) by steps: upright pieces in rows `step` high, level ones between them, as a set of triangles
+    /// has them.
     fn steps(count: u32, step: f64, f: impl Fn(f64) -> f64) -> Vec<CavityPiece> {
         let mut points = Vec::new();
         for k in 0..count {

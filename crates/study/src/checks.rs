@@ -1,5 +1,5 @@
-//! What a scene must be so that it can be computed, beyond the ranges of its keys: the checks that need physics or the catalogue of
-//! quantities.
+//! What a scene must be so that it can be computed, beyond the ranges of its keys: the checks that need physics or the
+//! catalogue of quantities.
 
 mod columns;
 mod feed;

@@ -46,7 +46,8 @@ impl Column {
         Ok(Self { name: wanted.name.clone().into(), ..own })
     }
 
-    /// The column that a sweep asks for: that of the first scene that has it, else why the first one has not. `None` without a scene.
+    /// The column that a sweep asks for: that of the first scene that has it, else why the first one has not. `None`
+    /// without a scene.
     pub fn wanted_in(scenes: &[Scene], wanted: &WantedColumn) -> Option<Result<Self, Fault>> {
         let found = scenes.iter().find_map(|scene| Self::wanted(wanted, scene).ok());
         let first = || Some(Self::wanted(wanted, scenes.first()?));

@@ -1,4 +1,5 @@
-//! A scene becomes a film: its liner is meshed, its effects fill the sockets ([`crate::effects`]), and pressures are given.
+//! A scene becomes a film: its liner is meshed, its effects fill the sockets ([`crate::effects`]), and pressures are
+//! given.
 
 mod reuse;
 
@@ -36,7 +37,8 @@ pub fn compile(scene: &Scene) -> Result<Film, CompileError> {
     compile_near(scene, Position::start(scene))
 }
 
-/// Compiles `scene` with the journal, and the mesh graded for it, at `position`: where the search for the position under a load begins.
+/// Compiles `scene` with the journal, and the mesh graded for it, at `position`: where the search for the position
+/// under a load begins.
 ///
 /// # Errors
 /// As [`compile`].
@@ -51,7 +53,8 @@ pub fn compile_near(scene: &Scene, position: Position) -> Result<Film, CompileEr
     Ok(film)
 }
 
-/// Compiles `scene` on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at `position`.
+/// Compiles `scene` on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at
+/// `position`.
 ///
 /// # Errors
 /// As [`compile`].
@@ -129,8 +132,9 @@ fn problem(
     })
 }
 
-/// How coarser meshes lie. An orbit only begins on one. With rows the orbit of a starved film on the vertices alone, with which it is compared, was seen not to come to its end, for a reason
-/// that is not known; with free triangles it does.
+/// How coarser meshes lie. An orbit only begins on one. With rows the orbit of a starved film on the vertices alone,
+/// with which it is compared, was seen not to come to its end, for a reason that is not known; with free triangles it
+/// does.
 fn coarser_layout(scene: &Scene) -> Layout {
     match scene.orbit {
         Some(_) => Layout::Free,
@@ -138,8 +142,8 @@ fn coarser_layout(scene: &Scene) -> Layout {
     }
 }
 
-/// A journal whose position is given leaves a film between surfaces of any shape, and one whose position is found has room for one; circles were checked
-/// with the scene.
+/// A journal whose position is given leaves a film between surfaces of any shape, and one whose position is found has
+/// room for one; circles were checked with the scene.
 fn check_gap(
     scene: &Scene,
     problem: &FilmProblem,

@@ -54,8 +54,8 @@ pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
     }
 }
 
-/// Refuses a scene whose load changes over a cycle where one film is compiled, for no steady film carries such a load; and one whose orbit has no usable
-/// load.
+/// Refuses a scene whose load changes over a cycle where one film is compiled, for no steady film carries such a load;
+/// and one whose orbit has no usable load.
 pub(crate) fn refuse_cycle(scene: &Scene) -> Result<(), CompileError> {
     match (&scene.load_cycle, &scene.orbit) {
         (None, _) => Ok(()),

@@ -1,7 +1,7 @@
 //! Feeds that overlap or touch at one pressure are one region of the film: a hole drilled in a groove.
 //!
-//! The oil reaches the film through the rim of their union. How much of it came through the hole has no meaning there, so the union has
-//! one name, that of its feeds joined by `+` in the order of the scene.
+//! The oil reaches the film through the rim of their union. How much of it came through the hole has no meaning there,
+//! so the union has one name, that of its feeds joined by `+` in the order of the scene.
 
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{Meeting, Shape, meeting};
@@ -23,7 +23,8 @@ impl FeedRegion<'_> {
     }
 }
 
-/// The regions that the feeds of a scene are, in the order of their first feeds. In a mesh file that is used as it is each group is a region.
+/// The regions that the feeds of a scene are, in the order of their first feeds. In a mesh file that is used as it is
+/// each group is a region.
 pub fn feed_regions(scene: &Scene) -> Vec<FeedRegion<'_>> {
     let is_drawn = !matches!(scene.mesh, MeshSource::File { size: None, .. });
     let liner = liner(scene);

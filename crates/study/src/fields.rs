@@ -5,7 +5,8 @@
 pub enum Interpolation {
     /// By the quadratic of each triangle.
     Quadratic,
-    /// Linearly on the four parts of each triangle, as the scheme has it whose oil is conserved: a quadratic would overshoot where the film breaks.
+    /// Linearly on the four parts of each triangle, as the scheme has it whose oil is conserved: a quadratic would
+    /// overshoot where the film breaks.
     Linear,
     /// One value for each triangle.
     Constant,

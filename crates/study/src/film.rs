@@ -1,4 +1,5 @@
-//! A film: one scene compiled on one mesh. It never changes; at another temperature or position it is made anew and shares the system.
+//! A film: one scene compiled on one mesh. It never changes; at another temperature or position it is made anew and
+//! shares the system.
 
 use std::sync::Arc;
 
@@ -53,14 +54,16 @@ pub enum Start {
     NearlyBalanced,
     /// A growing moment leads into contact, or the journal tips over; another mesh has shown a balance on the way.
     Along(Arc<Waypoint>),
-    /// It is an estimate, from which a rough search on this mesh has found no balance: under a wall that gives way, where that takes long.
+    /// It is an estimate, from which a rough search on this mesh has found no balance: under a wall that gives way,
+    /// where that takes long.
     Failed,
 }
 
 /// Where the mesh of a film comes from.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MeshOrigin {
-    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that was at hand.
+    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that
+    /// was at hand.
     pub sha256: String,
     /// Edge flips that made the mesh one for a mass-conserving film.
     pub flips: usize,

@@ -1,8 +1,9 @@
 //! Lines on a solved film: where it breaks and where it forms again, and the rims of its feeds and pockets.
 //!
-//! The edge of a cavity is that of the solver's own set of nodes at the cavity pressure: in a sub-triangle with nodes of both kinds it joins the
-//! middles of the sides between them, and is smoothed within the triangles. Only where the pressure is cut off after the solve (Guembel) it follows the pressure.
-//! Oil flows into the cavity at a rupture and out of it at a reformation.
+//! The edge of a cavity is that of the solver's own set of nodes at the cavity pressure: in a sub-triangle with nodes
+//! of both kinds it joins the middles of the sides between them, and is smoothed within the triangles. Only where the
+//! pressure is cut off after the solve (Guembel) it follows the pressure. Oil flows into the cavity at a rupture and
+//! out of it at a reformation.
 
 use std::collections::HashMap;
 
@@ -100,7 +101,8 @@ fn cavity_edges(film: &SolvedFilm) -> [Vec<Piece>; 2] {
     edges
 }
 
-/// The normals averaged with those of pieces that meet: an edge that runs along the flow in steps is one or the other as a whole.
+/// The normals averaged with those of pieces that meet: an edge that runs along the flow in steps is one or the other
+/// as a whole.
 fn with_even_normals(mut pieces: Vec<CavityPiece>, radius: f64) -> Vec<CavityPiece> {
     let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
     for (k, it) in pieces.iter().enumerate() {

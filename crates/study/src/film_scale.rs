@@ -1,8 +1,10 @@
-//! The length over which a film changes, by which its mesh is graded: from the journal's position, its tilt, and the profiles of the surfaces.
+//! The length over which a film changes, by which its mesh is graded: from the journal's position, its tilt, and the
+//! profiles of the surfaces.
 //!
-//! **Equation.** Around: `0.65 sqrt(2 h/h_xx)`, over which the thickness doubles at its minimum; with tilt or slopes along the axis also `0.65 h/|h_z|`, and with
-//! profiles `1.3 h/|h_x|` and `0.65 sqrt(2 h/h_zz)`; near a place where a profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all graded
-//! meshes.
+//! **Equation.** Around: `0.65 sqrt(2 h/h_xx)`, over which the thickness doubles at its minimum; with tilt or slopes
+//! along the axis also `0.65 h/|h_z|`, and with profiles `1.3 h/|h_x|` and `0.65 sqrt(2 h/h_zz)`; near a place where a
+//! profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all
+//! graded meshes.
 
 use std::sync::Arc;
 
@@ -23,7 +25,8 @@ const FINENESS: f64 = 0.25;
 const ACROSS: f64 = 4.0;
 /// The scale over the length in which the film doubles.
 const PART: f64 = 0.65;
-/// Edges of the mesh of an orbit, over those of a film at rest at its greatest eccentricity: the film is thinnest for a moment only, and at one place.
+/// Edges of the mesh of an orbit, over those of a film at rest at its greatest eccentricity: the film is thinnest for a
+/// moment only, and at one place.
 const ON_ORBIT: f64 = 2.0;
 
 /// Longest edges [m] of a mesh without a wanted size.
@@ -69,7 +72,8 @@ impl<'a> FilmScale<'a> {
         }
     }
 
-    /// Scale of the zone in which surfaces touch: over which the gap grows from its least by the scale of the law of contact.
+    /// Scale of the zone in which surfaces touch: over which the gap grows from its least by the scale of the law of
+    /// contact.
     fn by_contact(&self, [x, z]: [f64; 2], touching: f64) -> f64 {
         /// Gaps within which surfaces carry by contact, in scales of its law.
         const IN_CONTACT: f64 = 4.0;
@@ -99,7 +103,8 @@ impl<'a> FilmScale<'a> {
         (ON_ORBIT * around(self.position, self.position.min_film_angle)).min(LONGEST)
     }
 
-    /// True of steady films between circles that do not touch, of a tilted journal: they change around, and along the axis, by lengths of their own.
+    /// True of steady films between circles that do not touch, of a tilted journal: they change around, and along the
+    /// axis, by lengths of their own.
     pub(crate) fn has_two_scales(&self) -> bool {
         let is_between_circles = self.profiles.is_empty() && self.touching.is_none() && self.scene.orbit.is_none();
         is_between_circles && self.position.tilt != [0.0; 2]

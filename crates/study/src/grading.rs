@@ -45,8 +45,8 @@ impl From<Film> for Graded {
     }
 }
 
-/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as the deadline
-/// allows, and the journal is where a coarser mesh balances the load.
+/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as
+/// the deadline allows, and the journal is where a coarser mesh balances the load.
 ///
 /// # Errors
 /// The scene does not become a film.
@@ -63,7 +63,8 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// By why a film has no answer, or by the way along which it was sought; none where the journal tips over: at which tilt depends on the mesh.
+    /// By why a film has no answer, or by the way along which it was sought; none where the journal tips over: at which
+    /// tilt depends on the mesh.
     pub fn of(film: &Film, reason: &NoAnswer) -> Option<Self> {
         if reason.is_tilt_limit() {
             return None;
@@ -74,8 +75,8 @@ impl Shown {
     }
 }
 
-/// As [`graded`], with no more than about so many triangles on a mesh graded anew: a film found much thinner than expected asks for shorter edges everywhere. The search begins
-/// where another mesh has shown the way.
+/// As [`graded`], with no more than about so many triangles on a mesh graded anew: a film found much thinner than
+/// expected asks for shorter edges everywhere. The search begins where another mesh has shown the way.
 ///
 /// # Errors
 /// The scene does not become a film.
@@ -152,7 +153,8 @@ enum Suited {
     Unknown(Option<Arc<Waypoint>>),
     /// The search under a wall that gives way has led nowhere.
     Failed,
-    /// A growing moment leads into contact under such a wall, or the journal tips over, and a finer mesh would show no more.
+    /// A growing moment leads into contact under such a wall, or the journal tips over, and a finer mesh would show no
+    /// more.
     Refused(NoEquilibrium),
 }
 
@@ -219,7 +221,8 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     }
 }
 
-/// Whether a coarser mesh may be certain that a load has no balance: of a film that conserves oil, under a wall that gives way. Other films tip over on coarse meshes that do not on finer ones.
+/// Whether a coarser mesh may be certain that a load has no balance: of a film that conserves oil, under a wall that
+/// gives way. Other films tip over on coarse meshes that do not on finer ones.
 fn is_judged(film: &Film) -> bool {
     film.problem.deflection().is_some() && film.problem.cavitation.conserves_oil()
 }
@@ -234,8 +237,8 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
     JournalState { offset: journal.offset.map(|e| nearer * e), tilt: journal.tilt.map(|g| nearer * g), ..*journal }
 }
 
-/// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
-/// mesh is too coarse there.
+/// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be
+/// out of reach only because the mesh is too coarse there.
 fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, NoEquilibrium> {
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
@@ -246,7 +249,8 @@ fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, N
         },
         ..film.search_options(watch)
     };
-    // Where a mesh before has the balance and walls give way, a coarser one that does not is not asked where else there is one, but for a film that conserves oil: it takes longer on a finer mesh.
+    // Where a mesh before has the balance and walls give way, a coarser one that does not is not asked where else there
+    // is one, but for a film that conserves oil: it takes longer on a finer mesh.
     let is_asked = film.problem.cavitation.conserves_oil();
     let has_balance = film.start == Start::NearlyBalanced && film.problem.has_bent_wall() && !is_asked;
     let of_coarser = SearchOptions {

@@ -98,7 +98,8 @@ fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
     }
 }
 
-/// The film at the position in which its hill carries the load, near that which the `solved` film has found, where the load is that of the hill; else that film.
+/// The film at the position in which its hill carries the load, near that which the `solved` film has found, where the
+/// load is that of the hill; else that film.
 fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, clock: Instant) -> Solved {
     let (Some(by_film), Some(hill)) = (solved.balance, hill_with_load(&mut solved)) else {
         return solved;

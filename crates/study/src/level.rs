@@ -44,8 +44,8 @@ pub enum LevelError {
     NoAnswer(#[from] NoAnswer),
 }
 
-/// Solves `scene` on `mesh` with elements of the given degree, the journal at `position` or, under a load, sought from there. Errors are estimated
-/// where they can be, on quadratic elements.
+/// Solves `scene` on `mesh` with elements of the given degree, the journal at `position` or, under a load, sought from
+/// there. Errors are estimated where they can be, on quadratic elements.
 ///
 /// # Errors
 /// [`LevelError`]: the scene does not become a film on this mesh, or there is no film or position.
@@ -92,8 +92,9 @@ pub fn solve_level(
     })
 }
 
-/// What the goal is off by for each newton that the force of the film is off by: one newton of the load, or under a load the eccentricity
-/// `|K^-T n|/c` [1/N], K the stiffness of the film and n the direction of the line of centres. The newton counts in its worst direction.
+/// What the goal is off by for each newton that the force of the film is off by: one newton of the load, or under a
+/// load the eccentricity `|K^-T n|/c` [1/N], K the stiffness of the film and n the direction of the line of centres.
+/// The newton counts in its worst direction.
 fn per_newton(solved: &Solved) -> f64 {
     let Some(balance) = &solved.balance else { return 1.0 };
     let problem = &solved.film.problem;

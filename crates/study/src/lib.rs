@@ -4,8 +4,9 @@
 //! Scene -> compile (sockets) -> analysis (position, temperature) -> film -> quantities, bars -> RunResult + FilmPicture
 //! ```
 //!
-//! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
-//! [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the load over a cycle), [`mod@orbit`], [`shaft`] (many bearings).
+//! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`],
+//! [`estimate`], [`refinement`], [`mod@run`], [`result`], [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the
+//! load over a cycle), [`mod@orbit`], [`shaft`] (many bearings).
 
 pub mod analysis;
 mod cap_joint;

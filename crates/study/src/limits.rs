@@ -1,4 +1,5 @@
-//! What a bearing is judged by, compared here alone: the limits of the scene, and what is usual where nobody sets a limit: in an engine, and where heat is balanced.
+//! What a bearing is judged by, compared here alone: the limits of the scene, and what is usual where nobody sets a
+//! limit: in an engine, and where heat is balanced.
 
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Engine, Scene};
@@ -52,8 +53,8 @@ impl Compared<'_> {
     }
 }
 
-/// What a film of these `quantities`, or the films of a cycle, must meet, and what is usual; nothing where the scene sets no limits. `model` is that by which
-/// the temperature was found; `bars`: error bars were asked for.
+/// What a film of these `quantities`, or the films of a cycle, must meet, and what is usual; nothing where the scene
+/// sets no limits. `model` is that by which the temperature was found; `bars`: error bars were asked for.
 pub fn design_criteria(
     film: &Film,
     model: Option<&ThermalModel>,
@@ -78,7 +79,8 @@ struct Limited<'a> {
 }
 
 impl Limited<'_> {
-    /// Compared with the limit of the scene [SI], or with a usual value where there is none; `None` where there is neither, or no number.
+    /// Compared with the limit of the scene [SI], or with a usual value where there is none; `None` where there is
+    /// neither, or no number.
     fn at_least(&self, limit: Option<f64>, usual: Option<f64>) -> Option<Criterion> {
         let (limit, origin) = self.chosen(limit, usual)?;
         self.within([Some(limit), None], origin)

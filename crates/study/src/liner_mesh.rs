@@ -31,8 +31,9 @@ pub struct LinerMesh {
     pub is_laid_anew: bool,
 }
 
-/// The mesh of the liner. A mesh made here is graded for the film at `position`. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as long as the edges
-/// are there, unless the scene keeps them or its features are none that can be drawn.
+/// The mesh of the liner. A mesh made here is graded for the film at `position`. Where oil is conserved the triangles
+/// lie in rows along the flow; those of a file that do not are laid anew, as long as the edges are there, unless the
+/// scene keeps them or its features are none that can be drawn.
 ///
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
@@ -80,8 +81,8 @@ fn conserves_oil(scene: &Scene) -> bool {
     Sockets::of(scene).cavitation.conserves_oil()
 }
 
-/// The mesh as the model of cavitation needs it, and how many edges were flipped for it: a film that conserves its oil is
-/// computed on Delaunay meshes. The line of the film start stays.
+/// The mesh as the model of cavitation needs it, and how many edges were flipped for it: a film that conserves its oil
+/// is computed on Delaunay meshes. The line of the film start stays.
 pub fn suited(scene: &Scene, mesh: Mesh) -> (Mesh, usize) {
     if !conserves_oil(scene) {
         return (mesh, 0);
@@ -139,12 +140,14 @@ fn blueprint_of_scene(scene: &Scene) -> Blueprint {
     Blueprint { liner: liner(scene), features: features(scene), line: scene.bearing.film_start }
 }
 
-/// About how many unknowns at least a film has on the drawn liner of a scene, its mesh graded for the film at `position`.
+/// About how many unknowns at least a film has on the drawn liner of a scene, its mesh graded for the film at
+/// `position`.
 ///
 /// # Errors
 /// The liner cannot be meshed, or a table of a measured surface cannot be used.
 pub fn least_unknowns(scene: &Scene, position: Position) -> Result<f64, CompileError> {
-    // A strip of single cells, the shape with the fewest, has one node across in each column and one at each of two edges.
+    // A strip of single cells, the shape with the fewest, has one node across in each column and one at each of two
+    // edges.
     const PER_TRIANGLE: f64 = 1.5;
     let scale = FilmScale::of(scene, position)?;
     let longest = scene.mesh.size().unwrap_or(needed_size(scene));
@@ -194,7 +197,8 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale)
     by_grading(scene, blueprint, (longest, scale), generate_in_rows, generate_graded)
 }
 
-/// What is made of a drawing in rows or, of a film that needs none, with free triangles, with edges of at most `longest` [m].
+/// What is made of a drawing in rows or, of a film that needs none, with free triangles, with edges of at most
+/// `longest` [m].
 fn by_grading<T>(
     scene: &Scene,
     blueprint: &Blueprint,
@@ -219,7 +223,8 @@ fn by_grading<T>(
     }
 }
 
-/// How many triangles the drawn mesh of a scene will have for the film at `position`, without those that holes and grooves ask for.
+/// How many triangles the drawn mesh of a scene will have for the film at `position`, without those that holes and
+/// grooves ask for.
 ///
 /// # Errors
 /// A table of a measured surface cannot be used.

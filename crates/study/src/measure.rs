@@ -58,7 +58,8 @@ pub struct Measured {
     pub under_tension: f64,
     /// Ways out that the solver had to take.
     pub fallbacks: Vec<Fallback>,
-    /// How the film answers to small motions of its journal, or why that could not be computed; none where it is not asked.
+    /// How the film answers to small motions of its journal, or why that could not be computed; none where it is not
+    /// asked.
     pub dynamics: Option<Result<Dynamics, oilwedge_fem::Error>>,
 }
 
@@ -75,8 +76,8 @@ impl Measured {
         product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
     }
 
-    /// With what is asked of `film` about small motions of its journal, found on the `solved` one that was measured: at the frequencies of another film that
-    /// stands for it too, if there is one.
+    /// With what is asked of `film` about small motions of its journal, found on the `solved` one that was measured: at
+    /// the frequencies of another film that stands for it too, if there is one.
     pub fn with_dynamics(self, film: &Film, solved: &SolvedFilm, beside: Option<&Self>) -> Self {
         let of = || {
             let asked = film.dynamics.as_ref()?;

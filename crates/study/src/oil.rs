@@ -24,7 +24,8 @@ pub struct Oil {
 }
 
 impl Oil {
-    /// The oil of a scene at the temperature that the scene gives or, with a heat balance, at which the search for it begins.
+    /// The oil of a scene at the temperature that the scene gives or, with a heat balance, at which the search for it
+    /// begins.
     pub fn of(scene: &Scene) -> Self {
         let first = || scene.inlet_temperature().map(first_temperature);
         let oil = Self {
@@ -97,8 +98,8 @@ fn thermal(scene: &Scene) -> Option<ThermalOil> {
     Some(ThermalOil { sheared: sheared(scene, &unsheared), ..unsheared })
 }
 
-/// What the shear rate of the film leaves of the viscosity [1]. A viscosity at 150 degrees C and 1e6 1/s is one part of that at low shear, which is taken for any
-/// temperature.
+/// What the shear rate of the film leaves of the viscosity [1]. A viscosity at 150 degrees C and 1e6 1/s is one part of
+/// that at low shear, which is taken for any temperature.
 fn sheared(scene: &Scene, unsheared: &ThermalOil) -> f64 {
     match scene.oil.high_shear {
         None => 1.0,

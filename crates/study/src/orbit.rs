@@ -62,7 +62,8 @@ pub struct OrbitFacts {
     pub earlier_cycles: usize,
     /// The cycles.
     pub cycles: Vec<CycleFacts>,
-    /// Where the last cycle ended, over the clearance [1]: offset, and slopes times half of the bearing's length where the tilt is free.
+    /// Where the last cycle ended, over the clearance [1]: offset, and slopes times half of the bearing's length where
+    /// the tilt is free.
     pub end: [f64; 4],
     /// Part of the load that turns at half the speed of the journal, over its mean magnitude [1].
     pub half_speed_share: f64,

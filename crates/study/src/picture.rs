@@ -95,10 +95,11 @@ pub enum Surface {
     Developed,
 }
 
-/// The fields of a solved film at its nodes, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring
-/// are on both sides of it: pressure (nowhere below that of a cavity), film thickness, viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place, flow per
-/// width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is thicker on one. The indicator [N], a value for
-/// each triangle, is what each adds to the error of the load.
+/// The fields of a solved film at its nodes, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`,
+/// where nodes on the cut of a ring are on both sides of it: pressure (nowhere below that of a cavity), film thickness,
+/// viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place, flow
+/// per width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is
+/// thicker on one. The indicator [N], a value for each triangle, is what each adds to the error of the load.
 pub fn picture(film: &Film, solved: &SolvedFilm, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
     let (nodes, cells) = numbered(film, surface);
     let radius = film.problem.bearing.radius;
@@ -170,7 +171,8 @@ fn places(film: &Film, nodes: &Nodes, surface: Surface) -> [PictureField; 2] {
     ]
 }
 
-/// Flow and stresses: at each node the mean of its triangles, weighted with their areas; zero where a feed covers them all.
+/// Flow and stresses: at each node the mean of its triangles, weighted with their areas; zero where a feed covers them
+/// all.
 fn streaming(film: &SolvedFilm, (nodes, cells): (&Nodes, &[[u32; 6]]), surface: Surface) -> [PictureField; 3] {
     let mut sums = vec![(0.0, [[0.0; 2]; 3]); nodes.dofs.len()];
     for (cell, found) in cells.iter().zip(streams(film)) {

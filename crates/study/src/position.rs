@@ -15,7 +15,8 @@ const START_ECCENTRICITY: f64 = 0.5;
 /// Angle [rad] from the load to the journal's offset, against the rotation, at which it begins.
 const START_ATTITUDE: f64 = FRAC_PI_4;
 
-/// A journal that would leave less of the film than this part of what its tilt leaves of the clearance is moved towards the middle.
+/// A journal that would leave less of the film than this part of what its tilt leaves of the clearance is moved towards
+/// the middle.
 const ROOM: f64 = 0.1;
 
 /// Position of the journal: where its centre is at mid-length, and how its axis is inclined.
@@ -52,7 +53,8 @@ impl Position {
         Self::of(&JournalState { offset, ..journal }, clearance)
     }
 
-    /// Where the journal of a scene under a load will be, predicted from positions visited before; `None` where there are none.
+    /// Where the journal of a scene under a load will be, predicted from positions visited before; `None` where there
+    /// are none.
     pub fn predicted(scene: &Scene, visited: &[Visited], point: Point) -> Option<Self> {
         let predicted = predicted(visited, point)?;
         let position = Self {
@@ -81,8 +83,8 @@ impl Position {
         Self { eccentricity: self.eccentricity.min((1.0 - ROOM) * reach), ..self }
     }
 
-    /// The position at which a computation begins: the one given, or the one that a closed estimate finds for the load; [`Self::middle`]
-    /// where nothing turns.
+    /// The position at which a computation begins: the one given, or the one that a closed estimate finds for the load;
+    /// [`Self::middle`] where nothing turns.
     pub fn start(scene: &Scene) -> Self {
         let (bearing, speed) = (&scene.bearing, scene.journal.speed);
         let scene::Position::Load { force, angle } = scene.journal.position else {
@@ -109,8 +111,8 @@ impl Position {
         position.clear_of_the_ends(&dimensions::bearing(scene))
     }
 
-    /// The position at which a computation begins where nothing else is known: the one given, for a load eps = 0.5 at 45 degrees from
-    /// the load in the sense of the rotation, and under a load that changes the middle of the bearing.
+    /// The position at which a computation begins where nothing else is known: the one given, for a load eps = 0.5 at
+    /// 45 degrees from the load in the sense of the rotation, and under a load that changes the middle of the bearing.
     pub fn middle(scene: &Scene) -> Self {
         let tilt = scene.journal.tilt.unwrap_or_default();
         match scene.journal.position {

@@ -1,6 +1,7 @@
 //! Why a run ended short of an answer, a balance or a tolerance: as data, and in words with the way out.
 //!
-//! Physics errors carry data and name no key and no flag; keys of scenes and flags of the command line stand here alone.
+//! Physics errors carry data and name no key and no flag; keys of scenes and flags of the command line stand here
+//! alone.
 
 use std::fmt;
 
@@ -31,11 +32,14 @@ pub enum Limit {
     Position(f64, Cause),
     /// So many cycles were followed, and the last one ended this far from where it began, over the clearance.
     NotClosed(usize, f64),
-    /// So many cycles of a rotor of this mass [kg] were followed, which do not end nearer to where they began; the last one closed to this part of the clearance.
+    /// So many cycles of a rotor of this mass [kg] were followed, which do not end nearer to where they began; the last
+    /// one closed to this part of the clearance.
     Whirl(usize, f64, f64),
-    /// So many cycles were followed, the last of which closed to this part of the clearance, under a load of which this part turns at half the speed of the journal.
+    /// So many cycles were followed, the last of which closed to this part of the clearance, under a load of which this
+    /// part turns at half the speed of the journal.
     Collapse(usize, f64, f64),
-    /// As [`Self::Collapse`], of a journal that does not turn: the part of the load that keeps its direction, over the mean magnitude.
+    /// As [`Self::Collapse`], of a journal that does not turn: the part of the load that keeps its direction, over the
+    /// mean magnitude.
     Sinking(usize, f64, f64),
     /// The orbit was ended at this crank angle [deg] of its first cycle.
     FirstCycle(f64, Cause),

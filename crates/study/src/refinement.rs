@@ -1,8 +1,8 @@
 //! Solve, estimate, mark, refine: from mesh to mesh until every bar is as small as the scene asks.
 //!
 //! A smooth film is refined everywhere: a mesh drawn here is drawn anew, as fine as the law of the bar,
-//! `bar ~ unknowns^-s`, says that it must be; that of a file is divided. Where the error comes from the edge of a cavity
-//! the triangles are divided that carry most of it.
+//! `bar ~ unknowns^-s`, says that it must be; that of a file is divided. Where the error comes from the edge of a
+//! cavity the triangles are divided that carry most of it.
 //!
 //! Source: Doerfler, SIAM J. Numer. Anal. 33 (1996) 1106; s measured, `docs/theory/error_estimation.md`.
 
@@ -46,7 +46,8 @@ pub struct Answer {
     pub limit: Option<Limit>,
 }
 
-/// Is told of each mesh but the last: its film with the errors, all meshes so far, and the limit that stands if the run ends there.
+/// Is told of each mesh but the last: its film with the errors, all meshes so far, and the limit that stands if the run
+/// ends there.
 pub(crate) type Tell<'a> = &'a dyn Fn((&Solved, Estimated), &[LevelFacts], Option<&Limit>);
 
 /// Answers a scene, on meshes as fine as its tolerance asks for if errors are estimated.

@@ -1,9 +1,10 @@
-//! Whether a film is what it was computed as: thin, laminar, without inertia, continuous, between smooth and rigid surfaces, and of an
-//! oil whose viscosity law holds.
+//! Whether a film is what it was computed as: thin, laminar, without inertia, continuous, between smooth and rigid
+//! surfaces, and of an oil whose viscosity law holds.
 //!
-//! The laminar film ends with Taylor's vortices at `Re = rho U c/mu = 41.3 sqrt(R/c)` (Taylor, Phil. Trans. A 223 (1923) 289; the limit
-//! of ISO 7902-1); inertia counts where `Re c/R` is about one (Szeri, Fluid Film Lubrication (1998), ch. 5); surfaces touch
-//! where the film is below three times their combined roughness (Hamrock, Schmid, Jacobson (2004), ch. 3).
+//! The laminar film ends with Taylor's vortices at `Re = rho U c/mu = 41.3 sqrt(R/c)` (Taylor, Phil. Trans. A 223
+//! (1923) 289; the limit of ISO 7902-1); inertia counts where `Re c/R` is about one (Szeri, Fluid Film Lubrication
+//! (1998), ch. 5); surfaces touch where the film is below three times their combined roughness (Hamrock, Schmid,
+//! Jacobson (2004), ch. 3).
 
 use oilwedge_reynolds::Bearing;
 use oilwedge_reynolds::existence::readable;
@@ -37,8 +38,8 @@ const HEAT_CAPACITY: f64 = 1.8e6;
 const NOTHING: f64 = 1e-9;
 /// Young's modulus [Pa] and Poisson's ratio [1] of steel.
 const STEEL: [f64; 2] = [2.1e11, 0.3];
-/// Mean deflection of a square on a half space under an even pressure, over `(1 - nu^2) F/(E a)` with its side a (Timoshenko, Goodier, Theory of
-/// Elasticity (1970), art. 139).
+/// Mean deflection of a square on a half space under an even pressure, over `(1 - nu^2) F/(E a)` with its side a
+/// (Timoshenko, Goodier, Theory of Elasticity (1970), art. 139).
 const OF_SQUARE: f64 = 0.95;
 /// Pressure [Pa] at which hard steel yields.
 const YIELDING: f64 = 2e9;
@@ -60,11 +61,11 @@ pub struct Regime {
     pub pressure_exponent: Option<f64>,
     /// Least film thickness over roughness [1]; `None` where the scene gives no roughness.
     pub roughness_ratio: Option<f64>,
-    /// Elastic deflection of journal and liner [m], each a half space of `bearing.elastic_modulus` that carries the load on a square under half of the
-    /// greatest pressure: `2 x 0.95 (1 - nu^2)/E sqrt(W p_max/2)`.
+    /// Elastic deflection of journal and liner [m], each a half space of `bearing.elastic_modulus` that carries the
+    /// load on a square under half of the greatest pressure: `2 x 0.95 (1 - nu^2)/E sqrt(W p_max/2)`.
     pub deflection: f64,
-    /// How much hotter [K] friction would make the oil that leaves than that which is fed, if all heat left with it; `None` where no oil leaves or
-    /// nothing turns.
+    /// How much hotter [K] friction would make the oil that leaves than that which is fed, if all heat left with it;
+    /// `None` where no oil leaves or nothing turns.
     pub temperature_rise: Option<f64>,
 }
 

@@ -1,6 +1,7 @@
 //! What a run found, as scripts read it: `result.json`, and the facts that `oilwedge check` shows.
 //!
-//! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
+//! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never
+//! written.
 
 mod criterion;
 mod dynamics;
@@ -80,20 +81,23 @@ pub struct Balances {
     pub mass: f64,
     /// Power put in less heat, relative to the sum of all powers.
     pub power: f64,
-    /// `T - T_b - W e sin beta`, the moments on journal and bearing less that of the load, as the film's pressures have it, over the friction; zero where
-    /// pockets deepen the film, and of a short bearing.
+    /// `T - T_b - W e sin beta`, the moments on journal and bearing less that of the load, as the film's pressures have
+    /// it, over the friction; zero where pockets deepen the film, and of a short bearing.
     pub moment: f64,
     /// Load minus the force of the film, relative to the load; zero where the position is given.
     pub force: f64,
-    /// Moment of load and support less that of the film, over the load times half of the bearing's length; zero where the tilt is given.
+    /// Moment of load and support less that of the film, over the load times half of the bearing's length; zero where
+    /// the tilt is given.
     pub tilt: f64,
-    /// Deflection of the elastic liner less that by the pressure of the film, relative to it; absent in JSON where the liner is rigid.
+    /// Deflection of the elastic liner less that by the pressure of the film, relative to it; absent in JSON where the
+    /// liner is rigid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deflection: Option<f64>,
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
     #[serde(rename = "heat")]
     pub thermal: f64,
-    /// Over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to the heat; absent in JSON without an orbit.
+    /// Over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to the
+    /// heat; absent in JSON without an orbit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy: Option<f64>,
 }
@@ -126,7 +130,8 @@ pub struct Counts {
     pub position_steps: usize,
     /// Temperatures of the film that were tried.
     pub temperature_steps: usize,
-    /// Films solved for the deflection of an elastic liner at the position of the result; absent in JSON where the liner is rigid.
+    /// Films solved for the deflection of an elastic liner at the position of the result; absent in JSON where the
+    /// liner is rigid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deflection_steps: Option<usize>,
     /// Products with the tangent of film and liner on the way; absent likewise.
@@ -173,7 +178,8 @@ pub struct RunResult {
     pub quantities: Vec<Quantity>,
     /// Whether error bars were asked for and estimated; one that is missing then could not be resolved.
     pub bars: bool,
-    /// Names of quantities that are those of the sharp hill of a mass-conserving film; what follows from them is, too. Absent in JSON where there are none.
+    /// Names of quantities that are those of the sharp hill of a mass-conserving film; what follows from them is, too.
+    /// Absent in JSON where there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub of_hill: Vec<&'static str>,
     /// The meshes on the way to a tolerance, the last being that of the result; none without a tolerance.
@@ -185,14 +191,17 @@ pub struct RunResult {
     /// How the orbit was followed; absent in JSON where none was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orbit: Option<OrbitFacts>,
-    /// How the temperature of the film comes about, and whether the bearing will do; absent in JSON where it was not sought.
+    /// How the temperature of the film comes about, and whether the bearing will do; absent in JSON where it was not
+    /// sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat")]
     pub temperature: Option<TemperatureReport>,
-    /// What the bearing is judged by, and what is usual; absent in JSON where the scene sets no limit and nothing is usual.
+    /// What the bearing is judged by, and what is usual; absent in JSON where the scene sets no limit and nothing is
+    /// usual.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub criteria: Vec<Criterion>,
-    /// How the film answers to small motions of the journal; absent in JSON where that is not asked, or could not be computed.
+    /// How the film answers to small motions of the journal; absent in JSON where that is not asked, or could not be
+    /// computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<DynamicsReport>,
     /// The nonlinear iteration.

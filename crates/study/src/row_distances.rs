@@ -1,8 +1,10 @@
 //! How far columns and rows of a mesh along the flow are apart: by what the film needs around and along the axis.
 //!
-//! **Equation.** Columns are as dense as the thinnest film along the axis needs around. Rows have as many nodes as equilateral triangles; they are denser beside edges through which oil
-//! enters, and where the film of a tilted journal changes along the axis. So a film that is thin at one end only has thin cells there, and no more columns than its width around asks
-//! for. **Verified by** `tests/full/tests/random_tilted.rs` and the convergence of all films that conserve oil.
+//! **Equation.** Columns are as dense as the thinnest film along the axis needs around. Rows have as many nodes as
+//! equilateral triangles; they are denser beside edges through which oil enters, and where the film of a tilted journal
+//! changes along the axis. So a film that is thin at one end only has thin cells there, and no more columns than its
+//! width around asks for. **Verified by** `tests/full/tests/random_tilted.rs` and the convergence of all films that
+//! conserve oil.
 
 use oilwedge_mesh::developed::Liner;
 
@@ -74,7 +76,8 @@ impl RowDistances {
     }
 }
 
-/// What the film of a tilted journal needs along the axis, where it changes fastest around: distances of rows [m] at even places from end to end.
+/// What the film of a tilted journal needs along the axis, where it changes fastest around: distances of rows [m] at
+/// even places from end to end.
 fn by_tilt(liner: &Liner, longest: f64, scale: &FilmScale) -> Vec<f64> {
     const AROUND: u32 = 360;
     const ALONG: u32 = 64;
@@ -105,14 +108,15 @@ fn spacing(liner: &Liner, size: &dyn Fn(f64) -> f64) -> f64 {
     0.75f64.sqrt() * columns / triangles
 }
 
-/// Rows beside an edge through which oil enters a cavity, over the thickness of the layer that it makes, and over rows far from it at
-/// least; how fast they grow with the distance.
+/// Rows beside an edge through which oil enters a cavity, over the thickness of the layer that it makes, and over rows
+/// far from it at least; how fast they grow with the distance.
 const IN_LAYER: f64 = 0.25;
 const FINEST: f64 = 0.1;
 const TOWARDS_EDGE: f64 = 0.2;
 
-/// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of pressure `P` presses
-/// in over one radian of the circumference: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
+/// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of
+/// pressure `P` presses in over one radian of the circumference: `c sqrt(P R/(3 mu U))`, from
+/// `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
 fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
     let drag = 3.0 * Oil::of(scene).viscosity * scene.journal.speed.abs();
     let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
@@ -127,7 +131,8 @@ fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
     all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0).map(|(z, pressure)| (z, thickness(pressure))).collect()
 }
 
-/// Distance of the rows of an orbit's mesh, over that of as many equal cells: the peak of pressure that runs around is steep along the flow. One land of the big end of scene
-/// 28 on 48 x 4, 48 x 8, 64 x 4 and 96 x 4 cells, whose rows are 1.1, 0.5, 1.4 and 2.1 times as far apart as the columns: least film 1.4, 1.4, 0.9 and 0.2 % off. Layers of oil that
+/// Distance of the rows of an orbit's mesh, over that of as many equal cells: the peak of pressure that runs around is
+/// steep along the flow. One land of the big end of scene 28 on 48 x 4, 48 x 8, 64 x 4 and 96 x 4 cells, whose rows are
+/// 1.1, 0.5, 1.4 and 2.1 times as far apart as the columns: least film 1.4, 1.4, 0.9 and 0.2 % off. Layers of oil that
 /// enters beside a groove come and go with the cavity, and finer rows there do not show in it.
 const ROWS_ON_ORBIT: f64 = 1.7;

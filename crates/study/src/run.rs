@@ -54,15 +54,12 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     run_telling(scene, options, None)
 }
 
-/// As [`run`]; `best` is given what the run answers if it ends on the mesh after the present one, each time that a mesh is solved which is not the last.
+/// As [`run`]; `best` is given what the run answers if it ends on the mesh after the present one, each time that a mesh
+/// is solved which is not the last.
 ///
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or does not fit the scene.
-pub fn run_telling(
-    scene: &Scene,
-    options: &RunOptions,
-    best: Option<&dyn Fn(RunResult)>,
-) -> Result<Run, CompileError> {
+pub fn run_telling(scene: &Scene, options: &RunOptions, best: Option<&dyn Fn(RunResult)>) -> Result<Run, CompileError> {
     let clock = Instant::now();
     if let Some(orbit) = &scene.orbit {
         let mut run = on_orbit(scene, orbit, options)?;

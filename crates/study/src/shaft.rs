@@ -1,4 +1,5 @@
-//! A crankshaft on the films of all its bearings: its scene and those of its bearings compiled, solved, and measured bearing by bearing.
+//! A crankshaft on the films of all its bearings: its scene and those of its bearings compiled, solved, and measured
+//! bearing by bearing.
 //!
 //! | file | what |
 //! |---|---|
@@ -50,10 +51,12 @@ pub fn run_shaft(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRun, S
     Ok(run)
 }
 
-/// Parts of the way to the counterweights that serve the cut shaft best, tried one after the other on the shaft of the scene.
+/// Parts of the way to the counterweights that serve the cut shaft best, tried one after the other on the shaft of the
+/// scene.
 const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 
-/// The shaft with counterweights by which its least film grows, beside a run with those of its scene: its own numbers, with what has changed; the run of the scene where the search finds none.
+/// The shaft with counterweights by which its least film grows, beside a run with those of its scene: its own numbers,
+/// with what has changed; the run of the scene where the search finds none.
 ///
 /// # Errors
 /// [`NoWeights`]: why they cannot be sought.

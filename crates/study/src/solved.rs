@@ -83,9 +83,11 @@ pub struct Balance {
     pub unbalanced: f64,
     /// Load less force of the film, relative to the load.
     pub residual: f64,
-    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both relative to the load.
+    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both
+    /// relative to the load.
     pub parts: [f64; 2],
-    /// Moment of the load less that of the film [N m]; `None` where no moment is given, or the support bears a part that depends on the tilt.
+    /// Moment of the load less that of the film [N m]; `None` where no moment is given, or the support bears a part
+    /// that depends on the tilt.
     pub unbalanced_moment: Option<f64>,
     /// What is free.
     pub coordinates: Coordinates,

@@ -1,7 +1,9 @@
-//! The temperature of a film: films at one temperature after the other, until friction heats the oil as much as it carries off.
+//! The temperature of a film: films at one temperature after the other, until friction heats the oil as much as it
+//! carries off.
 //!
-//! The root is sought by quadratic films first, then by those whose numbers are reported. Its bar comes from those of friction and flow
-//! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
+//! The root is sought by quadratic films first, then by those whose numbers are reported. Its bar comes from those of
+//! friction and flow through the slope of their balance; all other numbers change with the temperature as the films on
+//! the way have shown.
 
 use oilwedge_bearing::thermal_balance::Start;
 use oilwedge_bearing::{NoBalance, ThermalBalance, ThermalFlows};
@@ -51,7 +53,8 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
     })
 }
 
-/// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.
+/// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick
+/// searches on them.
 ///
 /// # Errors
 /// The scene does not become a film.

@@ -15,7 +15,8 @@ use crate::warning::{self, Warning};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
-/// All warnings beside the result of a solved film of `scene`: about the film, its errors, and assumptions that it breaks.
+/// All warnings beside the result of a solved film of `scene`: about the film, its errors, and assumptions that it
+/// breaks.
 pub fn all_warnings(scene: &Scene, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
     let regime = Regime::of(scene, &solved.film, &estimated.measured);
     let mut warnings = result_warnings(solved, estimated, errors);

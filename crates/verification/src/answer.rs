@@ -67,7 +67,8 @@ pub(crate) fn solve(table: &Table) -> Answer {
     solve_within(table, MOST_UNKNOWNS)
 }
 
-/// Solves the scene of a table on meshes of at most so many unknowns; where they do not reach its tolerance, the best of them is the answer.
+/// Solves the scene of a table on meshes of at most so many unknowns; where they do not reach its tolerance, the best
+/// of them is the answer.
 pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
     let scene = match read(table) {
         Ok(scene) => scene,
@@ -106,7 +107,8 @@ fn with_causes(error: &dyn std::error::Error) -> String {
     words
 }
 
-/// The scene of a case as it is solved: its mesh file is made in the folder `dir`, and the coefficient of its viscosity law is found.
+/// The scene of a case as it is solved: its mesh file is made in the folder `dir`, and the coefficient of its viscosity
+/// law is found.
 ///
 /// # Errors
 /// Why it cannot be made, in words.
@@ -140,8 +142,8 @@ pub(crate) fn with_law(scene: &Table, alpha: f64, law: &LimitedLaw) -> Table {
 /// Halvings of the interval in which a fold lies.
 const HALVINGS: usize = 16;
 
-/// The greatest coefficient [1/Pa] of a viscosity law with a film: the reciprocal of the greatest pressure of the oil without it, or
-/// the fold of the as-printed equation, which lies below that.
+/// The greatest coefficient [1/Pa] of a viscosity law with a film: the reciprocal of the greatest pressure of the oil
+/// without it, or the fold of the as-printed equation, which lies below that.
 ///
 /// # Errors
 /// There is no film without it.

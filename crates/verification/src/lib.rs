@@ -1,15 +1,17 @@
 //! Hard cases of the oil film: that the solver converges, or gives the reason why there is no answer.
 //!
-//! A case is a scene at the edge of what can be computed, with the reason why it is there and how it must end. Each answer is
-//! judged three times: by itself (balances, signs, bars: `faults.rs`), beside the other cases of its series (trends, the same
-//! digits: `series.rs`), and by a second method (a finer mesh, another scene, known values: `reference_film.rs`).
+//! A case is a scene at the edge of what can be computed, with the reason why it is there and how it must end. Each
+//! answer is judged three times: by itself (balances, signs, bars: `faults.rs`), beside the other cases of its series
+//! (trends, the same digits: `series.rs`), and by a second method (a finer mesh, another scene, known values:
+//! `reference_film.rs`).
 //!
 //! ```text
 //! tests/hard_cases/*.toml -> family -> cases -> answer (made_mesh) -> faults, series, reference_film -> Verdict -> page
 //! grid of eccentricities  -> map -> cells -> page, picture
 //! ```
 //!
-//! Reading order: [`family`] (the form of the files), [`cases`], `answer.rs`, `faults.rs`, `reference_film.rs`, [`suite`], [`map`], [`page`].
+//! Reading order: [`family`] (the form of the files), [`cases`], `answer.rs`, `faults.rs`, `reference_film.rs`,
+//! [`suite`], [`map`], [`page`].
 
 mod answer;
 pub mod cases;

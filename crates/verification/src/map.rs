@@ -1,4 +1,5 @@
-//! The map of where the solver is stable: eccentricity against the coefficient of the viscosity law over its limit, and against slenderness.
+//! The map of where the solver is stable: eccentricity against the coefficient of the viscosity law over its limit, and
+//! against slenderness.
 
 use crate::map_picture::{CellMap, Outcome};
 use serde::Deserialize;

@@ -14,7 +14,8 @@ use crate::family::{Against, ClosedForm, Known, Other, Series};
 const FINER: f64 = 0.25;
 /// Those of mass-conserving films, whose meshes grow faster.
 const HALF: f64 = 0.5;
-/// Bars of mass-conserving films hold in some 95 of 100 cases (docs/theory/error_estimation_jfo.md); this many bars must in all.
+/// Bars of mass-conserving films hold in some 95 of 100 cases (docs/theory/error_estimation_jfo.md); this many bars
+/// must in all.
 const CONSERVING: f64 = 2.0;
 /// Unknowns of the finer mesh at most.
 const MOST_UNKNOWNS: usize = 20_000;

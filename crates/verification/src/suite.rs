@@ -101,9 +101,9 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
     Ok(work(names, long)?.iter().map(|work| work.cases.len()).sum())
 }
 
-/// Runs the cases of the families named (all if none is named), those that take `long` among them or not, and reports each
-/// series as it ends: as many series at once as there are threads, then those that take long, each on all threads. The
-/// verdicts come in the order of the files.
+/// Runs the cases of the families named (all if none is named), those that take `long` among them or not, and reports
+/// each series as it ends: as many series at once as there are threads, then those that take long, each on all threads.
+/// The verdicts come in the order of the files.
 ///
 /// # Errors
 /// [`SuiteError`].

@@ -1,8 +1,8 @@
 //! One benchmark for each structurally different path, by unknowns: `cargo bench -p oilwedge-full [-- PATH]`.
 //!
-//! Beside each size stands the floor: the bytes that must be moved and the operations that must be done, at the rates that
-//! this machine shows in the same run (`performance::floor`). All on one thread; the page `docs/performance.md` has two as well.
-//! Baselines: keep the output of one run beside that of another on the same quiet machine; the gate is
+//! Beside each size stands the floor: the bytes that must be moved and the operations that must be done, at the rates
+//! that this machine shows in the same run (`performance::floor`). All on one thread; the page `docs/performance.md`
+//! has two as well. Baselines: keep the output of one run beside that of another on the same quiet machine; the gate is
 //! `cargo run --release -p oilwedge-full -- performance gate`.
 
 use std::fmt;

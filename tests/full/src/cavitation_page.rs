@@ -1,4 +1,5 @@
-//! The tables of `docs/theory/cavitation.md`: the models side by side, and how well the figures of other codes are reached.
+//! The tables of `docs/theory/cavitation.md`: the models side by side, and how well the figures of other codes are
+//! reached.
 
 use crate::tables::{replace, row};
 use oilwedge_tests::journal_bearings::{Ring, block, number, reference};

@@ -1,5 +1,5 @@
-//! How often error bars hold: bearings by chance and shipped scenes, solved on meshes of several sizes and compared with
-//! far finer ones.
+//! How often error bars hold: bearings by chance and shipped scenes, solved on meshes of several sizes and compared
+//! with far finer ones.
 //!
 //! | file | what |
 //! |---|---|

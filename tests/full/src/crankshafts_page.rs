@@ -1,4 +1,5 @@
-//! The page `docs/validation/crankshafts.md`: shafts at rest against a second code and limits in closed form, and engines over a cycle.
+//! The page `docs/validation/crankshafts.md`: shafts at rest against a second code and limits in closed form, and
+//! engines over a cycle.
 
 use oilwedge_scene::ShaftScene;
 use oilwedge_study::quantities::{

@@ -1,5 +1,5 @@
-//! The page `docs/validation/engine_bearings.md`: a car's crankshaft bearing in balance of heat, and the bearing and bolts of a
-//! tractor's connecting rod.
+//! The page `docs/validation/engine_bearings.md`: a car's crankshaft bearing in balance of heat, and the bearing and
+//! bolts of a tractor's connecting rod.
 
 use oilwedge_tests::engine_bearings::{CAR, by_film, by_standard, car, tractor};
 

@@ -148,7 +148,8 @@ fn of_sweep(sweep: &Sweep, picture: &str) -> (String, String, String) {
     (extremes(&report, &value), effects, figure.to_svg())
 }
 
-/// The quantities of a sweep where they are least and greatest: those that the scene asks for, in their units, else the main ones.
+/// The quantities of a sweep where they are least and greatest: those that the scene asks for, in their units, else the
+/// main ones.
 fn extremes(report: &SweepReport, value: &Value) -> String {
     let head = row(["quantity", "symbol", "least", "± error", "greatest", "± error", "unit"]);
     let all = &report.columns.quantities;

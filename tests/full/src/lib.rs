@@ -1,7 +1,7 @@
 //! What the full tier of tests and the pages of `docs` are made of: random lists, measurements, tables and figures.
 //!
-//! `cargo test --release --workspace --test full` runs the full tier; `cargo run --release -p oilwedge-full` lists the commands that
-//! measure, or write pages anew. Neither is built by the quick tier.
+//! `cargo test --release --workspace --test full` runs the full tier; `cargo run --release -p oilwedge-full` lists the
+//! commands that measure, or write pages anew. Neither is built by the quick tier.
 
 pub mod book;
 pub mod cavitation_page;

@@ -67,7 +67,8 @@ pub fn to_bytes(file: &MshFile, form: Form) -> Vec<u8> {
     out.bytes
 }
 
-/// Vertices and triangles of a mesh in an order without locality, so that a reader is not helped; mid-side nodes are left out.
+/// Vertices and triangles of a mesh in an order without locality, so that a reader is not helped; mid-side nodes are
+/// left out.
 pub fn scattered(file: &MshFile) -> MshFile {
     let mut is_vertex = vec![false; file.nodes.len()];
     for &vertex in file.triangles.iter().flatten() {

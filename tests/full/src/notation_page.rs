@@ -1,5 +1,5 @@
-//! The page `docs/theory/notation.md`: the symbols of all pages. Those of quantities and fields are rows of their catalogues; here stand the others, and
-//! the keys of scenes that give them.
+//! The page `docs/theory/notation.md`: the symbols of all pages. Those of quantities and fields are rows of their
+//! catalogues; here stand the others, and the keys of scenes that give them.
 
 use std::collections::BTreeSet;
 
@@ -53,7 +53,8 @@ fn lines() -> Vec<Line> {
         what: field.what,
         names: vec![field.name.to_owned()],
     });
-    // Of several quantities with one symbol the one with the shortest name comes first: the others are its parts, or its greatest over a cycle.
+    // Of several quantities with one symbol the one with the shortest name comes first: the others are its parts, or
+    // its greatest over a cycle.
     let mut rows: Vec<_> = CATALOGUE.iter().filter(|row| !is_coefficient(row.name)).collect();
     rows.sort_by_key(|row| (row.table != Table::Film, row.name.len()));
     let quantities = rows.into_iter().map(|row| Line {

@@ -1,5 +1,5 @@
-//! The page `docs/validation/orbits.md`: the synthetic big end of scene 27 against structured finite volumes and a closed film, and its
-//! orbits by maps.
+//! The page `docs/validation/orbits.md`: the synthetic big end of scene 27 against structured finite volumes and a
+//! closed film, and its orbits by maps.
 
 use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, Row};

@@ -1,5 +1,5 @@
-//! The page `docs/validation/prices.md`: predicted prices of the next digit against what it then costs, and how long the shipped
-//! scenes take for an answer of 0.1 %.
+//! The page `docs/validation/prices.md`: predicted prices of the next digit against what it then costs, and how long
+//! the shipped scenes take for an answer of 0.1 %.
 
 use std::path::Path;
 use std::process::Command;

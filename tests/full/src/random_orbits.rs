@@ -53,7 +53,8 @@ impl RandomOrbit {
         Self::new(number, [0.5, 4.0], "cycles = 6")
     }
 
-    /// A bearing under loads from almost none to far too much, at times with a rotor, off the middle, with a hole, or an arc.
+    /// A bearing under loads from almost none to far too much, at times with a rotor, off the middle, with a hole, or
+    /// an arc.
     pub fn of_any_kind(number: u64) -> Self {
         let mut dice = Dice::new(9_500_000 + number);
         let mass = match dice.chance(0.2) {

@@ -1,4 +1,5 @@
-//! Random shafts of one to four throws with random firing orders on the films of all their bearings; the same on every run.
+//! Random shafts of one to four throws with random firing orders on the films of all their bearings; the same on every
+//! run.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +16,8 @@ use oilwedge_tests::random_bearings::Dice;
 
 /// Clearance of the bearings [m].
 const CLEARANCE: f64 = 28e-6;
-/// What the balances of force and moment, and the equations of all journals, may be off by at any step, over the loads [1].
+/// What the balances of force and moment, and the equations of all journals, may be off by at any step, over the loads
+/// [1].
 const BALANCED: f64 = 1e-8;
 
 /// Eccentricity for which meshes of shafts at rest are graded.
@@ -36,7 +38,8 @@ pub fn bearing(folder: &Path) -> PathBuf {
     path
 }
 
-/// Shaft `number`, each throw between two mains that have the scene `bearing`: sizes, stiffness, firing angles and loads are random.
+/// Shaft `number`, each throw between two mains that have the scene `bearing`: sizes, stiffness, firing angles and
+/// loads are random.
 pub fn scene(number: u64, bearing: &Path) -> String {
     let mut dice = Dice::new(12_000_000 + number);
     let throws = dice.between(1.0, 4.999) as usize;
@@ -98,8 +101,8 @@ pub fn solved(scene: &str, max_seconds: f64) -> ShaftResult {
     run_shaft(&read, &options).unwrap_or_else(|error| panic!("{error}\n{scene}")).result
 }
 
-/// At which of `count` even crank angles of a cycle [deg] the films have no balance under the loads of that angle if these last; the second list has those at which a search takes
-/// longer than [`REST_SECONDS`].
+/// At which of `count` even crank angles of a cycle [deg] the films have no balance under the loads of that angle if
+/// these last; the second list has those at which a search takes longer than [`REST_SECONDS`].
 ///
 /// # Panics
 /// The scene is refused.
@@ -121,7 +124,8 @@ pub fn without_rest(scene: &str, count: u32) -> [Vec<f64>; 2] {
     lists
 }
 
-/// What is wrong with an answer: neither closed nor explained, a journal in the wall, a balance that is off, or no number.
+/// What is wrong with an answer: neither closed nor explained, a journal in the wall, a balance that is off, or no
+/// number.
 pub fn fault(result: &ShaftResult) -> Option<String> {
     let quantities = result.bearings.iter().flat_map(|bearing| &bearing.quantities);
     if let Some(quantity) = quantities.into_iter().find(|quantity| !quantity.value.is_finite()) {

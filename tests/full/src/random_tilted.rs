@@ -1,5 +1,5 @@
-//! Random bearings whose journal tilts: under loads off the middle, moments and supports, or at given tilts, with every model of cavitation,
-//! with holes and grooves; the same on every run.
+//! Random bearings whose journal tilts: under loads off the middle, moments and supports, or at given tilts, with every
+//! model of cavitation, with holes and grooves; the same on every run.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
@@ -195,7 +195,8 @@ pub fn left(result: &oilwedge_study::result::RunResult) -> f64 {
     balances.force.max(balances.tilt).max(balances.deflection.unwrap_or_default())
 }
 
-/// Solves a bearing with the usual options, its limit of time one of processor time; how it ended, and what is wrong with it.
+/// Solves a bearing with the usual options, its limit of time one of processor time; how it ended, and what is wrong
+/// with it.
 ///
 /// # Panics
 /// If the scene cannot be compiled.

@@ -1,4 +1,5 @@
-//! Figures 2 to 14 of the document, drawn anew: the right short bearing in lines, its real length in dashes, what is printed in marks.
+//! Figures 2 to 14 of the document, drawn anew: the right short bearing in lines, its real length in dashes, what is
+//! printed in marks.
 
 use std::f64::consts::PI;
 
@@ -14,7 +15,8 @@ use oilwedge_tests::short_crankshaft::{SPEEDS, SQUEEZES, Scales, film_at, right,
 /// Colours of the speeds.
 const COLOURS: [Colour; 5] = [BLUE, SKY, GREEN, ORANGE, VERMILION];
 const GREY: Colour = Colour([150, 150, 150]);
-/// The document's dimensionless pressures, loads and flows are four times too small, for its width is half of the right one.
+/// The document's dimensionless pressures, loads and flows are four times too small, for its width is half of the right
+/// one.
 const LOST: f64 = 4.0;
 /// Steps of a curve.
 const STEPS: u32 = 180;

@@ -1,4 +1,5 @@
-//! The pages `docs/validation/tilted_bearings.md` and `elastic_bearings.md`: how random bearings whose journal tilts end.
+//! The pages `docs/validation/tilted_bearings.md` and `elastic_bearings.md`: how random bearings whose journal tilts
+//! end.
 
 use oilwedge_study::result::Status;
 use serde_json::{Value, json};

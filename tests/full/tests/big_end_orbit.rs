@@ -24,7 +24,8 @@ fn changed(changes: &[(&str, &str)]) -> (RunResult, OrbitPath) {
     (run.result, run.orbit.expect("a path"))
 }
 
-/// The short half film by quadrature, integrated to 1e-10. The journal begins in the place of the closed film: one cycle leads back to it.
+/// The short half film by quadrature, integrated to 1e-10. The journal begins in the place of the closed film: one
+/// cycle leads back to it.
 #[test]
 fn the_short_film_of_the_big_end_runs_as_the_closed_one() {
     let begin = "closure = 1e-3\nstart = { eccentricity = 0.80367, angle = \"15.4795 deg\" }\ntolerance = 1e-4";
@@ -58,7 +59,8 @@ fn the_short_film_of_the_big_end_runs_as_the_closed_one() {
     }
 }
 
-/// What turns the journal and the work of the load become heat: to 1e-3 at the default tolerance, and the better the smaller it is.
+/// What turns the journal and the work of the load become heat: to 1e-3 at the default tolerance, and the better the
+/// smaller it is.
 #[test]
 fn the_energy_of_a_cycle_is_balanced() {
     let left = |tolerance: &str| {
@@ -73,7 +75,8 @@ fn the_energy_of_a_cycle_is_balanced() {
     assert!(usual < 1e-3 && usual < 0.3 * rough, "{rough} {usual}");
 }
 
-/// Least film [um] of one land of the big end beside its groove at 0.2 MPa, on 96 x 8 control volumes, in the last of so many cycles.
+/// Least film [um] of one land of the big end beside its groove at 0.2 MPa, on 96 x 8 control volumes, in the last of
+/// so many cycles.
 fn beside_the_groove(cavitation: Cavitation, cycles: usize) -> f64 {
     let (radius, length, clearance) = (0.1016, 0.05715, 82.55e-6);
     let mut problem = plain_film(length, 0.0, 0.0, 600.0 * TAU / 60.0);
@@ -111,8 +114,8 @@ fn beside_the_groove(cavitation: Cavitation, cycles: usize) -> f64 {
     1e6 * gaps.fold(f64::INFINITY, f64::min)
 }
 
-/// On one mesh the film that remembers is thinner than that of Swift and Stieber: 5.522 against 5.672 um in structured finite volumes on 192 x 16 cells, 5.400 against
-/// 5.604 um on 96 x 8.
+/// On one mesh the film that remembers is thinner than that of Swift and Stieber: 5.522 against 5.672 um in structured
+/// finite volumes on 192 x 16 cells, 5.400 against 5.604 um on 96 x 8.
 #[test]
 fn the_big_end_is_thinner_where_its_oil_is_conserved() {
     let with_memory = beside_the_groove(Cavitation::Jfo { pressure: 0.0 }, 3);

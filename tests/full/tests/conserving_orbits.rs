@@ -57,8 +57,9 @@ fn end(orbit: &Orbit) -> [f64; 2] {
     [x / CLEARANCE, y / CLEARANCE]
 }
 
-/// Under a load that turns with the journal, and so with a shell that carries its groove all around, the journal runs round at the eccentricity of the bearing
-/// whose load is at rest: turning frames exchange the speeds omega and omega - 2 omega. Nodes fill and empty all along: 35 steps a turn leave 6e-4, 82 steps leave 5e-5.
+/// Under a load that turns with the journal, and so with a shell that carries its groove all around, the journal runs
+/// round at the eccentricity of the bearing whose load is at rest: turning frames exchange the speeds omega and omega -
+/// 2 omega. Nodes fill and empty all along: 35 steps a turn leave 6e-4, 82 steps leave 5e-5.
 #[test]
 fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
     let film = land(CONSERVING, [96, 1]);
@@ -106,8 +107,9 @@ fn thinnest(orbit: &Orbit) -> f64 {
     gaps.fold(f64::INFINITY, f64::min)
 }
 
-/// The film that remembers has less oil, so less pressure at the same place and velocity. Under a heavy load that is missing below the load, and the film is
-/// thinner than that of Swift and Stieber. Under a light one it is missing on the other side, where the groove presses the journal into its load: the film is thicker.
+/// The film that remembers has less oil, so less pressure at the same place and velocity. Under a heavy load that is
+/// missing below the load, and the film is thinner than that of Swift and Stieber. Under a light one it is missing on
+/// the other side, where the groove presses the journal into its load: the film is thicker.
 #[test]
 fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicker_under_light_ones() {
     let [conserving, forgetting] =
@@ -145,8 +147,8 @@ fn an_orbit_closes_with_its_oil() {
     assert!(oils.last().is_some_and(|oil| oil.closure < 1e-4), "{oils:?}");
 }
 
-/// A journal that does not turn sinks: the film above it breaks and none of it fills again, the film below is full. So the film of Swift and Stieber, which
-/// forgets, is the same.
+/// A journal that does not turn sinks: the film above it breaks and none of it fills again, the film below is full. So
+/// the film of Swift and Stieber, which forgets, is the same.
 #[test]
 fn a_journal_at_rest_sinks_as_in_a_film_without_memory() {
     let duty = Duty { force: [0.2 * unit_of_force(), 0.0], moment: [0.0; 2], speed: 0.0 };

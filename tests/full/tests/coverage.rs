@@ -1,5 +1,5 @@
-//! Error bars hold, and are not much wider than the errors: bearings by chance, other ones than the rules were chosen on
-//! and other ones than those of `docs/validation/accuracy.md`.
+//! Error bars hold, and are not much wider than the errors: bearings by chance, other ones than the rules were chosen
+//! on and other ones than those of `docs/validation/accuracy.md`.
 
 use oilwedge_full::coverage::bearings::{Bearing, Family, bearing};
 use oilwedge_full::coverage::tally::{Of, Pair, Tally, coverage, quantile, tally};

@@ -28,7 +28,8 @@ fn load_table(times: f64) -> String {
     table
 }
 
-/// Runs a bearing with a feed under this many times the load, its cavity by this model and its oil at a temperature that is given or found.
+/// Runs a bearing with a feed under this many times the load, its cavity by this model and its oil at a temperature
+/// that is given or found.
 fn cycle(feed: &str, model: &str, heat: &str, times: f64, options: &RunOptions) -> RunResult {
     let folder = TempDir::new().expect("a folder");
     std::fs::write(folder.path().join("load.csv"), load_table(times)).expect("a table");

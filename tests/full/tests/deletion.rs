@@ -1,7 +1,9 @@
-//! The deletion test: an effect goes away by deleting its files and its rows, and following at most five compile errors.
+//! The deletion test: an effect goes away by deleting its files and its rows, and following at most five compile
+//! errors.
 //!
-//! A copy of the tree loses the files and the rows of two effects. The lines at which the compiler then reports errors are deleted too, and counted for the effect that they name, until the
-//! program compiles; it must solve the plain scene to the same number.
+//! A copy of the tree loses the files and the rows of two effects. The lines at which the compiler then reports errors
+//! are deleted too, and counted for the effect that they name, until the program compiles; it must solve the plain
+//! scene to the same number.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -163,7 +165,8 @@ fn errors(tree: &Path) -> BTreeSet<(PathBuf, usize)> {
         .collect()
 }
 
-/// Builds the program of the copy with the dependencies of this test's profile; the crates of the copy are not optimised.
+/// Builds the program of the copy with the dependencies of this test's profile; the crates of the copy are not
+/// optimised.
 fn build(tree: &Path) -> Command {
     let mut cargo = cargo();
     let profile = if cfg!(debug_assertions) { "dev" } else { "release" };

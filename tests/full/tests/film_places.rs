@@ -37,8 +37,9 @@ fn is(result: &RunResult, name: &str, expected: f64, most: f64) {
 
 const LONG: &str = "theory = 'long'\nfilm_start = '30 deg'";
 
-/// Sommerfeld's long film (Z. Math. Phys. 50 (1904) 97): the pressure is greatest where `cos theta = -3 eps/(2 + eps^2)`, theta from the widest film.
-/// With Guembel's condition the film ends where it is thinnest.
+/// Sommerfeld's long film (Z. Math. Phys. 50 (1904) 97): the pressure is greatest where
+/// `cos theta = -3 eps/(2 + eps^2)`, theta from the widest film. With Guembel's condition the film ends where it is
+/// thinnest.
 #[test]
 fn long_films_of_sommerfeld_and_guembel() {
     for eccentricity in [0.3f64, 0.6, 0.8] {
@@ -57,8 +58,10 @@ fn long_films_of_sommerfeld_and_guembel() {
     }
 }
 
-/// Swift (1932) and Stieber (1933) in the long film: with Sommerfeld's angle psi, `1 + eps cos theta = (1 - eps^2)/(1 - eps cos psi)`, the film ruptures at psi_s
-/// where `sin psi_s - psi_s cos psi_s = (eps/2) (psi_s - sin psi_s cos psi_s)`, and the pressure is greatest at `2 pi - psi_s`.
+/// Swift (1932) and Stieber (1933) in the long film: with Sommerfeld's angle psi,
+/// `1 + eps cos theta = (1 - eps^2)/(1 - eps cos psi)`, the film ruptures at psi_s where
+/// `sin psi_s - psi_s cos psi_s = (eps/2) (psi_s - sin psi_s cos psi_s)`, and the pressure is greatest at
+/// `2 pi - psi_s`.
 #[test]
 fn long_films_of_swift_and_stieber() {
     for eccentricity in [0.4f64, 0.7] {
@@ -86,8 +89,8 @@ fn long_films_of_swift_and_stieber() {
     }
 }
 
-/// Ocvirk's short film (NACA TN 2808, 1952), `p ~ sin theta/(1 + eps cos theta)^3`: greatest where `cos theta = (1 - sqrt(1 + 24 eps^2))/(4 eps)`, at mid-length;
-/// loaded over the half of the ring that converges.
+/// Ocvirk's short film (NACA TN 2808, 1952), `p ~ sin theta/(1 + eps cos theta)^3`: greatest where
+/// `cos theta = (1 - sqrt(1 + 24 eps^2))/(4 eps)`, at mid-length; loaded over the half of the ring that converges.
 #[test]
 fn short_films_of_ocvirk() {
     for eccentricity in [0.3f64, 0.8] {
@@ -100,7 +103,8 @@ fn short_films_of_ocvirk() {
     }
 }
 
-/// A liner that does not reach the minimum film has its thinnest film at an edge; one that is full to its edges begins and ends there.
+/// A liner that does not reach the minimum film has its thinnest film at an edge; one that is full to its edges begins
+/// and ends there.
 #[test]
 fn arcs_end_at_their_edges() {
     let scene = |angle: f64| {

@@ -1,4 +1,5 @@
-//! The greatest speeds with a film of the FlexPDE study, by both forms of its equation, against the independent recomputation.
+//! The greatest speeds with a film of the FlexPDE study, by both forms of its equation, against the independent
+//! recomputation.
 
 use oilwedge_tests::flexpde_study::limits;
 

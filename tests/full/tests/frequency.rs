@@ -53,7 +53,8 @@ fn coefficients_follow_the_frequency() {
     });
 }
 
-/// The coefficients of slow motions are the limit of those at a frequency; the whirl at which a rotor is judged is its own.
+/// The coefficients of slow motions are the limit of those at a frequency; the whirl at which a rotor is judged is its
+/// own.
 #[test]
 fn slow_motions_are_the_limit_and_the_whirl_is_its_own() {
     let system = ring_system(60, 8, 0.06, Some(100f64.to_radians()));

@@ -1,6 +1,6 @@
-//! Half a minute of coverage-guided fuzzing from the corpus of the repository. The targets are a workspace of their own,
-//! `fuzz/`; they are built here with libFuzzer, which needs a C++ compiler;
-//! without one this is left out, and named.
+//! Half a minute of coverage-guided fuzzing from the corpus of the repository. The targets are a workspace of their
+//! own, `fuzz/`; they are built here with libFuzzer, which needs a C++ compiler; without one this is left out, and
+//! named.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -48,7 +48,8 @@ fn fuzz(programs: &Path, target: &str, seconds: u32) -> Option<String> {
     let found = repository().join("target/fuzz/artifacts");
     std::fs::create_dir_all(&found).expect("a folder for what is found");
     let new = tempfile::tempdir().expect("a folder for new inputs");
-    // A program takes over the peak of memory of the process that starts it, and libFuzzer counts that. A shell has little.
+    // A program takes over the peak of memory of the process that starts it, and libFuzzer counts that. A shell has
+    // little.
     let mut command = in_fuzz("sh");
     command
         .args(["-c", "\"$0\" \"$@\"; exit $?"])

@@ -1,5 +1,5 @@
-//! The full tier: what takes minutes, or compares pages of figures. `cargo test --release --workspace --test full cavitation` runs
-//! a part of it.
+//! The full tier: what takes minutes, or compares pages of figures.
+//! `cargo test --release --workspace --test full cavitation` runs a part of it.
 
 mod big_end_orbit;
 #[cfg(unix)]

@@ -9,8 +9,9 @@ use oilwedge_study::{RunOptions, read, run, warning};
 use oilwedge_tests::scenes::parsed;
 use oilwedge_tests::scenes::path;
 
-/// One land of a big end, Swift-Stieber: least film 5.7389 um, greatest pressure 43.739 MPa, losses of both lands 1140.17 + 102.81 W by structured finite
-/// volumes on two grids, extrapolated; each is within its bar and that of the reference.
+/// One land of a big end, Swift-Stieber: least film 5.7389 um, greatest pressure 43.739 MPa, losses of both lands
+/// 1140.17 + 102.81 W by structured finite volumes on two grids, extrapolated; each is within its bar and that of the
+/// reference.
 #[test]
 fn the_big_end_of_the_shipped_scene_is_that_of_finite_volumes() {
     let scene = read(&path("27_big_end_orbit")).expect("a scene");
@@ -80,7 +81,8 @@ fn too_few_cycles_are_an_answer_with_numbers() {
     assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some());
 }
 
-/// Without bars an orbit has the same numbers. Frames stand at even crank angles, with the axis of the journal where the path has it.
+/// Without bars an orbit has the same numbers. Frames stand at even crank angles, with the axis of the journal where
+/// the path has it.
 #[test]
 fn an_orbit_is_the_same_without_bars_and_is_drawn_film_by_film() {
     let scene = parsed(SCENE).expect("a scene");
@@ -213,8 +215,9 @@ fn an_orbit_is_continued() {
     assert!(second.cycles[0].closure < 0.1 * facts.cycles[0].closure, "{second:?} {facts:?}");
 }
 
-/// The synthetic big end with oil at 2 bar in its groove, mass-conserving: least film 5.577 um and greatest pressure 45.6 MPa by structured finite volumes, extrapolated from four grids
-/// (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x 32 cells a land): each to 1 %.
+/// The synthetic big end with oil at 2 bar in its groove, mass-conserving: least film 5.577 um and greatest pressure
+/// 45.6 MPa by structured finite volumes, extrapolated from four grids (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x
+/// 32 cells a land): each to 1 %.
 #[test]
 fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let scene = read(&path("28_big_end_orbit_conserving")).expect("a scene");

@@ -3,7 +3,8 @@
 use oilwedge_full::random_shafts::{bearing, fault, scene, solved};
 use oilwedge_study::result::Status;
 
-/// Two throws with a support that yields, which close; four throws, and one throw whose webs bend, which are squeezed out.
+/// Two throws with a support that yields, which close; four throws, and one throw whose webs bend, which are squeezed
+/// out.
 const NUMBERS: [u64; 3] = [1, 13, 15];
 
 /// Each closes or says why not, with films inside, balances kept, and no number lost.

@@ -1,4 +1,5 @@
-//! A few of the random tilted bearings that the program `tilted` of these tests solves by the hundred: those that take milliseconds.
+//! A few of the random tilted bearings that the program `tilted` of these tests solves by the hundred: those that take
+//! milliseconds.
 
 use oilwedge_full::random_tilted::{TiltedBearing, solved};
 use oilwedge_study::result::{RunResult, Status};
@@ -16,7 +17,8 @@ fn random_tilted_bearings_converge() {
     });
 }
 
-/// A coarse mesh shows contact long before the film does: the balance is found on meshes that resolve the thin film at the end.
+/// A coarse mesh shows contact long before the film does: the balance is found on meshes that resolve the thin film at
+/// the end.
 #[test]
 fn contact_is_judged_by_a_mesh_that_resolves_it() {
     let (result, fault) = solved(&TiltedBearing::new(51));
@@ -24,7 +26,8 @@ fn contact_is_judged_by_a_mesh_that_resolves_it() {
     assert!(fault.is_none(), "{fault:?}");
 }
 
-/// On elastic liners a mass-conserving film whose load is far beyond the capacity of the Swift-Stieber film is refused with that reason, and a journal that tips over is reported as such.
+/// On elastic liners a mass-conserving film whose load is far beyond the capacity of the Swift-Stieber film is refused
+/// with that reason, and a journal that tips over is reported as such.
 #[test]
 fn walls_that_give_way_leave_a_reason() {
     for (number, told) in [(198, "found for the Swift-Stieber film"), (94, "tips over")] {
@@ -35,7 +38,8 @@ fn walls_that_give_way_leave_a_reason() {
     }
 }
 
-/// A film of 2 thousandths of the clearance at one end only is resolved by thin cells there, on less than 5 000 unknowns: with cells as short all around and all along the bearing its first mesh had 34 000.
+/// A film of 2 thousandths of the clearance at one end only is resolved by thin cells there, on less than 5 000
+/// unknowns: with cells as short all around and all along the bearing its first mesh had 34 000.
 #[test]
 fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
     let (result, fault) = solved(&TiltedBearing::new(219));
@@ -51,8 +55,8 @@ fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
     assert!(first.errors[0].1 < 0.01, "{first:?}");
 }
 
-/// A full film carries a moment up to a fold, beyond which it resists tilt no more. With a part of the moment below that of the fold the journal is balanced, with one
-/// above it is not, and the reason says so.
+/// A full film carries a moment up to a fold, beyond which it resists tilt no more. With a part of the moment below
+/// that of the fold the journal is balanced, with one above it is not, and the reason says so.
 #[test]
 fn a_journal_that_tips_over_is_told() {
     let bearing = TiltedBearing::new(26);

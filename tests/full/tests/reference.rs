@@ -24,7 +24,8 @@ fn table_of<'a>(scene: &'a mut toml::Table, name: &str) -> Option<&'a mut toml::
     scene.get_mut(name).and_then(toml::Value::as_table_mut)
 }
 
-/// Scene 01 with the keys of a fragment; a load takes the place of its position, a law of temperature that of its viscosity.
+/// Scene 01 with the keys of a fragment; a load takes the place of its position, a law of temperature that of its
+/// viscosity.
 fn plain_ring_with(fragment: &str) -> toml::Table {
     let text = std::fs::read_to_string(path("01_plain_ring")).expect("scene 01");
     let mut scene: toml::Table = text.parse().expect("scene 01 is TOML");
@@ -58,7 +59,8 @@ pub(crate) fn parse_fragment(fragment: &str) -> Result<Scene, SceneError> {
     parse(&plain_ring_with(fragment))
 }
 
-/// Each table of the catalogue has a section, and each key its row or, where it has no table of its own, its place in the text.
+/// Each table of the catalogue has a section, and each key its row or, where it has no table of its own, its place in
+/// the text.
 #[test]
 fn every_key_of_a_scene_is_explained() {
     let page = page("scene.md");

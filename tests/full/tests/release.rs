@@ -1,4 +1,5 @@
-//! What `tools/release.sh` makes works without Rust: the program, the Python package, checksums, bill of materials, licences, manual.
+//! What `tools/release.sh` makes works without Rust: the program, the Python package, checksums, bill of materials,
+//! licences, manual.
 
 use std::fs::read_to_string;
 use std::process::Command;

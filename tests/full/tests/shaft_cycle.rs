@@ -80,8 +80,8 @@ fn an_engine_runs_as_one_shaft_and_cut_at_its_mains() {
     shows_all_bearings_and_the_cut_shaft(folder.path(), &whole, cut);
 }
 
-/// Checks the least film of each main bearing of the `cut` shaft over the cycle against that of a single bearing under the loads of its throws, to 1e-6: meshes and steps in
-/// time are the same.
+/// Checks the least film of each main bearing of the `cut` shaft over the cycle against that of a single bearing under
+/// the loads of its throws, to 1e-6: meshes and steps in time are the same.
 fn mains_have_the_orbits_of_single_bearings(cut: &ShaftRun, engine: &str) {
     let films = numbers(cut, &CYCLE_FILM_THICKNESS_MIN);
     let bearing = changed(&text("bearings/main_85.toml"), "[journal]", &format!("{MESH}[journal]"));

@@ -1,4 +1,5 @@
-//! Shipped scenes as they are: the same bits on one thread and on three, and the orbit with a wall against finite volumes.
+//! Shipped scenes as they are: the same bits on one thread and on three, and the orbit with a wall against finite
+//! volumes.
 
 use oilwedge_tests::bench::{Bench, lines_without_times, object};
 use oilwedge_tests::program::repository;

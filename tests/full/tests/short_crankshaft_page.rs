@@ -11,8 +11,8 @@ fn parts(svg: &str) -> impl Iterator<Item = String> {
     words.into_iter()
 }
 
-/// Tables to the letter; figures to a tenth of a millimetre: where a curve falls between two hundredths, another machine may round it to
-/// the other.
+/// Tables to the letter; figures to a tenth of a millimetre: where a curve falls between two hundredths, another
+/// machine may round it to the other.
 #[test]
 fn the_page_and_its_figures_are_up_to_date() {
     const COMMAND: &str = "run: cargo run --release -p oilwedge-full -- validation";

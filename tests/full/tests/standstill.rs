@@ -40,8 +40,8 @@ fn a_journal_under_a_constant_load_sinks_in_the_time_of_the_closed_film() {
     assert!(y.abs() < 1e-6 * clearance, "{y}");
 }
 
-/// What turns round a bearing at rest with omega sees the film of a journal that turns with 2 omega under a load at rest: the damper of an unbalance whirls at the
-/// eccentricity of that journal.
+/// What turns round a bearing at rest with omega sees the film of a journal that turns with 2 omega under a load at
+/// rest: the damper of an unbalance whirls at the eccentricity of that journal.
 #[test]
 fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
     let damper = std::fs::read_to_string(path("35_squeeze_film_damper")).expect("a scene");

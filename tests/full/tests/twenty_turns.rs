@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use oilwedge_reynolds::Cavitation;
 use oilwedge_tests::short_orbits::{TWO_HARMONICS, end, harmonics, orbit, short};
 
-/// After twenty turns, ten of the whirl, the journal is where it began, to 1e-6: on two meshes, whose difference shows what the finer one is still off by, with its order four.
+/// After twenty turns, ten of the whirl, the journal is where it began, to 1e-6: on two meshes, whose difference shows
+/// what the finer one is still off by, with its order four.
 #[test]
 fn a_full_short_film_returns_after_twenty_turns() {
     let cycle = harmonics(&TWO_HARMONICS, 20.0 * TAU);

@@ -1,4 +1,5 @@
-//! The crankshaft bearing with its real length (and, to compare, as a short one) in finite elements: scenes 21 and 22 with one speed and model each.
+//! The crankshaft bearing with its real length (and, to compare, as a short one) in finite elements: scenes 21 and 22
+//! with one speed and model each.
 
 use oilwedge_fem::Field;
 use oilwedge_mesh::Locator;
@@ -80,7 +81,8 @@ impl Film {
             .map(|name| list.iter().find(|it| it.name == name).map_or(0.0, |it| it.value))
     }
 
-    /// The value of a column of the document over the right scales; none of what only closed forms have. Flow is that of both ends.
+    /// The value of a column of the document over the right scales; none of what only closed forms have. Flow is that
+    /// of both ends.
     pub fn value(&self, column: &str) -> Option<f64> {
         let scales = Scales::right();
         let area = LENGTH * DIAMETER;

@@ -1,9 +1,10 @@
-//! A crankshaft bearing as a document has it that prints seven tables and thirteen figures of it, in the document's own arithmetic, by the right
-//! short bearing, and with its real length.
+//! A crankshaft bearing as a document has it that prints seven tables and thirteen figures of it, in the document's own
+//! arithmetic, by the right short bearing, and with its real length.
 //!
-//! "Qualitative analysis of the bearings of an engine's crankshaft", task 1, South Ural State University, 2023 (in Russian).
-//! D = 74.5 mm, B = 25.7 mm, **diametral** clearance 0.092 mm, eps = 0.8, mu = 6.1 mPa s; phi from the narrowest film; at rest (E = 0) and squeezed
-//! (E = 0.4), at five speeds. [`Document`] is the arithmetic of the print, slips and all; nothing else may use it.
+//! "Qualitative analysis of the bearings of an engine's crankshaft", task 1, South Ural State University, 2023 (in
+//! Russian). D = 74.5 mm, B = 25.7 mm, **diametral** clearance 0.092 mm, eps = 0.8, mu = 6.1 mPa s; phi from the
+//! narrowest film; at rest (E = 0) and squeezed (E = 0.4), at five speeds. [`Document`] is the arithmetic of the print,
+//! slips and all; nothing else may use it.
 
 pub mod finite;
 
@@ -34,7 +35,8 @@ pub const SQUEEZES: [f64; 2] = [0.0, 0.4];
 /// mu_1.
 pub const RELATIVE_VISCOSITY: f64 = VISCOSITY / VISCOSITY_SCALE;
 
-/// Cells that are slips of the pen: table, E, n, row of the case, column, and what the document's own arithmetic gives there.
+/// Cells that are slips of the pen: table, E, n, row of the case, column, and what the document's own arithmetic gives
+/// there.
 pub const SLIPS: [(&str, f64, f64, usize, &str, f64); 8] = [
     ("table1", 0.0, 2500.0, 6, "phi[rad]", 4.188790),
     ("table1", 0.0, 3200.0, 6, "phi[rad]", 4.188790),

@@ -31,7 +31,8 @@ fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Film {
     compile_on(scene, mesh, Position::start(scene), 1).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change: 2e-4).
+/// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change:
+/// 2e-4).
 #[test]
 fn flooded_ring_converges_with_order_two() {
     let ring = Ring { film_start: true, model: "jfo", size: Some(0.2), ..Ring::new(0.5, 0.8) };
@@ -50,8 +51,8 @@ fn flooded_ring_converges_with_order_two() {
     assert!((found / expected - 1.0).abs() < 5e-4, "{found} {expected}");
 }
 
-/// The groove of a structured code in Python (`tests/crosscheck/jfo_structured.py`): 1745.8 N, 2e-4; the streaks behind the groove cost
-/// linear elements an order, so 1e-3 is asked of the extrapolated load.
+/// The groove of a structured code in Python (`tests/crosscheck/jfo_structured.py`): 1745.8 N, 2e-4; the streaks behind
+/// the groove cost linear elements an order, so 1e-3 is asked of the extrapolated load.
 #[test]
 fn groove_bearing_has_the_load_of_the_structured_code() {
     let expected = number(&block("jfo_groove_bearing")["groove"], "F");
@@ -83,8 +84,8 @@ fn companions_conserve_oil() {
     assert!(none <= 2, "{none} without");
 }
 
-/// Found from the film or cold, the companion is that of linear elements, also where oil is squeezed, but for the forms chosen along
-/// the rupture line: a few thousandths of the greatest pressure there, 5e-5 of the load.
+/// Found from the film or cold, the companion is that of linear elements, also where oil is squeezed, but for the forms
+/// chosen along the rupture line: a few thousandths of the greatest pressure there, 5e-5 of the load.
 #[test]
 fn companion_is_the_film_of_linear_elements() {
     for name in ["11_swift_stieber_ring", "15_squeezed_ring", "14_starved_pad"] {

@@ -58,8 +58,8 @@ fn pressure_power(study: &Film, numbers: &HillNumbers) -> f64 {
     per_x * x + per_y * y
 }
 
-/// Where the line at the widest film is flooded the film breaks once: the cubic film of Swift and Stieber on these triangles has the same pressures, whether
-/// or not the viscosity grows with them.
+/// Where the line at the widest film is flooded the film breaks once: the cubic film of Swift and Stieber on these
+/// triangles has the same pressures, whether or not the viscosity grows with them.
 #[test]
 fn a_flooded_ring_is_a_swift_stieber_film() {
     for (eccentricity, oil) in [(0.9, ""), (0.97, ""), (0.9, "oil.barus = { alpha = \"1e-8 1/Pa\" }")] {
@@ -134,7 +134,8 @@ fn streaks_are_those_of_the_finite_volumes() {
     }
 }
 
-/// Over cavities that are kept the force follows the position smoothly. What it changes by over those of a position farther off is told, and is small.
+/// Over cavities that are kept the force follows the position smoothly. What it changes by over those of a position
+/// farther off is told, and is small.
 #[test]
 fn the_force_over_kept_cavities_is_smooth() {
     let study = film(&MAIN.replace("4 mm\" }\njournal", "6 mm\" }\njournal"));

@@ -100,8 +100,8 @@ fn as_printed_barus_film() {
     }
 }
 
-/// Linear elements ask at their vertices. Both their load and their cavity come to those of quadratic elements on the finest mesh;
-/// the load at order 2 in the size, of which 1.6 leaves room for a front that moves from vertex to vertex.
+/// Linear elements ask at their vertices. Both their load and their cavity come to those of quadratic elements on the
+/// finest mesh; the load at order 2 in the size, of which 1.6 leaves room for a front that moves from vertex to vertex.
 #[test]
 fn linear_elements_come_to_the_same_film() {
     let film = film(0.6, 0.0);

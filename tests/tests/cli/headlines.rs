@@ -2,7 +2,8 @@
 
 use oilwedge_tests::bench::Bench;
 
-/// A main bearing of an engine under a load, its heat balanced; its oil turbulent and far too hot at the given speed and limits.
+/// A main bearing of an engine under a load, its heat balanced; its oil turbulent and far too hot at the given speed
+/// and limits.
 const BEARING: &str = r#"
 title = "Main bearing"
 [bearing]
@@ -39,7 +40,8 @@ fn first_table(text: &str) -> Vec<&str> {
     rows.filter_map(|row| row.split(['│', '┆']).nth(1).map(str::trim)).collect()
 }
 
-/// Engineers read position, film, pressure, temperature, friction and flow first; the load that they gave is not repeated in five ways.
+/// Engineers read position, film, pressure, temperature, friction and flow first; the load that they gave is not
+/// repeated in five ways.
 #[test]
 fn headlines_stand_first_and_the_verdict_last() {
     let bench = Bench::new();
@@ -95,7 +97,8 @@ fn the_load_of_a_given_position_is_a_headline() {
     assert_eq!(first_table(&told.stdout)[..2], ["load", "eccentricity"]);
 }
 
-/// Where nobody watches, each mesh on the way to a tolerance leaves a line with the error reached and the one asked for.
+/// Where nobody watches, each mesh on the way to a tolerance leaves a line with the error reached and the one asked
+/// for.
 #[test]
 fn every_level_is_a_line_without_a_terminal() {
     let bench = Bench::new();

@@ -125,7 +125,8 @@ fn presets_are_judged_and_limits_decide() {
     assert_eq!((&heat["preset"], &heat["is_fit"]), (&Value::from("diesel"), &Value::Bool(false)));
     let criteria = heat["criteria"].as_array().expect("criteria");
     let met: Vec<bool> = criteria.iter().map(|it| it["is_met"].as_bool().expect("a word")).collect();
-    // Film and temperature are not met, the oil leaves cool enough; 25 um of 25 mm and 77.5 C are usual for a diesel, 3 bar are not.
+    // Film and temperature are not met, the oil leaves cool enough; 25 um of 25 mm and 77.5 C are usual for a diesel, 3
+    // bar are not.
     assert_eq!(met, [false, false, true, true, false, true]);
     let text = bench.run(&["solve", "ring.toml"]);
     assert!(text.stdout.contains("NOT fit") && text.stdout.contains("unusual   pressure of the oil fed"));

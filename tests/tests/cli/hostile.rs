@@ -10,7 +10,8 @@ use wait4::Wait4;
 
 /// Nothing is refused later than this: it would hang.
 const SOON: Duration = Duration::from_secs(60);
-/// Most memory [B] of the program beside what a file takes: 14 MiB by itself. This test, which starts it, is counted with it.
+/// Most memory [B] of the program beside what a file takes: 14 MiB by itself. This test, which starts it, is counted
+/// with it.
 const PROGRAM: u64 = 64 << 20;
 
 /// Ends with exit status 2 and these words on stderr before long; the most memory held [B].

@@ -72,7 +72,8 @@ const SCENES: [(&str, &[&str]); 34] = [
 const ON_ONE_THREAD: [&str; 5] =
     ["02_flexpde_shell", "12_flexpde_shell_cavitated", "20_heat_balance", "25_whirl", "33_polymer_liner"];
 
-/// The scene to solve, and how. Orbits have a coarse mesh and no bars here; as they are shipped, the full tier solves them.
+/// The scene to solve, and how. Orbits have a coarse mesh and no bars here; as they are shipped, the full tier solves
+/// them.
 fn to_solve(bench: &Bench, name: &str) -> (String, &'static [&'static str]) {
     if !COARSE.contains(&name) {
         return (shipped(name), &[]);

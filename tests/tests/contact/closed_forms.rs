@@ -29,7 +29,8 @@ fn the_integral_of_greenwood_and_tripp() {
     }
 }
 
-/// The closed force and moment, and those of the film with its cosine by another quadrature: by the quadrature of films on a ring of 96 by 16 cells.
+/// The closed force and moment, and those of the film with its cosine by another quadrature: by the quadrature of films
+/// on a ring of 96 by 16 cells.
 #[test]
 fn force_and_moment_of_a_bearing_curve() {
     let (radius, clearance, length) = (0.1, 0.15e-3, 0.08);
@@ -76,8 +77,8 @@ fn force_and_moment_of_a_bearing_curve() {
     }
 }
 
-/// The force and the moment of the parabola by sums: Gauss's rule of three points around, which is exact, and Simpson's rule along the axis in the root of the depth,
-/// in which the integrand is smooth.
+/// The force and the moment of the parabola by sums: Gauss's rule of three points around, which is exact, and Simpson's
+/// rule along the axis in the root of the depth, in which the integrand is smooth.
 fn summed(bearing: &Bearing, curve: &BearingCurve, offset: f64, tilt: f64) -> [f64; 2] {
     const STEPS: u32 = 2000;
     let depth_at = |z: f64| offset + tilt * z - (bearing.clearance - curve.depth);

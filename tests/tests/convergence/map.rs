@@ -22,8 +22,9 @@ fn ratio(level: &Level, goal: &str) -> f64 {
     shares.iter().map(|share| share.abs()).sum::<f64>() / quantity.error().expect("a bar")
 }
 
-/// Shares without their signs do not fall short of the error of the load, and under a load those of the eccentricity exceed its bar as many times: the map is in
-/// the unit of the goal. A direction across the line of centres may count less.
+/// Shares without their signs do not fall short of the error of the load, and under a load those of the eccentricity
+/// exceed its bar as many times: the map is in the unit of the goal. A direction across the line of centres may count
+/// less.
 #[test]
 fn the_map_adds_up_to_the_error() {
     for force in ["2 kN", "8 kN"] {

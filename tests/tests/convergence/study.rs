@@ -19,9 +19,9 @@ impl Observer for Diary {
     }
 }
 
-/// Uniform refinement divides each triangle into four, and the error falls with the order of the degree. What is told as begun
-/// ends, level by level. An empty budget still has the
-/// first level of quadratic elements, with which both of their strategies begin.
+/// Uniform refinement divides each triangle into four, and the error falls with the order of the degree. What is told
+/// as begun ends, level by level. An empty budget still has the first level of quadratic elements, with which both of
+/// their strategies begin.
 #[test]
 fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
     let scene = oilwedge_study::read(&path("09_drawn_ring")).expect("a shipped scene");

@@ -6,7 +6,8 @@ use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::tilted_bearings::{FORCE, block, numbers, quantity, rows, run, scene};
 use serde_json::Value;
 
-/// Unit of stiffness `mu omega R^2/(psi^2 c)` [N/m] of the scenes, whose speed is 300 rad/s and whose clearance is 50 um.
+/// Unit of stiffness `mu omega R^2/(psi^2 c)` [N/m] of the scenes, whose speed is 300 rad/s and whose clearance is 50
+/// um.
 const STIFFNESS: f64 = FORCE / 50e-6;
 const RADIUS: f64 = 0.05;
 
@@ -62,8 +63,8 @@ fn threshold(result: &RunResult) -> Option<[f64; 2]> {
     }
 }
 
-/// Grooves of 20 degrees at 90 degrees from the load, L/D = 1/2: K and C to 1 % of the greatest of a row, and below eps 0.75 the critical mass to 1 % and the
-/// whirl ratio to 0.005.
+/// Grooves of 20 degrees at 90 degrees from the load, L/D = 1/2: K and C to 1 % of the greatest of a row, and below eps
+/// 0.75 the critical mass to 1 % and the whirl ratio to 0.005.
 #[test]
 fn two_grooves_of_lund_and_thomsen() {
     let block = block("lund_thomsen_recomputed");
@@ -121,8 +122,9 @@ fn two_grooves_of_lund_and_thomsen() {
     });
 }
 
-/// Bars of Swift-Stieber films hold and are narrow enough to judge by: at light load (finite volumes of 720 x 48 cells), between grooves where one of two films is a cavity as a whole
-/// (finite volumes), and where the film ends beside a groove (edges of 1 mm).
+/// Bars of Swift-Stieber films hold and are narrow enough to judge by: at light load (finite volumes of 720 x 48
+/// cells), between grooves where one of two films is a cavity as a whole (finite volumes), and where the film ends
+/// beside a groove (edges of 1 mm).
 #[test]
 fn bars_hold_where_the_film_ends() {
     let groove = |from: f64, to: f64, width: &str| {

@@ -74,7 +74,8 @@ fn stiffness_and_damping_are_differences_of_films() {
             _ => moved(&|journal| &mut journal.tilt, k - 2, by),
         };
         for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
-            // Points of integration of the longer step cross the kink of Guembel's pressure: that set is not the same any more.
+            // Points of integration of the longer step cross the kink of Guembel's pressure: that set is not the same
+            // any more.
             let crosses = matches!(model, Cavitation::Guembel { .. }) && step > 5e-7 * CLEARANCE;
             let to = if crosses { 1e-5 } else { 1e-6 };
             assert_tangent(&coefficients.stiffness, placed, step, to, &format!("K {model:?}"));
@@ -108,7 +109,8 @@ fn the_damping_of_a_journal_at_rest_needs_no_squeeze() {
     }
 }
 
-/// Swift-Stieber and full films: force and moment are gradients by the rates, so that C is symmetric and positive definite; with a cavity held too.
+/// Swift-Stieber and full films: force and moment are gradients by the rates, so that C is symmetric and positive
+/// definite; with a cavity held too.
 #[test]
 fn damping_is_symmetric() {
     for model in [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }] {

@@ -30,7 +30,8 @@ fn a_reported_load_gives_its_position_back() {
             let eccentricity = quantity(&found, "eccentricity");
             let off = (eccentricity.value - 0.6).abs();
             let turned = quantity(&found, "min_film_angle").value - 180.0;
-            // A mass-conserving film keeps a trace of the way on which its forms were chosen: a fifth of its bar (4.9e-4) at most.
+            // A mass-conserving film keeps a trace of the way on which its forms were chosen: a fifth of its bar
+            // (4.9e-4) at most.
             let (apart, angle) = if model == "jfo" { (1e-4, 0.03) } else { (1e-8, 1e-6) };
             assert!(off < apart && turned.abs() < angle, "{model}: {off:e}, {turned:e}");
             assert_eq!(eccentricity.error().is_some(), options.bars);

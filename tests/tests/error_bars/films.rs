@@ -50,7 +50,8 @@ impl Judged {
     }
 }
 
-/// The scene `name` meshed anew from its description with edges of `size` [mm]; its mesh file and tolerance are dropped.
+/// The scene `name` meshed anew from its description with edges of `size` [mm]; its mesh file and tolerance are
+/// dropped.
 pub(crate) fn drawn(name: &str, size: f64, edit: impl FnOnce(&mut toml::Table)) -> Scene {
     variant(name, |scene| {
         scene.insert("mesh".into(), toml::Table::new().into());

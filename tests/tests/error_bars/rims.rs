@@ -16,7 +16,8 @@ use super::films::{Judged, answer, constant, drawn, set};
 /// The hole of scene 04 [m].
 const HOLE: Disc = Disc { centre: [0.0375 * 130.0 * std::f64::consts::PI / 180.0, 0.0], radius: 0.0085 };
 
-/// The film of scene 04 with constant oil on its mesh of straight triangles: a rim of chords about a hole known to be round.
+/// The film of scene 04 with constant oil on its mesh of straight triangles: a rim of chords about a hole known to be
+/// round.
 fn chords() -> Judged {
     let scene = variant("04_flexpde_ring", |scene| {
         set(scene, "mesh", "file", "../meshes/flexpde_ring_straight.msh");

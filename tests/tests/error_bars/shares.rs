@@ -51,7 +51,8 @@ fn add_up(judged: &Judged) {
         let sum: f64 = goal.shares.iter().sum();
         assert!((sum - wanted).abs() < 1e-10 * size, "{sum:e} is not {wanted:e}");
     }
-    // The powers of shear and of pressure nearly so: their vectors are tangents where viscosity or the cavity change with the film.
+    // The powers of shear and of pressure nearly so: their vectors are tangents where viscosity or the cavity change
+    // with the film.
     let before = power(&raised(judged));
     let after = power(&judged.cubic);
     let wanted = [after.shear - before.shear, after.pressure - before.pressure];

@@ -44,7 +44,8 @@ fn half_a_percent_is_what_is_meant() {
     let result = answer(&variant("09_drawn_ring", |_| ()), &RunOptions::default());
     let (load, error) = bar(&result, "load");
     assert!(error < 0.005 * load && !result.levels.is_empty());
-    // Its limit: a spectral solution, Fourier modes around and Chebyshev polynomials along, the same to 1e-12 from 48 x 20 modes on.
+    // Its limit: a spectral solution, Fourier modes around and Chebyshev polynomials along, the same to 1e-12 from 48 x
+    // 20 modes on.
     assert!((load - 43567.912956).abs() < error, "{load} ± {error}");
     // Without bars it is computed on the mesh that it always had.
     let plain = answer(&variant("09_drawn_ring", |_| ()), &NO_BARS);
@@ -85,7 +86,8 @@ fn no_mesh_has_more_unknowns_than_allowed() {
     }
 }
 
-/// A ring four thousand times as wide as long has a first mesh of 150 000 unknowns, which is not made where fewer are allowed.
+/// A ring four thousand times as wide as long has a first mesh of 150 000 unknowns, which is not made where fewer are
+/// allowed.
 #[test]
 fn a_first_mesh_has_no_more_unknowns_than_allowed() {
     for model in ["reynolds", "jfo"] {
@@ -101,7 +103,8 @@ fn a_first_mesh_has_no_more_unknowns_than_allowed() {
     }
 }
 
-/// The side flow is unsure where the edge of the cavity crosses an end, which triangles that matter to the load do not cure.
+/// The side flow is unsure where the edge of the cavity crosses an end, which triangles that matter to the load do not
+/// cure.
 #[test]
 fn a_bar_that_local_division_does_not_serve_is_narrowed_by_uniform_division() {
     let result = answer(
@@ -195,7 +198,8 @@ impl RunObserver for Told {
     fn temperature(&self, _: usize, _: f64) {}
 }
 
-/// The search that grades the first mesh for its load may take long: the observer is notified of its positions before that mesh is made.
+/// The search that grades the first mesh for its load may take long: the observer is notified of its positions before
+/// that mesh is made.
 #[test]
 fn a_run_tells_of_the_search_that_grades_its_mesh() {
     static TOLD: Told = Told { first: AtomicUsize::new(0), later: AtomicUsize::new(0), levels: AtomicUsize::new(0) };

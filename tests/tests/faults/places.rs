@@ -108,7 +108,8 @@ fn links_in_the_place_of_files_are_replaced_or_followed() {
     bench.refuses(&["mesh", TWO[0], "-o", "/dev/full"], &["cannot write /dev/full", "No space left"]);
 }
 
-/// Results in the folder are whole though stdout is full: status 1, and stderr says both. What writes no files ends with 2.
+/// Results in the folder are whole though stdout is full: status 1, and stderr says both. What writes no files ends
+/// with 2.
 #[test]
 fn stdout_may_be_full() {
     let bench = Bench::new();

@@ -44,7 +44,8 @@ fn a_stiff_wall_is_none() {
     }
 }
 
-/// Block `winkler`, but for eps 0.95: the film at the ends is so thin there that a uniform mesh does not resolve it (a hard case on a graded mesh).
+/// Block `winkler`, but for eps 0.95: the film at the ends is so thin there that a uniform mesh does not resolve it (a
+/// hard case on a graded mesh).
 #[test]
 fn layers_carry_what_a_second_code_has() {
     for row in block("winkler")["rows"].as_array().expect("rows") {
@@ -151,7 +152,8 @@ fn a_matrix_of_a_layer_has_the_film_of_the_layer() {
     assert!(lumped[1] < 0.5 * lumped[0] && lumped[1] < 1e-2, "{lumped:?}");
 }
 
-/// Softness that bends the film by several of its least thickness, with each model, Barus's oil where films break, and both films of a pair.
+/// Softness that bends the film by several of its least thickness, with each model, Barus's oil where films break, and
+/// both films of a pair.
 #[test]
 fn soft_walls_close_with_every_model() {
     for (model, alpha) in MODELS.into_iter().zip([0.0, 0.0, 2e-8, 2e-8]) {
@@ -174,7 +176,8 @@ fn soft_walls_close_with_every_model() {
     }
 }
 
-/// Journal and wall are found together: the film that closes the wall at the place found by itself carries the load, and from a place nearby both take some films, not some at each place.
+/// Journal and wall are found together: the film that closes the wall at the place found by itself carries the load,
+/// and from a place nearby both take some films, not some at each place.
 #[test]
 fn place_and_wall_are_those_of_one_another() {
     for model in MODELS {
@@ -198,7 +201,8 @@ fn place_and_wall_are_those_of_one_another() {
     }
 }
 
-/// A search whose time is over begins a film and closes no wall. Where that film happens to carry the load its wall is still open: the search was ended, and there is no balance.
+/// A search whose time is over begins a film and closes no wall. Where that film happens to carry the load its wall is
+/// still open: the search was ended, and there is no balance.
 #[test]
 fn a_search_that_is_ended_has_no_balance_while_its_wall_is_open() {
     let (length, system) = (RADIUS, ring_system(48, 8, RADIUS, Some(std::f64::consts::PI)));

@@ -42,9 +42,9 @@ fn pressure_is_the_transform_of_the_isoviscous_one() {
     assert!((greatest(&solved) / expected - 1.0).abs() < 1e-12);
 }
 
-/// Cavitating rings with film start at the widest film: the transform keeps the contact set, so the rows follow from the
-/// isoviscous ones by integration. They agree with each other to 3e-5 of So; 0.1 % is asked of So and of the greatest reduced
-/// pressure (of p itself the error grows by mu/mu0, up to 20 here), 0.05 degrees of the attitude.
+/// Cavitating rings with film start at the widest film: the transform keeps the contact set, so the rows follow from
+/// the isoviscous ones by integration. They agree with each other to 3e-5 of So; 0.1 % is asked of So and of the
+/// greatest reduced pressure (of p itself the error grows by mu/mu0, up to 20 here), 0.05 degrees of the attitude.
 #[test]
 fn cavitating_rings_are_transforms_of_isoviscous_ones() {
     let rows = reference("barus_exact_transform", "rows");

@@ -1,10 +1,11 @@
-//! Butenschoen, dissertation Karlsruhe 1976: tables of the plain ring, turning and squeezed (basis of DIN 31652, ISO 7902).
+//! Butenschoen, dissertation Karlsruhe 1976: tables of the plain ring, turning and squeezed (basis of DIN 31652, ISO
+//! 7902).
 //!
-//! Turning: film start at the widest film; So = F psi^2/(B D mu omega) and attitude angle. Squeezed: pure radial motion,
-//! periodic film, So_V = F psi^2/(B D mu |deps/dt|); negative eps is a journal that moves to the centre.
-//! The tables carry four to six digits and the errors of a grid of 1976, which grow steadily with eps and B/D. Against
-//! an extrapolated finite-volume code So is low by up to 0.36 % and the angle off by 0.17 % (0.4 % is asked, or one unit of
-//! the last digit where that is more), So_V by up to 0.7 % (1 % is asked). Entries that leave this trend
+//! Turning: film start at the widest film; So = F psi^2/(B D mu omega) and attitude angle. Squeezed: pure radial
+//! motion, periodic film, So_V = F psi^2/(B D mu |deps/dt|); negative eps is a journal that moves to the centre. The
+//! tables carry four to six digits and the errors of a grid of 1976, which grow steadily with eps and B/D. Against an
+//! extrapolated finite-volume code So is low by up to 0.36 % and the angle off by 0.17 % (0.4 % is asked, or one unit
+//! of the last digit where that is more), So_V by up to 0.7 % (1 % is asked). Entries that leave this trend
 //! (`suspected_misprints`) or the 0.4 % (`coarse_grid`) are compared with their recomputed value, to 0.1 %.
 
 use oilwedge_tests::journal_bearings::{Ring, SolvedRing, block, each, number};

@@ -1,9 +1,10 @@
-//! Design of a tractor engine (in Ukrainian): hot oil that is carried over, the flow of the pump, and, section 6.4, the bolts of a connecting rod
-//! whose cap is pulled off by inertia.
+//! Design of a tractor engine (in Ukrainian): hot oil that is carried over, the flow of the pump, and, section 6.4, the
+//! bolts of a connecting rod whose cap is pulled off by inertia.
 //!
-//! Printed with omega = 260 rad/s for 2500 rpm, lambda = 0.272 for 0.27174 and pi = 3.14, from number to rounded number; the test takes the
-//! same. Every number is met to half a unit of its last digit. k of the torque is not told: 0.15 lies amid the 0.08 to 0.2 named.
-//! The stresses are lost in the print; those asked here are its forces over its 56.7 mm2.
+//! Printed with omega = 260 rad/s for 2500 rpm, lambda = 0.272 for 0.27174 and pi = 3.14, from number to rounded
+//! number; the test takes the same. Every number is met to half a unit of its last digit. k of the torque is not told:
+//! 0.15 lies amid the 0.08 to 0.2 named. The stresses are lost in the print; those asked here are its forces over its
+//! 56.7 mm2.
 
 use std::f64::consts::PI;
 

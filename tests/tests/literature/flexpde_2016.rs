@@ -1,11 +1,11 @@
 //! Mordvinkin, Gorkun, Sergienko, "Calculation of the plain groove journal bearing" (2016), FlexPDE.
 //!
-//! The paper prints no load, so the reference is an independent recomputation (scikit-fem, curved
-//! rim, `tests/data/flexpde_study.json`) with the assumed values of `docs/validation/flexpde_study.md`.
-//! Tolerances: the reference's own uncertainty is 1e-5 of C_w and 1e-4 degrees; its p_max is the
-//! largest nodal value, good to 1e-3. Rows of the sweeps carry four decimals and a coarser mesh.
-//! Swift-Stieber films: the last halving of the reference's mesh changed C_w by up to 2.4e-4 of itself and the attitude by up to
-//! 0.016 degrees, but it agrees with ours to 2e-5 and 0.004 degrees: the same tolerances, 1e-3 for the feed flow.
+//! The paper prints no load, so the reference is an independent recomputation (scikit-fem, curved rim,
+//! `tests/data/flexpde_study.json`) with the assumed values of `docs/validation/flexpde_study.md`. Tolerances: the
+//! reference's own uncertainty is 1e-5 of C_w and 1e-4 degrees; its p_max is the largest nodal value, good to 1e-3.
+//! Rows of the sweeps carry four decimals and a coarser mesh. Swift-Stieber films: the last halving of the reference's
+//! mesh changed C_w by up to 2.4e-4 of itself and the attitude by up to 0.016 degrees, but it agrees with ours to 2e-5
+//! and 0.004 degrees: the same tolerances, 1e-3 for the feed flow.
 
 use oilwedge_tests::flexpde_study::*;
 use oilwedge_tests::scenes::solve;

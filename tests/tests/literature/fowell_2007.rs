@@ -1,10 +1,11 @@
 //! Fowell, Olver, Gosman, Spikes, Pegg, J. Tribol. 129 (2007) 336: a slider with a pocket that cavitates.
 //!
-//! One-dimensional, steady, mass conserving; ambient pressure 1 bar above the cavitation pressure. The film ruptures at the
-//! inlet edge of the pocket and re-forms inside it; the flow is the same everywhere, also through the cavity. Numbers from the
-//! closed form (`tests/data/journal_bearings.json`). The pad is a ring of tiny radius whose journal slides along its axis: z is
-//! the direction of sliding, and around the ring nothing changes. The conductance of a cell is that of its middle, so
-//! errors are of order 2 with 1000 steps along the pad: 1e-4 of the flow and 1e-3 of the length, pressure and load are asked.
+//! One-dimensional, steady, mass conserving; ambient pressure 1 bar above the cavitation pressure. The film ruptures at
+//! the inlet edge of the pocket and re-forms inside it; the flow is the same everywhere, also through the cavity.
+//! Numbers from the closed form (`tests/data/journal_bearings.json`). The pad is a ring of tiny radius whose journal
+//! slides along its axis: z is the direction of sliding, and around the ring nothing changes. The conductance of a cell
+//! is that of its middle, so errors are of order 2 with 1000 steps along the pad: 1e-4 of the flow and 1e-3 of the
+//! length, pressure and load are asked.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

@@ -1,13 +1,13 @@
-//! S. Pfeil, SBFEM-and-numerical-solutions-of-the-Reynolds-equation (published code): a bearing with one axial groove, whose
-//! film conserves its oil (Jakobsson, Floberg 1957; Olsson 1965; Elrod 1981).
+//! S. Pfeil, SBFEM-and-numerical-solutions-of-the-Reynolds-equation (published code): a bearing with one axial groove,
+//! whose film conserves its oil (Jakobsson, Floberg 1957; Olsson 1965; Elrod 1981).
 //!
-//! H = 1 - 0.5 cos X, flow in +X, groove across the flow at 90 degrees from the minimum film, steady. Its stored result (F 1739.9 N,
-//! p_max 523.4 kPa on 100 x 26 nodes), a shorter groove and a round hole are recomputed with finite volumes along the flow
-//! (`tests/crosscheck/jfo_structured.py`, three grids, extrapolated: 2e-4 of the force). The short groove and the hole leave
-//! streaks of oil with sharp edges behind: smearing them across the flow costs 1 to 5 % there, and nothing in
-//! the groove bearing. Loads are external loads and count the region of given pressure. Asked: 0.1 % of the force
-//! and of p_max, 0.5 % of the supply flow (its corners converge slowly), 0.2 % (short groove) and 0.4 % (hole); the flow
-//! of the hole, of order 1 in the size of cells, is asked to 1.5 %.
+//! H = 1 - 0.5 cos X, flow in +X, groove across the flow at 90 degrees from the minimum film, steady. Its stored result
+//! (F 1739.9 N, p_max 523.4 kPa on 100 x 26 nodes), a shorter groove and a round hole are recomputed with finite
+//! volumes along the flow (`tests/crosscheck/jfo_structured.py`, three grids, extrapolated: 2e-4 of the force). The
+//! short groove and the hole leave streaks of oil with sharp edges behind: smearing them across the flow costs 1 to 5 %
+//! there, and nothing in the groove bearing. Loads are external loads and count the region of given pressure. Asked:
+//! 0.1 % of the force and of p_max, 0.5 % of the supply flow (its corners converge slowly), 0.2 % (short groove) and
+//! 0.4 % (hole); the flow of the hole, of order 1 in the size of cells, is asked to 1.5 %.
 
 use oilwedge_tests::journal_bearings::{Ring, block, each, number, reference};
 use oilwedge_tests::scenes::{Solved, solve, written};

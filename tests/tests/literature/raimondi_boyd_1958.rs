@@ -1,14 +1,17 @@
-//! Raimondi, Boyd, Trans. ASLE 1 (1958) 159, part III: charts and tables of the full bearing, film start at the widest film.
+//! Raimondi, Boyd, Trans. ASLE 1 (1958) 159, part III: charts and tables of the full bearing, film start at the widest
+//! film.
 //!
-//! S = 1/(2 pi So) for L/D 1, 1/2 and 1/4; phi is the attitude angle. Their grid of 1958 leaves 1.5 to 1.9 % of S and 3.1 % at
-//! eps 0.97 (against finite volumes, extrapolated), and up to 0.6 degrees: 2 %, 3.3 % and 0.7 degrees are asked.
+//! S = 1/(2 pi So) for L/D 1, 1/2 and 1/4; phi is the attitude angle. Their grid of 1958 leaves 1.5 to 1.9 % of S and
+//! 3.1 % at eps 0.97 (against finite volumes, extrapolated), and up to 0.6 degrees: 2 %, 3.3 % and 0.7 degrees are
+//! asked.
 
 use std::f64::consts::TAU;
 
 use oilwedge_tests::journal_bearings::{Ring, each, number, reference};
 
-/// Their friction is the drag of the whole ring, cavity included: (R/c) f in three digits, off by as much as their S at eps 0.97. Their flow Q
-/// over R c N L is that at the widest film, of which Qs leaves at the ends: three digits both, 0.4 % and 0.004 are asked.
+/// Their friction is the drag of the whole ring, cavity included: (R/c) f in three digits, off by as much as their S at
+/// eps 0.97. Their flow Q over R c N L is that at the widest film, of which Qs leaves at the ends: three digits both,
+/// 0.4 % and 0.004 are asked.
 #[test]
 fn full_bearing() {
     let rows = reference("raimondi_boyd", "rows");

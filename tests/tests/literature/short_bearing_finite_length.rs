@@ -1,9 +1,11 @@
-//! A crankshaft bearing of B/D 0.345 (eccentricity 0.8, centre at rest or closing), as a short bearing and with its real length.
+//! A crankshaft bearing of B/D 0.345 (eccentricity 0.8, centre at rest or closing), as a short bearing and with its
+//! real length.
 //!
-//! Short: closed form of Ocvirk's film with squeeze and half of it dropped, integrals by quadrature. Of finite length: finite differences,
-//! 1440 x 64 points, whose So moves by 2.5e-4 when the grid is halved; Guembel there is the full periodic film with low pressures set to
-//! zero, Reynolds a complementarity without feeds. Oil flow is what leaves at both ends where it leaves; power is kN1 + kN2 + kN3: shear of
-//! the whole gap, pressure and squeeze. The numbers are `tests/data/source000/finite_length.csv`.
+//! Short: closed form of Ocvirk's film with squeeze and half of it dropped, integrals by quadrature. Of finite length:
+//! finite differences, 1440 x 64 points, whose So moves by 2.5e-4 when the grid is halved; Guembel there is the full
+//! periodic film with low pressures set to zero, Reynolds a complementarity without feeds. Oil flow is what leaves at
+//! both ends where it leaves; power is kN1 + kN2 + kN3: shear of the whole gap, pressure and squeeze. The numbers are
+//! `tests/data/source000/finite_length.csv`.
 
 use oilwedge_tests::journal_bearings::each;
 use oilwedge_tests::printed::{Row, rows};
@@ -82,8 +84,8 @@ fn numbers(film: &Film) -> [f64; 5] {
     ]
 }
 
-/// The differences of the grid are left: 0.3 % of the load, its parts along and across the line of centres and power, 0.5 % of p_max and flow,
-/// 0.1 degrees.
+/// The differences of the grid are left: 0.3 % of the load, its parts along and across the line of centres and power,
+/// 0.5 % of p_max and flow, 0.1 degrees.
 #[test]
 fn finite_length() {
     let all = cases("full");
@@ -103,9 +105,9 @@ fn finite_length() {
     });
 }
 
-/// The elements of a short film against its closed form, to a thousandth: the half film is cut at lines that the mesh does not know. What the
-/// drag of pressure and the moving centre put in drives oil along the axis: kN2 = chi G V/2 (V the load across the line of centres), and
-/// kN2 + kN3 is the heat of that flow.
+/// The elements of a short film against its closed form, to a thousandth: the half film is cut at lines that the mesh
+/// does not know. What the drag of pressure and the moving centre put in drives oil along the axis: kN2 = chi G V/2 (V
+/// the load across the line of centres), and kN2 + kN3 is the heat of that flow.
 #[test]
 fn short() {
     let all = cases("short");

@@ -1,12 +1,12 @@
-//! "Qualitative analysis of the bearings of an engine's crankshaft", task 1, South Ural State University, 2023 (in Russian): a
-//! short bearing with half film, at rest (E = 0) and squeezed (E = 0.4), at five speeds.
+//! "Qualitative analysis of the bearings of an engine's crankshaft", task 1, South Ural State University, 2023 (in
+//! Russian): a short bearing with half film, at rest (E = 0) and squeezed (E = 0.4), at five speeds.
 //!
-//! D = 74.5 mm, B = 25.7 mm, **diametral** clearance 0.092 mm, eps = 0.8, mu = 6.1 mPa s; phi from the narrowest film. The document
-//! takes the diameter for the radius and the diametral clearance for the radial one, so its `a` and its `p*` are each four times too
-//! small, and its spreadsheet has a wrong sign in `A2_00` and a lost square in `A3_00`. [`Document`] is that arithmetic, slips
-//! and all: every printed number is asked to half a unit of its last digit, but for the eight cells of [`SLIPS`],
-//! whose own right value is asked instead. The right values (`correct.csv`, from quadrature of the pressure) are
-//! asked of the closed form to half a unit of their eighth digit, and to 1e-6.
+//! D = 74.5 mm, B = 25.7 mm, **diametral** clearance 0.092 mm, eps = 0.8, mu = 6.1 mPa s; phi from the narrowest film.
+//! The document takes the diameter for the radius and the diametral clearance for the radial one, so its `a` and its
+//! `p*` are each four times too small, and its spreadsheet has a wrong sign in `A2_00` and a lost square in `A3_00`.
+//! [`Document`] is that arithmetic, slips and all: every printed number is asked to half a unit of its last digit, but
+//! for the eight cells of [`SLIPS`], whose own right value is asked instead. The right values (`correct.csv`, from
+//! quadrature of the pressure) are asked of the closed form to half a unit of their eighth digit, and to 1e-6.
 
 use std::f64::consts::PI;
 
@@ -49,7 +49,8 @@ fn pressures_around_the_film() {
     }
 }
 
-/// `phi*` of the columns with E = 0.4 is printed as that of their own speed, but the numbers are those of the first column's.
+/// `phi*` of the columns with E = 0.4 is printed as that of their own speed, but the numbers are those of the first
+/// column's.
 #[test]
 fn pressures_along_the_axis() {
     let rows = rows("source000/table4.csv");
@@ -140,7 +141,8 @@ fn the_closed_form_has_the_right_values() {
     assert_eq!(cells, 10 * 23);
 }
 
-/// Finite elements by the theory of short bearings, at 1e-3: the half film is cut at lines that the mesh does not know. At the least speed and at the greatest, at rest and squeezed.
+/// Finite elements by the theory of short bearings, at 1e-3: the half film is cut at lines that the mesh does not know.
+/// At the least speed and at the greatest, at rest and squeezed.
 #[test]
 fn finite_elements_of_a_short_film_have_them_too() {
     let mut rows = rows("source000/correct.csv");

@@ -76,8 +76,8 @@ fn long_film(columns: u32) -> [f64; 2] {
     [number.unwrap(), errors.fold(0.0, f64::max)]
 }
 
-/// Quadratic elements have nodal pressures and load at an order above 3 (4 if there were one line of them): 1e-6 is there with 192 columns, 1e-7
-/// with 384.
+/// Quadratic elements have nodal pressures and load at an order above 3 (4 if there were one line of them): 1e-6 is
+/// there with 192 columns, 1e-7 with 384.
 #[test]
 fn the_theory_of_long_bearings_is_sommerfelds() {
     let exact = sommerfeld::sommerfeld_number(ECCENTRICITY);

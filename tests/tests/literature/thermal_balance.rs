@@ -1,9 +1,10 @@
 //! The heat balance of a crankshaft bearing.
 //!
-//! **Bearing.** D 74.5 mm, B 25.7 mm, clearance 0.046 mm (radial), Walther's oil through 55 mm2/s at 40 and 8.19 mm2/s at 100 degrees C,
-//! 885 [1 - 68.8e-5 (t - 20)] kg/m3, fed with 75 degrees C and 0.35 MPa through a hole of 6 mm opposite to the load; rho c 1.8e6 J/(m3 K).
-//! Friction and flows by the fits of ISO 7902 in place of the film. Numbers: an independent program (Python, bisection to 1e-9),
-//! printed to the digits here; met to half a unit of the last one, heats to 1e-3.
+//! **Bearing.** D 74.5 mm, B 25.7 mm, clearance 0.046 mm (radial), Walther's oil through 55 mm2/s at 40 and 8.19 mm2/s
+//! at 100 degrees C, 885 [1 - 68.8e-5 (t - 20)] kg/m3, fed with 75 degrees C and 0.35 MPa through a hole of 6 mm
+//! opposite to the load; rho c 1.8e6 J/(m3 K). Friction and flows by the fits of ISO 7902 in place of the film.
+//! Numbers: an independent program (Python, bisection to 1e-9), printed to the digits here; met to half a unit of the
+//! last one, heats to 1e-3.
 
 use std::f64::consts::PI;
 
@@ -136,8 +137,9 @@ fn the_table_by_the_standards_twin() {
     }
 }
 
-/// The film of this program in the place of the fits, with cavities that conserve oil and that do not: the fits have a full ring of
-/// sheared oil, as Swift-Stieber's cavity does here, and bring all the oil that the widening gap could take.
+/// The film of this program in the place of the fits, with cavities that conserve oil and that do not: the fits have a
+/// full ring of sheared oil, as Swift-Stieber's cavity does here, and bring all the oil that the widening gap could
+/// take.
 #[test]
 fn the_film_beside_the_fits() {
     let by_fits =
@@ -155,7 +157,8 @@ fn the_film_beside_the_fits() {
     let [swift, jakobsson] = ["reynolds", "jfo"].map(numbers);
     let fits = film(by_fits.temperature, 3200.0, 2622.6);
     let warmer = swift[0] - (by_fits.temperature - ZERO_CELSIUS);
-    // 82.2 against 81.2 degrees C, 329 against 334 W, 12.3 against 12.6 um: the fits of the load are some percent off at this B/D.
+    // 82.2 against 81.2 degrees C, 329 against 334 W, 12.3 against 12.6 um: the fits of the load are some percent off
+    // at this B/D.
     assert!((0.3..1.8).contains(&warmer), "{warmer}");
     assert!((swift[1] / fits.power - 1.0).abs() < 0.03, "{swift:?} {}", fits.power);
     assert!((swift[4] / (46e-6 * (1.0 - fits.eccentricity)) - 1.0).abs() < 0.05);

@@ -1,7 +1,9 @@
-//! Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow, 1996), table 2: least films of the main bearings of a diesel
-//! engine over its cycle, `Delta_gamma = h_0 - min(h_1, h_2)`, `h* = h_0/(1 + k Delta_gamma^2)` with k = 0.01/um^2, and the crown for all bearings of the shaft.
+//! Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow, 1996), table 2:
+//! least films of the main bearings of a diesel engine over its cycle, `Delta_gamma = h_0 - min(h_1, h_2)`,
+//! `h* = h_0/(1 + k Delta_gamma^2)` with k = 0.01/um^2, and the crown for all bearings of the shaft.
 //!
-//! Printed to 0.1 um: Delta_gamma is a difference of printed numbers, so that it is met to the digit; h* to 0.05 um. Bearing 2 of the second block is not legible.
+//! Printed to 0.1 um: Delta_gamma is a difference of printed numbers, so that it is met to the digit; h* to 0.05 um.
+//! Bearing 2 of the second block is not legible.
 
 use oilwedge_reynolds::quantities::deviation::{Sections, common_crown};
 use oilwedge_tests::journal_bearings::number;

@@ -11,9 +11,9 @@ use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, Gap};
 use oilwedge_tests::*;
 
-/// A plain ring, B/D = 0.5, Swift-Stieber; `F = (2 + 1.5 cos tau, sin tau) mu omega R^2/psi^2` acts at z = 0.08 R, and a support of the stiffness
-/// 0.4 holds the tilt: least film, and place and tilt at a quarter, half and the end of a cycle that begins in the place of
-/// the reference.
+/// A plain ring, B/D = 0.5, Swift-Stieber; `F = (2 + 1.5 cos tau, sin tau) mu omega R^2/psi^2` acts at z = 0.08 R, and
+/// a support of the stiffness 0.4 holds the tilt: least film, and place and tilt at a quarter, half and the end of a
+/// cycle that begins in the place of the reference.
 #[test]
 fn a_tilting_journal_runs_the_orbit_of_finite_volumes() {
     let length = RADIUS;

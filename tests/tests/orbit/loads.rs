@@ -27,7 +27,8 @@ load = { file = "FILE", frame = "FRAME", period = "360 deg" }
 orbit = { tolerance = 1e-2, cycles = 2 }
 "#;
 
-/// One load, written in the axes of the shell, of the cylinder and of the pin: offsets of the journal over a cycle agree to 1e-9 of the clearance.
+/// One load, written in the axes of the shell, of the cylinder and of the pin: offsets of the journal over a cycle
+/// agree to 1e-9 of the clearance.
 #[test]
 fn a_load_given_in_three_frames_has_one_orbit() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -64,7 +64,8 @@ load = { harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { 
 orbit = { cycles = 5 }
 "#;
 
-/// The least film by the map of the finite film is that of the film within 0.1 %; that of the short film is a quarter off.
+/// The least film by the map of the finite film is that of the film within 0.1 %; that of the short film is a quarter
+/// off.
 #[test]
 fn the_map_of_the_finite_film_leads_as_the_film() {
     let scene = parse(SCENE, Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));

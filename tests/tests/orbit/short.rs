@@ -23,7 +23,8 @@ fn a_full_short_film_whirls_as_the_closed_solution() {
     assert!(off > 1e-5 && off < 1e-4, "{off}");
 }
 
-/// Steps of a cycle of eight turns are as long as the tolerance allows: a hundredth of the tolerance leaves a twentieth of the error.
+/// Steps of a cycle of eight turns are as long as the tolerance allows: a hundredth of the tolerance leaves a twentieth
+/// of the error.
 #[test]
 fn errors_fall_with_the_tolerance() {
     let film = short(0.25, HALF, [24, 2]);
@@ -38,7 +39,8 @@ fn errors_fall_with_the_tolerance() {
     assert!(fine < 0.05 * coarse && fine < 1e-4, "{coarse} {fine}");
 }
 
-/// Under a load that turns with omega_l the journal runs round at the eccentricity of the bearing at rest at the speed |omega - 2 omega_l|.
+/// Under a load that turns with omega_l the journal runs round at the eccentricity of the bearing at rest at the speed
+/// |omega - 2 omega_l|.
 fn runs_round_a_circle((b, load, ratio, eps): (f64, f64, f64, f64), start: [f64; 2], cycles: usize) {
     let film = short(b, HALF, [64, 4]);
     let turning = harmonics(&[(ratio, [load, 0.0], [0.0, load])], TAU / ratio);
@@ -48,7 +50,8 @@ fn runs_round_a_circle((b, load, ratio, eps): (f64, f64, f64, f64), start: [f64;
     assert!(off < 1e-4, "{ratio}: {off}");
 }
 
-/// Where a journal begins that runs behind a load that turns with it, at the attitude angle of Ocvirk's film: the film turns backwards, seen from the load.
+/// Where a journal begins that runs behind a load that turns with it, at the attitude angle of Ocvirk's film: the film
+/// turns backwards, seen from the load.
 fn behind_the_load(eps: f64) -> [f64; 2] {
     let attitude = f64::atan2(PI * f64::sqrt(1.0 - eps * eps), 4.0 * eps);
     [eps * attitude.cos(), -eps * attitude.sin()]
@@ -116,7 +119,8 @@ fn a_rotor_with_mass_settles_in_the_same_place() {
     assert!((x - with_x).hypot(y - with_y) < 1e-3, "{x} {y} {with_x} {with_y}");
 }
 
-/// Two steps inside the bearing between which the cubic path runs into the wall: that is no squeezed film, and the answer says where it is.
+/// Two steps inside the bearing between which the cubic path runs into the wall: that is no squeezed film, and the
+/// answer says where it is.
 #[test]
 fn a_path_that_leaves_the_bearing_between_two_steps_is_told() {
     let film = short(0.25, HALF, [32, 2]);

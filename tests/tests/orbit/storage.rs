@@ -1,4 +1,5 @@
-//! Films that conserve their oil from one time to the next, along motions that are given: closed solutions and orders in time.
+//! Films that conserve their oil from one time to the next, along motions that are given: closed solutions and orders
+//! in time.
 
 use std::sync::Arc;
 
@@ -21,11 +22,13 @@ struct Seen<'a> {
     time: f64,
     film: &'a SolvedFilm,
     oil: &'a Oil,
-    /// Impulse [N s] of the film's force over the step: the forces of the stages with the weights of the method, as it sums what flows.
+    /// Impulse [N s] of the film's force over the step: the forces of the stages with the weights of the method, as it
+    /// sums what flows.
     impulse: [f64; 2],
 }
 
-/// Follows a film whose journal moves as given from the first of the `times` on, in steps from each to the next; `each` sees every one.
+/// Follows a film whose journal moves as given from the first of the `times` on, in steps from each to the next; `each`
+/// sees every one.
 fn follow(
     still: &FilmProblem,
     system: &Arc<FilmSystem>,
@@ -125,8 +128,9 @@ fn strip(columns: u32) -> Arc<FilmSystem> {
     Arc::new(FilmSystem::new(Arc::new(mesh), 1, regions.into()).expect("a closed film"))
 }
 
-/// Parallel plates at `H = 0.125 cos(4 pi t) + 0.375` with `d/dx(H^3 dp/dx) = 2 d(theta H)/dt`, full at first: left edge of the cavity at times, and the time
-/// at which the film is full again, by the ordinary differential equation of the front (Optasanu, Bonneau, J. Tribol. 122 (2000) 162, for the case).
+/// Parallel plates at `H = 0.125 cos(4 pi t) + 0.375` with `d/dx(H^3 dp/dx) = 2 d(theta H)/dt`, full at first: left
+/// edge of the cavity at times, and the time at which the film is full again, by the ordinary differential equation of
+/// the front (Optasanu, Bonneau, J. Tribol. 122 (2000) 162, for the case).
 const FRONT: [(f64, f64); 11] = [
     (0.26, 0.04480746),
     (0.27, 0.03237014),
@@ -194,8 +198,8 @@ fn squeezed_plates_cavitate_and_reform_as_the_closed_front() {
     assert!(coarse[0] > fine[0] && coarse[0] < 1e-2 && coarse[1] < 1e-2, "{coarse:?} {fine:?}");
 }
 
-/// A ring whose journal goes round, with a cavity at this part of the unit of pressure: impulse of the force and oil in the film at common times of the second
-/// turn, in so many steps a turn.
+/// A ring whose journal goes round, with a cavity at this part of the unit of pressure: impulse of the force and oil in
+/// the film at common times of the second turn, in so many steps a turn.
 fn second_turn(number: u32, cavity: f64) -> Vec<[f64; 3]> {
     let length = RADIUS;
     let system = ring_system(16, 2, length, None);
@@ -253,8 +257,8 @@ fn a_full_film_is_of_second_order_in_time() {
     assert!(oil[1] < 1e-14, "{oil:?}");
 }
 
-/// Nodes fill and empty within the steps, and the force jumps where one does. Its impulse does not: the stages sum the force as they sum what flows. The force at the
-/// ends of the steps alone, by trapezia, converges with the order 1.5.
+/// Nodes fill and empty within the steps, and the force jumps where one does. Its impulse does not: the stages sum the
+/// force as they sum what flows. The force at the ends of the steps alone, by trapezia, converges with the order 1.5.
 #[test]
 fn the_history_is_of_second_order_in_time() {
     let orders = orders_in_time(-0.1);

@@ -110,8 +110,8 @@ fn barus_or_roelands(law: &str, speed: f64) -> f64 {
     film.quantity("load")
 }
 
-/// With one slope at zero pressure the laws part at second order in p: `ln mu` differs by `alpha p (z - 1) p / (2 p_r)`,
-/// 6e-3 of alpha p at the 5.4 MPa of scene 02, where Barus changes the load by 4 %.
+/// With one slope at zero pressure the laws part at second order in p: `ln mu` differs by
+/// `alpha p (z - 1) p / (2 p_r)`, 6e-3 of alpha p at the 5.4 MPa of scene 02, where Barus changes the load by 4 %.
 #[test]
 fn roelands_is_close_to_barus_while_pressure_is_small() {
     let [slow, fast] = [5.0, 10.0].map(|speed| {

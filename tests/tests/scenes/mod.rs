@@ -1,9 +1,9 @@
 //! Every shipped scene against a number from elsewhere, and relations between scenes.
 //!
-//! Two kinds of source. *Same mesh*: scikit-fem (`tests/crosscheck/film.py`, quadrature of degree 8) solves
-//! the same discrete problem, so the values agree to 1e-9. *Converged*: the recomputation of the FlexPDE
-//! study with scikit-fem on a far finer mesh, C_w and angle to four decimals (`tests/crosscheck/test_reference_numbers.py`);
-//! 5e-5 of C_w is twice what the shipped meshes are off.
+//! Two kinds of source. *Same mesh*: scikit-fem (`tests/crosscheck/film.py`, quadrature of degree 8) solves the same
+//! discrete problem, so the values agree to 1e-9. *Converged*: the recomputation of the FlexPDE study with scikit-fem
+//! on a far finer mesh, C_w and angle to four decimals (`tests/crosscheck/test_reference_numbers.py`); 5e-5 of C_w is
+//! twice what the shipped meshes are off.
 
 mod agree;
 mod shipped;

@@ -144,8 +144,8 @@ fn scene_17_engine_main_bearing() {
     close(there.quantity("load_angle"), 270.0, 1e-3);
 }
 
-/// Forces of `literature/connecting_rod_bolts.rs`, which has 260 rad/s and the ratio 0.272 where the scene has 2500 rpm and
-/// 0.27174: 1.5e-4. The film bears all masses of the rod, the joint those beyond it.
+/// Forces of `literature/connecting_rod_bolts.rs`, which has 260 rad/s and the ratio 0.272 where the scene has 2500 rpm
+/// and 0.27174: 1.5e-4. The film bears all masses of the rod, the joint those beyond it.
 #[test]
 fn scene_19_connecting_rod_cap() {
     let found = answer(&variant("19_connecting_rod_cap", |_| ()));
@@ -173,8 +173,8 @@ fn scene_19_connecting_rod_cap() {
     close(at("90 deg"), -value(&found, "cap_film_share"), 1e-9);
 }
 
-/// At 3200 rpm the finite differences of `tests/data/source000/finite_length.csv`; as short bearings the closed form. All speeds:
-/// `cli/sweep/`.
+/// At 3200 rpm the finite differences of `tests/data/source000/finite_length.csv`; as short bearings the closed form.
+/// All speeds: `cli/sweep/`.
 #[test]
 fn scenes_21_and_22_crankshaft_bearing() {
     let cases = [
@@ -202,7 +202,8 @@ fn scene_23_tilted_ring() {
     close(film.quantity("film_thickness_min"), 12.5e-6, 1e-9);
 }
 
-/// Force and greatest pressure of a layer of 0.02 at eps 0.8 in `winkler`, a ring of finite volumes (`tests/data/elastic_liner.json`).
+/// Force and greatest pressure of a layer of 0.02 at eps 0.8 in `winkler`, a ring of finite volumes
+/// (`tests/data/elastic_liner.json`).
 #[test]
 fn scene_33_polymer_liner() {
     let found = answer(&variant("33_polymer_liner", |_| ()));
@@ -224,7 +225,8 @@ fn scene_24_load_off_the_middle() {
     close(of("load_z"), 5e-3, 1e-9);
 }
 
-/// K and C of the straight ring at the eccentricity 0.5 in `dynamic_4x4`, likewise; the load of the scene has six digits.
+/// K and C of the straight ring at the eccentricity 0.5 in `dynamic_4x4`, likewise; the load of the scene has six
+/// digits.
 #[test]
 fn scene_25_whirl() {
     let found = answer(&variant("25_whirl", |_| ()));
@@ -245,7 +247,8 @@ fn scene_25_whirl() {
     close(of("critical_mass") * 300.0 * 300.0 / unit, spring / square, 2e-2);
 }
 
-/// Position and share of contact of `mixed`, a second code known to 0.2 % of the film and 0.002 of the share (`tests/data/contact.json`).
+/// Position and share of contact of `mixed`, a second code known to 0.2 % of the film and 0.002 of the share
+/// (`tests/data/contact.json`).
 #[test]
 fn scene_29_mixed_lubrication() {
     let found = answer(&variant("29_mixed_lubrication", |_| ()));

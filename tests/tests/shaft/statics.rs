@@ -5,7 +5,8 @@ use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
 use oilwedge_tests::crankshafts::*;
 
-/// Forces to 0.3 % of the load, least films to 1 %, tilts to 0.5 %, by structured finite volumes of a second code on all films, extrapolated.
+/// Forces to 0.3 % of the load, least films to 1 %, tilts to 0.5 %, by structured finite volumes of a second code on
+/// all films, extrapolated.
 fn compare(case: &ThreeFilms) {
     let run = case.solved();
     assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
@@ -33,7 +34,8 @@ fn three_films_share_the_loads_of_a_shaft() {
     THREE_FILMS.iter().for_each(compare);
 }
 
-/// With bars the films that are reported balance the loads, and what the shaft decides has bars that hold what a second code finds; where statics alone gives a load, that has next to none.
+/// With bars the films that are reported balance the loads, and what the shaft decides has bars that hold what a second
+/// code finds; where statics alone gives a load, that has next to none.
 #[test]
 fn films_with_bars_balance_the_loads() {
     let run = run_with(&text("three_films.toml"), &RunOptions::default());

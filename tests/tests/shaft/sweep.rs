@@ -38,7 +38,8 @@ fn column(report: &SweepReport, name: &str) -> Vec<f64> {
     report.rows.iter().map(value).collect()
 }
 
-/// A shaft at rest on three films at two speeds and with two moduli: a row for each of its bearings, with the numbers that it has by itself.
+/// A shaft at rest on three films at two speeds and with two moduli: a row for each of its bearings, with the numbers
+/// that it has by itself.
 #[test]
 fn each_bearing_of_each_shaft_has_a_row() {
     let moduli = "[sweep]\n\"crankshaft.youngs_modulus\" = [\"206 GPa\", \"150 GPa\"]\n";
@@ -92,7 +93,8 @@ fn one_throw() -> String {
     without(&text, "[[crankshaft.bearing]]\nname  = \"main 3\"", "[crank]\n")
 }
 
-/// At each speed the engine has the least films that it has by itself: one throw, cut at its main bearings, on coarse films with long steps.
+/// At each speed the engine has the least films that it has by itself: one throw, cut at its main bearings, on coarse
+/// films with long steps.
 #[test]
 fn an_engine_is_swept_over_its_speed() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,5 @@
-//! Bores and shafts that are no circles: against the numbers of a second code, measured points, and films that must be equal.
+//! Bores and shafts that are no circles: against the numbers of a second code, measured points, and films that must be
+//! equal.
 
 mod criteria;
 mod equilibrium;

@@ -19,7 +19,8 @@ use oilwedge_tests::*;
 
 const LENGTH: f64 = 0.06;
 
-/// `W = F`, `m = z_F F + k (g_0 - g)` against finite volumes and their own Newton: offsets and slopes in units of c and c/R.
+/// `W = F`, `m = z_F F + k (g_0 - g)` against finite volumes and their own Newton: offsets and slopes in units of c and
+/// c/R.
 #[test]
 fn positions_and_tilts_are_those_of_finite_volumes() {
     each(&rows(&block("balance_of_moment")["rows"]), |row| {
@@ -142,7 +143,8 @@ fn the_tilt_follows_the_place_of_the_load() {
     }
 }
 
-/// The part that the film carries of a moment 25 mm times the force that it carries without tilt, the error of that part, and whether no finer mesh need be asked.
+/// The part that the film carries of a moment 25 mm times the force that it carries without tilt, the error of that
+/// part, and whether no finer mesh need be asked.
 fn refused(problem: &FilmProblem, system: &Arc<FilmSystem>) -> (f64, f64, bool) {
     let force = carried(problem, system).force;
     let asked = Load {
@@ -215,7 +217,8 @@ fn contact_at_an_end_is_told_with_a_way_out() {
     }
 }
 
-/// A moment of which the film lacks no more than the error of its mesh may be carried: a finer mesh is asked, and where that does not show it either there is no answer, but no refusal.
+/// A moment of which the film lacks no more than the error of its mesh may be carried: a finer mesh is asked, and where
+/// that does not show it either there is no answer, but no refusal.
 #[test]
 fn a_moment_within_the_error_of_its_mesh_is_not_refused() {
     let at = |place: f64| {
@@ -235,8 +238,8 @@ fn a_moment_within_the_error_of_its_mesh_is_not_refused() {
     assert!(!reason.contains('±'), "{reason}");
 }
 
-/// The film of a journal whose gap is negative at the very end of the bearing, where no point of integration sees it, is no start: the search ends all the same,
-/// at the balance.
+/// The film of a journal whose gap is negative at the very end of the bearing, where no point of integration sees it,
+/// is no start: the search ends all the same, at the balance.
 #[test]
 fn a_search_that_begins_in_contact_ends() {
     let (problem, system) = moving(Cavitation::Reynolds { pressure: 0.0 });

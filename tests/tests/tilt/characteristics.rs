@@ -1,4 +1,5 @@
-//! The characteristics of a film against the films of a second code, limits in closed form, and the film whose motions share one cavity.
+//! The characteristics of a film against the films of a second code, limits in closed form, and the film whose motions
+//! share one cavity.
 
 use std::sync::Arc;
 
@@ -31,8 +32,8 @@ fn greatest(of: &[f64]) -> f64 {
     of.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
 }
 
-/// Straight and tilted rings by finite volumes: 1e-3 of the greatest of a row, or what that code says of itself. The bar holds, and what is zero by symmetry is
-/// zero there.
+/// Straight and tilted rings by finite volumes: 1e-3 of the greatest of a row, or what that code says of itself. The
+/// bar holds, and what is zero by symmetry is zero there.
 #[test]
 fn the_sixteen_are_those_of_finite_volumes() {
     each(&reference("sixteen"), |row| {
@@ -126,8 +127,9 @@ fn the_sum_of_the_parts_is_too_strong() {
     });
 }
 
-/// On one mesh of a straight and of a tilted ring, with all motions at once: at every node the pressures of the parts together are at least that of the film.
-/// Linear elements on triangles without obtuse angles have the discrete principle of maximum from which this follows; quadratic ones waver in the cavity.
+/// On one mesh of a straight and of a tilted ring, with all motions at once: at every node the pressures of the parts
+/// together are at least that of the film. Linear elements on triangles without obtuse angles have the discrete
+/// principle of maximum from which this follows; quadratic ones waver in the cavity.
 #[test]
 fn nowhere_do_the_parts_together_press_less_than_the_film() {
     const LENGTH: f64 = 0.05;
@@ -182,7 +184,8 @@ fn straight_bearings_are_those_of_finite_volumes() {
     });
 }
 
-/// The formula is right to 10 % in the core and to 30 % everywhere, and the worst errors that a row reports are those of its rounded coefficients.
+/// The formula is right to 10 % in the core and to 30 % everywhere, and the worst errors that a row reports are those
+/// of its rounded coefficients.
 #[test]
 fn the_formula_fits_the_films_of_the_second_code() {
     let grid = straight_bearings();

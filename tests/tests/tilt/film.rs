@@ -71,7 +71,8 @@ fn mirrored_films_carry_mirrored_moments() {
     }
 }
 
-/// Rotation is a motion of the film: that of the offset by `omega/2 (e_y, -e_x)` and of the slope by `omega/2 (g_y, -g_x)`.
+/// Rotation is a motion of the film: that of the offset by `omega/2 (e_y, -e_x)` and of the slope by
+/// `omega/2 (g_y, -g_x)`.
 #[test]
 fn five_motions_are_four() {
     let problem = tilted(plain_film(LENGTH, 0.6, 0.4, SPEED), slope([0.2, 0.3]));

@@ -4,7 +4,8 @@ use oilwedge_study::result::RunResult;
 use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::tilted_bearings::{FORCE, MOMENT, block, numbers, quantity, rows, run, scene};
 
-/// The numbers of a run by name and what they should be, each with the size that differences count against: `part` of it, and the bar must hold.
+/// The numbers of a run by name and what they should be, each with the size that differences count against: `part` of
+/// it, and the bar must hold.
 fn compare(result: &RunResult, wanted: &[(&str, f64, f64)], part: f64) -> Result<(), String> {
     for &(name, wanted, size) in wanted {
         let [value, bar] = quantity(result, name);
@@ -48,7 +49,8 @@ fn forces_and_moments_are_those_of_finite_volumes() {
     });
 }
 
-/// Rings with a film start, recomputed to a thousandth: `zeta = z/(B/2)`, slopes in `c/(B/2)`, moments scaled as So over the half length.
+/// Rings with a film start, recomputed to a thousandth: `zeta = z/(B/2)`, slopes in `c/(B/2)`, moments scaled as So
+/// over the half length.
 #[test]
 fn misaligned_rings_with_a_film_start() {
     let block = block("misaligned_plain360");

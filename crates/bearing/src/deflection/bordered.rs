@@ -4,8 +4,9 @@
 //! W_x x + W_d d = r        d - C (p_d d + p_x x) = s
 //! ```
 //!
-//! The film in cubic elements has no factor: a back-solve is iterated, and takes some fifteen times as long as one of the quadratic film. So nothing is eliminated, and each direction of GMRES for x and d is the
-//! solution of the [`Joint`] of the quadratic film. A product costs one back-solve.
+//! The film in cubic elements has no factor: a back-solve is iterated, and takes some fifteen times as long as one of
+//! the quadratic film. So nothing is eliminated, and each direction of GMRES for x and d is the solution of the
+//! [`Joint`] of the quadratic film. A product costs one back-solve.
 
 use std::cell::{Cell, RefCell};
 
@@ -42,8 +43,8 @@ pub(crate) struct Bordered<'a> {
 }
 
 impl<'a> Bordered<'a> {
-    /// Of a journal with these `coordinates`, on which `held` [N/m] acts too, and whose centre moves so. One newton counts as much as `weight` [m/N]; linear systems are solved to an `accuracy`, nearly by
-    /// those of another film.
+    /// Of a journal with these `coordinates`, on which `held` [N/m] acts too, and whose centre moves so. One newton
+    /// counts as much as `weight` [m/N]; linear systems are solved to an `accuracy`, nearly by those of another film.
     pub(crate) fn of(
         follower: Follower<'a>,
         (coordinates, velocity, held): (Coordinates, CentreVelocity, Vector),
@@ -64,7 +65,8 @@ impl<'a> Bordered<'a> {
         }
     }
 
-    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it,
+    /// or by no more.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -93,7 +95,8 @@ impl<'a> Bordered<'a> {
         self.products.get()
     }
 
-    /// What coordinates and a move of the wall change: weighed forces [m], and the part of that move that film and contact do not make [m].
+    /// What coordinates and a move of the wall change: weighed forces [m], and the part of that move that film and
+    /// contact do not make [m].
     fn image(&self, both: &[f64]) -> Result<Vec<f64>, Error> {
         let (place, wall) = self.apart(both);
         let change = self.change(place);

@@ -1,4 +1,5 @@
-//! Newton's method for the deflection, from the wall as it is or, where that fails, from that of a journal nearer to the middle.
+//! Newton's method for the deflection, from the wall as it is or, where that fails, from that of a journal nearer to
+//! the middle.
 
 use std::sync::Arc;
 
@@ -62,7 +63,8 @@ pub(crate) struct Left {
     pub(crate) contact: Option<Arc<ContactPoints>>,
 }
 
-/// Solves a film, and with it the deflection of its wall from that which the problem has, or from those of journals nearer to the middle.
+/// Solves a film, and with it the deflection of its wall from that which the problem has, or from those of journals
+/// nearer to the middle.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
@@ -176,8 +178,8 @@ fn iterated(mut here: Trial, enough: f64, counts: &mut Closing) -> Result<Trial,
     }
 }
 
-/// Accuracy of the linear system of a step: one that leaves no more than the curvature does, or than may be left at last
-/// (Eisenstat, Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+/// Accuracy of the linear system of a step: one that leaves no more than the curvature does, or than may be left at
+/// last (Eisenstat, Walker, SIAM J. Sci. Comput. 17 (1996) 16).
 fn accuracy(residual: f64, enough: f64) -> f64 {
     residual.max(SPARE * enough / residual).min(ROUGH)
 }
@@ -257,8 +259,8 @@ fn least_gap(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     Gap::of(problem, system).thinnest_film(problem, system).thickness
 }
 
-/// The film in cubic elements from the quadratic `film`, from the cavity of that at a neighbouring place if there is one; a wall that gives way is
-/// bent by it, until no more than the part `enough` of the deflection is left.
+/// The film in cubic elements from the quadratic `film`, from the cavity of that at a neighbouring place if there is
+/// one; a wall that gives way is bent by it, until no more than the part `enough` of the deflection is left.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.

@@ -1,8 +1,9 @@
 //! How film and wall answer to small harmonic motions of the journal, together.
 //!
-//! The film answers to a motion `Re(de exp(i a t))` by `u + i a w`, and to one of the wall alike ([`Whirl`]). The wall follows with `D + i a V`:
-//! `D = C (dp/du (u + u(D) - a^2 w(V)) + q + A D)`, `V = C (dp/du (w + w(D) + u(V)) + A V)`: it is elastic and without mass, but the oil that its motion takes up counts. The
-//! forces of contact change by q with the motion at a fixed wall, and by A with that of the wall: contact that the wall follows late damps too.
+//! The film answers to a motion `Re(de exp(i a t))` by `u + i a w`, and to one of the wall alike ([`Whirl`]). The wall
+//! follows with `D + i a V`: `D = C (dp/du (u + u(D) - a^2 w(V)) + q + A D)`, `V = C (dp/du (w + w(D) + u(V)) + A V)`:
+//! it is elastic and without mass, but the oil that its motion takes up counts. The forces of contact change by q with
+//! the motion at a fixed wall, and by A with that of the wall: contact that the wall follows late damps too.
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
@@ -22,8 +23,9 @@ pub(crate) struct Response {
     pub(crate) deflection: [Deflection; 2],
 }
 
-/// The answer to a motion of the journal by `place`, and as its rate [1/s], from the change of the unknown with both at a fixed wall; of
-/// motions at a `frequency` [rad/s], zero: slow ones. The rate of the wall is in units of the `pace` [rad/s] on the way.
+/// The answer to a motion of the journal by `place`, and as its rate [1/s], from the change of the unknown with both at
+/// a fixed wall; of motions at a `frequency` [rad/s], zero: slow ones. The rate of the wall is in units of the `pace`
+/// [rad/s] on the way.
 ///
 /// # Errors
 /// The linear systems could not be solved.

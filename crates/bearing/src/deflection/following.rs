@@ -1,10 +1,12 @@
-//! What the wall adds to the weights of force and moment where it follows an error of the pressure: the dual of film and wall, of which the film is eliminated.
+//! What the wall adds to the weights of force and moment where it follows an error of the pressure: the dual of film
+//! and wall, of which the film is eliminated.
 //!
 //! ```text
 //! mu - C B^T mu = C g        B^T mu = A mu - G^T K^-T F^T mu        g = J_d - G^T K^-T j
 //! ```
 //!
-//! K is the tangent of the film, G how its residual changes with the wall. The operator is the transposed one of `tangent.rs` with C, which is symmetric, before it instead of behind.
+//! K is the tangent of the film, G how its residual changes with the wall. The operator is the transposed one of
+//! `tangent.rs` with C, which is symmetric, before it instead of behind.
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::SolvedFilm;
@@ -18,8 +20,9 @@ const ACCURACY: f64 = 1e-4;
 /// Part to which each product is known.
 const OF_PRODUCTS: f64 = 1e-6;
 
-/// What a wall that gives way adds to the weights of force [1] and, where the journal can tilt, of moment [m] at a solved film, which runs under the wall of `problem`; none where the wall is rigid.
-/// Source: [`oilwedge_reynolds::error_bar::following`].
+/// What a wall that gives way adds to the weights of force [1] and, where the journal can tilt, of moment [m] at a
+/// solved film, which runs under the wall of `problem`; none where the wall is rigid. Source:
+/// [`oilwedge_reynolds::error_bar::following`].
 ///
 /// # Errors
 /// The linear systems could not be solved.
@@ -40,7 +43,8 @@ pub fn following_wall(film: &SolvedFilm) -> Result<Option<FollowingWall>, Error>
 }
 
 impl Follower<'_> {
-    /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much; `known` is what those of other numbers have shown.
+    /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much;
+    /// `known` is what those of other numbers have shown.
     fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut Known) -> Result<Vec<f64>, Error> {
         let SolvedFilm { problem, system, solution } = self.film;
         let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);

@@ -1,12 +1,14 @@
-//! The method of generalised minimal residuals without restarts, in the form that keeps moves U with orthonormal images `C = A U` (Eisenstat, Elman, Schultz, SIAM J. Numer. Anal.
-//! 20 (1983) 345; which direction comes next: Jiranek, Rozloznik, Numer. Algorithms 53 (2010) 93). Later systems with the same operator begin with them: what C has of a right-hand side
-//! is solved at once.
+//! The method of generalised minimal residuals without restarts, in the form that keeps moves U with orthonormal images
+//! `C = A U` (Eisenstat, Elman, Schultz, SIAM J. Numer. Anal. 20 (1983) 345; which direction comes next: Jiranek,
+//! Rozloznik, Numer. Algorithms 53 (2010) 93). Later systems with the same operator begin with them: what C has of a
+//! right-hand side is solved at once.
 
 use oilwedge_fem::Error;
 
 /// Most products with the operator.
 const MOST_STEPS: usize = 400;
-/// Where a product leaves more than this part of the residual, the next direction is that of its image, not of the residual.
+/// Where a product leaves more than this part of the residual, the next direction is that of its image, not of the
+/// residual.
 const SLOW: f64 = 0.9;
 
 /// A solution, how many products with the operator it took, and the residual over the right-hand side.
@@ -39,7 +41,8 @@ pub(super) struct Known {
     accuracy: f64,
 }
 
-/// Solves `A x = b` until the residual is below `accuracy` of b, or no further product helps; `nearly` solves a system much like it.
+/// Solves `A x = b` until the residual is below `accuracy` of b, or no further product helps; `nearly` solves a system
+/// much like it.
 ///
 /// # Errors
 /// Those of the operator, and of the system much like it.
@@ -102,7 +105,8 @@ impl Known {
         Ok(Solved { x, steps, left })
     }
 
-    /// Takes what the images known have of a vector out of it, by Gram and Schmidt twice; the move whose image that was.
+    /// Takes what the images known have of a vector out of it, by Gram and Schmidt twice; the move whose image that
+    /// was.
     fn taken(&self, from: &mut [f64]) -> Vec<f64> {
         let mut taken = vec![0.0; from.len()];
         for _ in 0..2 {

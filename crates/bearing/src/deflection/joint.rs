@@ -4,7 +4,8 @@
 //! K x + W_d d = r        d - C (p_d d + p_x x) = s        K: at a fixed wall
 //! ```
 //!
-//! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a product. Under a given load the wall answers less than at a given place.
+//! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a
+//! product. Under a given load the wall answers less than at a given place.
 
 use std::cell::{Cell, RefCell};
 
@@ -79,7 +80,8 @@ impl Moves {
 }
 
 impl<'a> Joint<'a> {
-    /// Of a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts too; its linear systems are solved to an `accuracy`.
+    /// Of a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts too; its
+    /// linear systems are solved to an `accuracy`.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -114,7 +116,8 @@ impl<'a> Joint<'a> {
         })
     }
 
-    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it,
+    /// or by no more.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -141,7 +144,8 @@ impl<'a> Joint<'a> {
         self.products.get()
     }
 
-    /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push film and wall by: forces [N], and how far the wall is bent [m].
+    /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push
+    /// film and wall by: forces [N], and how far the wall is bent [m].
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -160,7 +164,8 @@ impl<'a> Joint<'a> {
         Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
     }
 
-    /// Forces [N] of contact on the splines by a move of the journal and of the wall; none where no contact is simulated.
+    /// Forces [N] of contact on the splines by a move of the journal and of the wall; none where no contact is
+    /// simulated.
     fn contact_by(&self, place: Vector, wall: &[f64]) -> Vec<f64> {
         let mut forces = self.follower.contact_times(wall).unwrap_or_default();
         for (pressed, by) in self.contact_by_place.iter().zip(place) {

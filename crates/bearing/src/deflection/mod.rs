@@ -1,18 +1,20 @@
 //! # Elastic wall: the deflection by the pressure of the film that it makes room for
 //!
-//! **Equation.** `d = C f(p(d))` for the deflection of the wall, p the pressure of the film and that of contact, by Newton's method: `(I - C dp/dd) step = C f - d`, each step by
-//! GMRES, whose products cost a back-solve with the factor of the film, its cavity held. A search for a position closes the wall at each place that it tries.
+//! **Equation.** `d = C f(p(d))` for the deflection of the wall, p the pressure of the film and that of contact, by
+//! Newton's method: `(I - C dp/dd) step = C f - d`, each step by GMRES, whose products cost a back-solve with the
+//! factor of the film, its cavity held. A search for a position closes the wall at each place that it tries.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | d | m | [`Deflection`] |
 //! | C, f | m/N, N | [`Wall`](oilwedge_reynolds::wall::Wall) |
 //!
-//! The wall is bent by the film that is reported: the one in cubic elements, where errors are estimated by it. The other film of a pair runs under the wall so
-//! bent, so that both have the same gap.
+//! The wall is bent by the film that is reported: the one in cubic elements, where errors are estimated by it. The
+//! other film of a pair runs under the wall so bent, so that both have the same gap.
 //!
-//! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that are reached from one in the unbent wall by raising the
-//! eccentricity; beyond the clearance too where contact presses the ends of the wall out. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
+//! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that are reached
+//! from one in the unbent wall by raising the eccentricity; beyond the clearance too where contact presses the ends of
+//! the wall out. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
 
 mod bordered;
 mod close;
@@ -58,8 +60,8 @@ pub struct Carried {
     pub deflection: Vec<f64>,
 }
 
-/// What each of some `changes` of the journal changes, to first order; a wall that gives way follows. Its linear systems are solved until the norm of the residual is `accuracy` times
-/// that of the right-hand side [1].
+/// What each of some `changes` of the journal changes, to first order; a wall that gives way follows. Its linear
+/// systems are solved until the norm of the residual is `accuracy` times that of the right-hand side [1].
 ///
 /// # Errors
 /// The linear systems could not be solved.
@@ -93,8 +95,8 @@ pub(crate) fn carried_touching(
     changes.iter().map(of).collect()
 }
 
-/// The film where the journal has moved by a small `change`, and with it a wall that gives way: along the tangent, but for a mass-conserving one, which is solved
-/// again from the film that is there.
+/// The film where the journal has moved by a small `change`, and with it a wall that gives way: along the tangent, but
+/// for a mass-conserving one, which is solved again from the film that is there.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
@@ -133,7 +135,8 @@ pub fn displaced_with_wall(film: &SolvedFilm, change: &JournalChange, wall: &[f6
     with_change(film, moved, &changes, unknown)
 }
 
-/// The film of a problem that is `moved` by small changes: along the tangent, by which the unknown changes so; one that conserves oil is solved again from the film that is there.
+/// The film of a problem that is `moved` by small changes: along the tangent, by which the unknown changes so; one that
+/// conserves oil is solved again from the film that is there.
 fn with_change(
     film: &SolvedFilm,
     moved: FilmProblem,
@@ -147,8 +150,8 @@ fn with_change(
     Ok(film.along_tangent(moved, changes, &unknown))
 }
 
-/// The film where the wall alone would move by coefficients `free` [m] under the pressure that is there, and both have answered, to first order; none where the wall
-/// is rigid.
+/// The film where the wall alone would move by coefficients `free` [m] under the pressure that is there, and both have
+/// answered, to first order; none where the wall is rigid.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
@@ -160,7 +163,8 @@ pub fn bent(film: &SolvedFilm, free: &[f64]) -> Result<Option<SolvedFilm>, NoFil
     follower.moved(&followed).map(Some)
 }
 
-/// The deflection where the wall moves by coefficients `free` [m] and contact has answered, the pressure of the film held; none where the wall is rigid.
+/// The deflection where the wall moves by coefficients `free` [m] and contact has answered, the pressure of the film
+/// held; none where the wall is rigid.
 ///
 /// # Errors
 /// A system that does not fit in memory.

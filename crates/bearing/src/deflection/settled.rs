@@ -1,7 +1,8 @@
 //! # Contact and wall settled after a step along a tangent, the pressure of the film held
 //!
-//! Where rough surfaces touch, contact changes by its own size within a roughness. A step along a tangent presses them into each other, and the films after it would undo that by halves. So contact
-//! and wall are balanced alone before the next film is solved: the film presses as the tangent has it, contact as its law has it.
+//! Where rough surfaces touch, contact changes by its own size within a roughness. A step along a tangent presses them
+//! into each other, and the films after it would undo that by halves. So contact and wall are balanced alone before the
+//! next film is solved: the film presses as the tangent has it, contact as its law has it.
 //!
 //! ```text
 //! d' - C f(d') = d - C f_t
@@ -13,8 +14,10 @@
 //! | f_t, f | N | forces of contact on the splines: along the tangent, and by the law |
 //! | C | m/N | [`Wall`](oilwedge_reynolds::wall::Wall) |
 //!
-//! **Method.** Newton's, at the points of contact found once, under d; its systems by GMRES, whose products cost no back-solve. Contact grows more slowly the further the surfaces part, so that steps from surfaces
-//! pressed too hard do not pass the balance. **Verified by** `points_of_contact_follow_the_wall`, `loads_that_press_soft_walls_far_out_are_balanced`.
+//! **Method.** Newton's, at the points of contact found once, under d; its systems by GMRES, whose products cost no
+//! back-solve. Contact grows more slowly the further the surfaces part, so that steps from surfaces pressed too hard do
+//! not pass the balance. **Verified by** `points_of_contact_follow_the_wall`,
+//! `loads_that_press_soft_walls_far_out_are_balanced`.
 
 use std::convert::Infallible;
 
@@ -34,7 +37,8 @@ const MOST_STEPS: usize = 10;
 /// Accuracy of the linear systems.
 const ACCURACY: f64 = 0.1;
 
-/// The deflection of a problem whose wall was moved along a tangent, contact settled, which presses by these `forces` [N] there; none where both are near, or no contact is simulated.
+/// The deflection of a problem whose wall was moved along a tangent, contact settled, which presses by these `forces`
+/// [N] there; none where both are near, or no contact is simulated.
 pub(crate) fn settled(problem: &FilmProblem, system: &FilmSystem, forces: &[f64]) -> Option<Deflection> {
     let (deflection, Contact { law, .. }) = (problem.deflection()?, problem.contact?);
     let mut points = ContactPoints::of(problem, system)?;

@@ -1,10 +1,12 @@
-//! How film and wall answer to slow motions of the journal: the wall follows by `A x + B x'`, and what its own motion `A x'` does to the film is in B.
+//! How film and wall answer to slow motions of the journal: the wall follows by `A x + B x'`, and what its own motion
+//! `A x'` does to the film is in B.
 //!
 //! ```text
 //! A = C (p_x + p_d A)        B = C (p_v + p_d' A + p_d B)
 //! ```
 //!
-//! These are the answers of `dynamics.rs` at the frequency zero, where place and rate do not depend on each other. The rate that the wall has is held.
+//! These are the answers of `dynamics.rs` at the frequency zero, where place and rate do not depend on each other. The
+//! rate that the wall has is held.
 
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
@@ -41,8 +43,8 @@ impl Follower<'_> {
     }
 }
 
-/// First-order changes of what the journal carries with a slow motion by `place`: with it as place, and with it as rate [1/s]. A wall that gives way follows; its linear systems are
-/// solved to an `accuracy`.
+/// First-order changes of what the journal carries with a slow motion by `place`: with it as place, and with it as rate
+/// [1/s]. A wall that gives way follows; its linear systems are solved to an `accuracy`.
 ///
 /// # Errors
 /// The linear systems could not be solved.
@@ -60,7 +62,8 @@ pub fn carried_slowly(film: &SolvedFilm, place: &JournalChange, accuracy: f64) -
     Ok([slow.by_place.carried(&gradient), slow.by_rate.carried(&gradient)])
 }
 
-/// The film of a journal that moves faster by `motion` as a rate [1/s], and of a wall that follows it slowly: along the tangent.
+/// The film of a journal that moves faster by `motion` as a rate [1/s], and of a wall that follows it slowly: along the
+/// tangent.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.

@@ -1,8 +1,9 @@
 //! The tangent of film and wall: how both answer where something else changes.
 //!
-//! At a fixed wall the unknown of the film changes by u, and the pressure of contact by a. The wall follows, and both follow the wall: `(I - C dp/dd) dd = C (dp/du u + a)`,
-//! then `du = u + (du/dd) dd`, p the sum of both pressures. One product with the operator is one back-solve with the factor of the film, its cavity held, and one product each with the
-//! matrices of the gap ([`GapTangent`]) and of contact.
+//! At a fixed wall the unknown of the film changes by u, and the pressure of contact by a. The wall follows, and both
+//! follow the wall: `(I - C dp/dd) dd = C (dp/du u + a)`, then `du = u + (du/dd) dd`, p the sum of both pressures. One
+//! product with the operator is one back-solve with the factor of the film, its cavity held, and one product each with
+//! the matrices of the gap ([`GapTangent`]) and of contact.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -18,7 +19,8 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalChange, SolvedFilm};
 use super::gmres::{Known, Solved};
 use super::touching::Touching;
 
-/// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an iteration: norm of the residual over that of the right-hand side [1].
+/// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an
+/// iteration: norm of the residual over that of the right-hand side [1].
 pub const EXACT: f64 = 1e-10;
 /// Accuracy to which the systems of a film much like another one are solved, where they stand in for those of it.
 pub(crate) const NEARLY: f64 = 1e-2;
@@ -134,7 +136,8 @@ impl<'a> Follower<'a> {
         Ok(Free { unknown, contact: self.contact_change(change) })
     }
 
-    /// Change of the unknown with a `change` of the journal and a deflection `bent` [m], for systems that are solved to an `accuracy`.
+    /// Change of the unknown with a `change` of the journal and a deflection `bent` [m], for systems that are solved to
+    /// an `accuracy`.
     ///
     /// # Errors
     /// The linear system could not be solved.
@@ -152,7 +155,8 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// What the journal carries by contact with a `change` of the journal, and the forces [N] of contact on the splines with a deflection `bent` [m] too; none where no contact is simulated.
+    /// What the journal carries by contact with a `change` of the journal, and the forces [N] of contact on the splines
+    /// with a deflection `bent` [m] too; none where no contact is simulated.
     pub(super) fn contact_by_both(&self, change: &JournalChange, bent: &[f64]) -> Option<(Resultant, Vec<f64>)> {
         let (carried, mut forces) = self.contact_change(change)?;
         let by_wall = self.contact_times(bent)?;
@@ -160,7 +164,8 @@ impl<'a> Follower<'a> {
         Some((carried, forces))
     }
 
-    /// What the journal carries by contact, and the forces [N] of it on the splines, more with a `change` of the journal; none where no contact is simulated.
+    /// What the journal carries by contact, and the forces [N] of it on the splines, more with a `change` of the
+    /// journal; none where no contact is simulated.
     pub(super) fn contact_change(&self, change: &JournalChange) -> Option<(Resultant, Vec<f64>)> {
         let points = &self.contact.as_ref()?.points;
         let moved = points.gap_change(&self.film.problem, change.into());
@@ -223,7 +228,8 @@ impl<'a> Follower<'a> {
         Ok(Followed { by_contact, ..self.bent(&self.image_of(&free), free.unknown, accuracy)? })
     }
 
-    /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other; to an `accuracy`.
+    /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to
+    /// the other; to an `accuracy`.
     fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
         let deflection = self.solve(free, accuracy)?.x;
         let more = self.by_deflection(&deflection, accuracy)?;

@@ -1,7 +1,8 @@
 //! The wall under contact alone, the pressure of the film held.
 //!
-//! Where rough surfaces touch, contact changes by its own size within a roughness, and most products of an iteration for film and wall would be spent on it. It acts on
-//! few splines, c, so that its part is solved in closed form, and what is left to iterate is how the film answers:
+//! Where rough surfaces touch, contact changes by its own size within a roughness, and most products of an iteration
+//! for film and wall would be spent on it. It acts on few splines, c, so that its part is solved in closed form, and
+//! what is left to iterate is how the film answers:
 //!
 //! ```text
 //! x - C A x = r        x = r + C A_c (I - C_c A_c)^-1 r_c
@@ -12,7 +13,8 @@
 //! | A | N/m | [`ContactTangent`] |
 //! | C | m/N | [`Compliance`] |
 //!
-//! **Source.** Woodbury's formula; a preconditioner from the right changes no residual. **Verified by** `contact_alone_is_solved_in_closed_form`.
+//! **Source.** Woodbury's formula; a preconditioner from the right changes no residual. **Verified by**
+//! `contact_alone_is_solved_in_closed_form`.
 
 use std::collections::BTreeMap;
 

@@ -1,17 +1,19 @@
 //! # Slider crank: the forces on the pin of the big end and on the main bearings
 //!
-//! **Equation.** In the frame of the cylinder, for a crank that turns from x to y, with the pin at `r (cos theta, sin theta)`:
+//! **Equation.** In the frame of the cylinder, for a crank that turns from x to y, with the pin at
+//! `r (cos theta, sin theta)`:
 //! ```text
 //! sin beta = lambda sin theta,   lambda = r/l,      beta' = lambda cos theta/cos beta
 //! s = r cos theta + l cos beta   (small end),       v_p = omega s',   a_p = omega^2 s''
 //! T = F_gas + m_p a_p,           F = (-T, T tan beta) + m_r r omega^2 (cos theta, sin theta)
 //! ```
-//! F is the force of the rod on the pin, primes are derivatives with respect to theta; no series in lambda. The power balances at every angle:
-//! `F . v_pin + (F_gas + m_p a_p) v_p = 0`. The rod is two masses, at its eyes; that is exact where its moment of inertia is m a b with the distances a, b of
-//! its centre of mass from the eyes. The piston has no offset, and friction is left out.
+//! F is the force of the rod on the pin, primes are derivatives with respect to theta; no series in lambda. The power
+//! balances at every angle: `F . v_pin + (F_gas + m_p a_p) v_p = 0`. The rod is two masses, at its eyes; that is exact
+//! where its moment of inertia is m a b with the distances a, b of its centre of mass from the eyes. The piston has no
+//! offset, and friction is left out.
 //!
-//! A crankshaft is cut at its main bearings: each throw rests on those beside it as a beam on two supports. With the shares w of the throws beside it, whose
-//! cranks follow by the angles phi, a main bearing has the load
+//! A crankshaft is cut at its main bearings: each throw rests on those beside it as a beam on two supports. With the
+//! shares w of the throws beside it, whose cranks follow by the angles phi, a main bearing has the load
 //! ```text
 //! sum of w (F(theta - phi) + m_w r omega^2 (cos(theta - phi), sin(theta - phi)))
 //! ```
@@ -25,7 +27,8 @@
 //! | theta, beta | rad | `angle`, `inclination` |
 //! | omega | rad/s | `speed` |
 //!
-//! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8 (exact forms derived here). **Range.** lambda < 1.
+//! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8 (exact forms
+//! derived here). **Range.** lambda < 1.
 //! **Verified by** `duty_cycle/tests.rs` and `tests/tests/duty_cycle.rs`.
 
 use std::f64::consts::{PI, TAU};
@@ -138,7 +141,8 @@ pub struct Crank {
 /// A throw beside a main bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Throw {
-    /// Crank angle by which it follows [rad]: its own angle is that of the crank less this one, and so is its gas pressure.
+    /// Crank angle by which it follows [rad]: its own angle is that of the crank less this one, and so is its gas
+    /// pressure.
     pub angle: f64,
     /// Share of its load that the main bearing takes [1].
     pub share: f64,
@@ -159,14 +163,16 @@ impl Crank {
         -step * angles.map(|angle| self.gas_force(angle) * self.linkage.piston_velocity(angle, 1.0)).sum::<f64>()
     }
 
-    /// Force of the rod on the pin [N] in the frame of the cylinder, at a crank angle [rad] and an angular speed [rad/s].
+    /// Force of the rod on the pin [N] in the frame of the cylinder, at a crank angle [rad] and an angular speed
+    /// [rad/s].
     pub fn force_on_pin(&self, angle: f64, speed: f64) -> [f64; 2] {
         let thrust = self.gas_force(angle) + self.reciprocating_mass * self.linkage.piston_acceleration(angle, speed);
         let centrifugal = self.rotating_mass * self.linkage.radius * speed * speed;
         [centrifugal * angle.cos() - thrust, centrifugal * angle.sin() + thrust * self.linkage.inclination(angle).tan()]
     }
 
-    /// Force of the throws on a main journal [N] in the frame of the cylinders, at a crank angle [rad] and an angular speed [rad/s].
+    /// Force of the throws on a main journal [N] in the frame of the cylinders, at a crank angle [rad] and an angular
+    /// speed [rad/s].
     pub fn force_on_main(&self, throws: &[Throw], angle: f64, speed: f64) -> [f64; 2] {
         throws.iter().fold([0.0; 2], |[x, y], throw| {
             let own = angle - throw.angle;

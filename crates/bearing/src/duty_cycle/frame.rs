@@ -16,7 +16,8 @@ pub enum Frame {
 /// How journal and shell turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
-    /// Angular speed of the journal [rad/s], positive towards growing angles of the bearing; not zero where the angle of the load is that of the crank.
+    /// Angular speed of the journal [rad/s], positive towards growing angles of the bearing; not zero where the angle
+    /// of the load is that of the crank.
     pub speed: f64,
     /// The crank whose rod holds the shell; `None`: the shell is at rest, with the axes of the cylinder's frame.
     pub rod: Option<Linkage>,

@@ -4,20 +4,24 @@
 //! ```text
 //! h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1))
 //! ```
-//! for all knots, indices modulo their number: a cyclic tridiagonal system, diagonally dominant, solved by elimination of its last unknown. The slope at a knot is
-//! `s_i = d_i - h_i (2 m_i + m_(i+1))/6`, and between knots the value is the cubic with these slopes.
+//! for all knots, indices modulo their number: a cyclic tridiagonal system, diagonally dominant, solved by elimination
+//! of its last unknown. The slope at a knot is `s_i = d_i - h_i (2 m_i + m_(i+1))/6`, and between knots the value is
+//! the cubic with these slopes.
 //!
-//! Through uneven or jumping points a spline overshoots without a limit. [`PeriodicSpline::within_points`] limits each slope by the chords beside its knot, with D_i the step of the value over h_i:
+//! Through uneven or jumping points a spline overshoots without a limit. [`PeriodicSpline::within_points`] limits each
+//! slope by the chords beside its knot, with D_i the step of the value over h_i:
 //! ```text
 //! c_i = 2 (d_i - d_(i-1))/(h_(i-1) + h_i),       b_i = minmod(c_i, c_(i+1))
 //! t_i = minmod(d_(i-1) + h_(i-1) b_(i-1)/2, d_i - h_i b_i/2)
 //! |s_i| <= max(3 |minmod(d_(i-1), d_i)|, min(3/2 |t_i|, max(|D_(i-1)|, |D_i|)/max(h_(i-1), h_i))),      of the sign of t_i
 //! ```
-//! minmod is the lesser of two numbers of one sign, else zero. By the first limit the cubic is monotone between knots. The second one lets a curve pass its points where they bend the same way on both
-//! sides, as at the peak of a smooth function, by less than 4/27 of the steps beside; next to a step or a level stretch it is zero. Smooth points keep their spline and its continuous second derivative.
+//! minmod is the lesser of two numbers of one sign, else zero. By the first limit the cubic is monotone between knots.
+//! The second one lets a curve pass its points where they bend the same way on both sides, as at the peak of a smooth
+//! function, by less than 4/27 of the steps beside; next to a step or a level stretch it is zero. Smooth points keep
+//! their spline and its continuous second derivative.
 //!
-//! **Source.** C. de Boor, A Practical Guide to Splines, 1978, ch. IV; F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238, for the first limit;
-//! H. T. Huynh, SIAM J. Numer. Anal. 30 (1993) 57, for the second.
+//! **Source.** C. de Boor, A Practical Guide to Splines, 1978, ch. IV; F. N. Fritsch, R. E. Carlson, SIAM J. Numer.
+//! Anal. 17 (1980) 238, for the first limit; H. T. Huynh, SIAM J. Numer. Anal. 30 (1993) 57, for the second.
 
 /// Fewest knots of a periodic cubic.
 pub const LEAST_KNOTS: usize = 3;
@@ -27,7 +31,8 @@ const STEEPEST: f64 = 3.0;
 /// Slopes next to an extreme of smooth points are at most so many times those of parabolas.
 const AT_EXTREMES: f64 = 1.5;
 
-/// A periodic function with continuous first and, unless it is kept within its points, second derivatives; `N` values at once.
+/// A periodic function with continuous first and, unless it is kept within its points, second derivatives; `N` values
+/// at once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeriodicSpline<const N: usize> {
     period: f64,
@@ -42,7 +47,8 @@ pub enum NoSpline {
     /// There are too few points.
     #[error("there are {0} points, and a periodic cubic needs {LEAST_KNOTS}")]
     Few(usize),
-    /// This knot, counted from 0, is not beyond the one before, or not less than a period beyond the first, or it is no finite number.
+    /// This knot, counted from 0, is not beyond the one before, or not less than a period beyond the first, or it is no
+    /// finite number.
     #[error("point {0} is not beyond the one before it, or not less than a period beyond the first")]
     Order(usize),
     /// A value at this knot, counted from 0, is no finite number.
@@ -77,7 +83,8 @@ impl<const N: usize> PeriodicSpline<N> {
         Ok(Self { period, knots, values, slopes })
     }
 
-    /// This curve with limited slopes: between two points its values stay between theirs, but for a smooth extreme that lies there.
+    /// This curve with limited slopes: between two points its values stay between theirs, but for a smooth extreme that
+    /// lies there.
     #[must_use]
     pub fn within_points(mut self) -> Self {
         let count = self.knots.len();

@@ -26,8 +26,9 @@ pub struct Summary {
     pub greatest_moment: f64,
     /// Least and greatest speed of the journal against the shell [rad/s].
     pub speeds: [f64; 2],
-    /// How much of the force turns at half the speed of the journal, as the oil does that the journal drags along: `|mean F exp(-i alpha)|/mean |F|` with
-    /// `d alpha/dt = speed/2` (0 to 1). There a film has no wedge, and carries by squeeze alone.
+    /// How much of the force turns at half the speed of the journal, as the oil does that the journal drags along:
+    /// `|mean F exp(-i alpha)|/mean |F|` with `d alpha/dt = speed/2` (0 to 1). There a film has no wedge, and carries
+    /// by squeeze alone.
     pub half_speed_share: f64,
 }
 
@@ -103,8 +104,9 @@ impl DutyCycle {
 }
 
 impl DutyCycle {
-    /// `|mean F exp(-i alpha)|` [N], with `d alpha/dt` half the speed of the journal, over two turns of the load's angle. It is zero where the journal does not make
-    /// whole turns in one of them: no part of the load turns with alpha then.
+    /// `|mean F exp(-i alpha)|` [N], with `d alpha/dt` half the speed of the journal, over two turns of the load's
+    /// angle. It is zero where the journal does not make whole turns in one of them: no part of the load turns with
+    /// alpha then.
     fn half_speed_amplitude(&self) -> f64 {
         let turns = self.turns_of_journal();
         if (turns - turns.round()).abs() > WHOLE {

@@ -13,7 +13,8 @@ pub struct LoadPoint {
     pub moment: [f64; 2],
 }
 
-/// The curve through the points in the frame of the shell; limited so that no part of force or moment overshoots ([`PeriodicSpline::within_points`]).
+/// The curve through the points in the frame of the shell; limited so that no part of force or moment overshoots
+/// ([`PeriodicSpline::within_points`]).
 pub(super) fn spline(
     points: &[LoadPoint],
     period: f64,

@@ -162,7 +162,8 @@ fn a_load_with_a_frequency_of_its_own_goes_by_that() {
         assert_eq!((cycle.angular_speed(), cycle.at(1.0).speed), (50.0, speed));
         cycle.summary().half_speed_share
     };
-    // A constant load on a journal at rest, and half of a pulsation on one that turns twice as often: that half turns with the oil.
+    // A constant load on a journal at rest, and half of a pulsation on one that turns twice as often: that half turns
+    // with the oil.
     assert!((share(constant, 0.0) - 1.0).abs() < 1e-12);
     let mean_magnitude = 2.0 * 2.0 / std::f64::consts::PI;
     assert!((share(pulsating, 100.0) - 1.0 / mean_magnitude).abs() < 1e-6);

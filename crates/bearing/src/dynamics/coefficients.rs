@@ -78,7 +78,8 @@ impl Coefficients {
         }
     }
 
-    /// In the frame whose first axis has this direction [rad], and whose second one is 90 degrees on in the sense of `speed`.
+    /// In the frame whose first axis has this direction [rad], and whose second one is 90 degrees on in the sense of
+    /// `speed`.
     pub fn in_frame(&self, direction: f64, speed: f64) -> Self {
         let sense = if speed < 0.0 { -1.0 } else { 1.0 };
         let (sin, cos) = direction.sin_cos();
@@ -96,7 +97,8 @@ impl Coefficients {
         })
     }
 
-    /// Without dimension: `K c/W` and `C c omega/W`, slopes and moments with the arm l, half of the bearing's length. `None` without a load or at rest.
+    /// Without dimension: `K c/W` and `C c omega/W`, slopes and moments with the arm l, half of the bearing's length.
+    /// `None` without a load or at rest.
     pub fn without_dimension(&self, load: f64, clearance: f64, speed: f64, arm: f64) -> Option<Self> {
         let is_defined = load > 0.0 && speed != 0.0;
         let arm = |place: usize| if place < 2 { 1.0 } else { arm };
@@ -128,7 +130,8 @@ pub(super) fn motion(column: usize) -> ([f64; 2], [f64; 2]) {
     ([along(0), along(1)], [along(2), along(3)])
 }
 
-/// What the journal carries more in a rigid wall with a motion as `place` and as rate: contact answers to the place of the journal, not to its rate.
+/// What the journal carries more in a rigid wall with a motion as `place` and as rate: contact answers to the place of
+/// the journal, not to its rate.
 fn of_film(film: &SolvedFilm, place: &JournalChange, [by_place, by_rate]: [Vec<f64>; 2]) -> [Resultant; 2] {
     [load_change(film, &[place.into()], &by_place), oil_change(film, &by_rate)]
 }

@@ -7,7 +7,8 @@ use oilwedge_reynolds::{SolvedFilm, Whirl};
 
 use super::coefficients::{Coefficients, motion};
 
-/// For each triangle through which the edge of the cavity of a film runs: by how much the coefficients may be off, in proportion, where the edge lies elsewhere in it. A wall that gives way is held.
+/// For each triangle through which the edge of the cavity of a film runs: by how much the coefficients may be off, in
+/// proportion, where the edge lies elsewhere in it. A wall that gives way is held.
 ///
 /// # Errors
 /// The linear systems could not be solved.

@@ -1,6 +1,7 @@
 //! # Stiffness and damping of a film, and the rigid rotor on it
 //!
-//! **Equation.** `K = d(W, m)/d(e, g)`, `C = d(W, m)/d(e', g')`: the film pushes a journal that is off its state by (e, g) with `-K (e, g) - C (e', g')`.
+//! **Equation.** `K = d(W, m)/d(e, g)`, `C = d(W, m)/d(e', g')`: the film pushes a journal that is off its state by (e,
+//! g) with `-K (e, g) - C (e', g')`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -8,11 +9,11 @@
 //! | C | the same times s | [`Coefficients::damping`] |
 //! | nu | - | `whirl`: frequency of the motion over the speed of the journal |
 //!
-//! `coefficients.rs` (K and C of a film at one frequency), `edge.rs` (what the edge of a cavity leaves open of them), `rotor.rs` (the rigid rotor), `whirl.rs` (the frequency at which a cavity that conserves oil lets
-//! the rotor whirl).
+//! `coefficients.rs` (K and C of a film at one frequency), `edge.rs` (what the edge of a cavity leaves open of them),
+//! `rotor.rs` (the rigid rotor), `whirl.rs` (the frequency at which a cavity that conserves oil lets the rotor whirl).
 //!
-//! **Source.** Lund, Thomsen, Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME (1978) 1. **Range.** Small motions; the
-//! temperature of the film is held. **Verified by** `tests/tests/dynamics`.
+//! **Source.** Lund, Thomsen, Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME
+//! (1978) 1. **Range.** Small motions; the temperature of the film is held. **Verified by** `tests/tests/dynamics`.
 
 mod coefficients;
 mod edge;
@@ -40,7 +41,8 @@ pub struct AtWhirl {
 pub struct Dynamics {
     /// At each whirl ratio asked for, in their order.
     pub at: Vec<AtWhirl>,
-    /// At the whirl ratio at which the rigid rotor was judged: that of its own whirl where the frequency makes a difference, else the first one asked for.
+    /// At the whirl ratio at which the rigid rotor was judged: that of its own whirl where the frequency makes a
+    /// difference, else the first one asked for.
     pub judged: AtWhirl,
     /// Whether a rigid rotor is stable.
     pub stability: Stability,

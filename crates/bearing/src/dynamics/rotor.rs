@@ -1,21 +1,24 @@
 //! # The rigid rotor
 //!
-//! **Equation.** `M e'' + C e' + K e = 0` for the mass M that one of the bearings carries, the journal parallel to itself. Its roots s satisfy
-//! `M^2 s^4 + M tr C s^3 + (M tr K + det C) s^2 + k tr C s + det K = 0` with `k = (K_xx C_yy + K_yy C_xx - K_xy C_yx - K_yx C_xy)/tr C`. At the threshold
-//! of stability a pair of roots is `+- i omega_w`:
+//! **Equation.** `M e'' + C e' + K e = 0` for the mass M that one of the bearings carries, the journal parallel to
+//! itself. Its roots s satisfy `M^2 s^4 + M tr C s^3 + (M tr K + det C) s^2 + k tr C s + det K = 0` with
+//! `k = (K_xx C_yy + K_yy C_xx - K_xy C_yx - K_yx C_xy)/tr C`. At the threshold of stability a pair of roots is
+//! `+- i omega_w`:
 //! ```text
 //! omega_w^2 = ((K_xx - k)(K_yy - k) - K_xy K_yx)/det C        M_crit = k/omega_w^2
 //! ```
-//! By the conditions of Routh and Hurwitz the rotor is stable below that mass, and with any mass where `omega_w^2 <= 0`; with none where k or det K is negative.
-//! The logarithmic decrement of a root is `-2 pi Re s/|Im s|`.
+//! By the conditions of Routh and Hurwitz the rotor is stable below that mass, and with any mass where
+//! `omega_w^2 <= 0`; with none where k or det K is negative. The logarithmic decrement of a root is
+//! `-2 pi Re s/|Im s|`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | M_crit | kg | [`Threshold::mass`] |
 //! | omega_w | rad/s | [`Threshold::frequency`] |
 //!
-//! **Source.** Lund, Thomsen (1978); Routh, A Treatise on the Stability of a Given State of Motion (1877). **Range.** Small motions of a rotor without
-//! gyroscopic moments. **Verified by** the roots at the threshold, and ROSS in `tests/crosscheck`.
+//! **Source.** Lund, Thomsen (1978); Routh, A Treatise on the Stability of a Given State of Motion (1877). **Range.**
+//! Small motions of a rotor without gyroscopic moments. **Verified by** the roots at the threshold, and ROSS in
+//! `tests/crosscheck`.
 
 use std::f64::consts::TAU;
 
@@ -39,7 +42,8 @@ pub enum Stability {
     Below(Threshold),
     /// With no mass.
     Never,
-    /// It is not known: the film does not damp all motions, or no whirl has the frequency for which its coefficients hold.
+    /// It is not known: the film does not damp all motions, or no whirl has the frequency for which its coefficients
+    /// hold.
     Undetermined,
 }
 
@@ -115,7 +119,8 @@ fn over(a: Complex, [c, d]: Complex) -> Complex {
     times(a, [c / square, -d / square])
 }
 
-/// The roots of `s^4 + a_3 s^3 + a_2 s^2 + a_1 s + a_0`, all at once (Durand, Kerner: Kerner, Numer. Math. 8 (1966) 290).
+/// The roots of `s^4 + a_3 s^3 + a_2 s^2 + a_1 s + a_0`, all at once (Durand, Kerner: Kerner, Numer. Math. 8 (1966)
+/// 290).
 fn roots(coefficients: [f64; 4]) -> [Complex; 4] {
     const MOST_STEPS: usize = 500;
     const STILL: f64 = 1e-15;

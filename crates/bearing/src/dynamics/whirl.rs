@@ -1,6 +1,8 @@
-//! The whirl of a rigid rotor on a film whose coefficients depend on the frequency: the ratio nu that is that of the threshold which K(nu) and C(nu) give.
+//! The whirl of a rigid rotor on a film whose coefficients depend on the frequency: the ratio nu that is that of the
+//! threshold which K(nu) and C(nu) give.
 //!
-//! The zero of `omega_w^2(nu)/omega^2 - nu^2` is bracketed and found by the rule of false position (Illinois variant: Dowell, Jarratt, BIT 11 (1971) 168).
+//! The zero of `omega_w^2(nu)/omega^2 - nu^2` is bracketed and found by the rule of false position (Illinois variant:
+//! Dowell, Jarratt, BIT 11 (1971) 168).
 
 use oilwedge_fem::Error;
 
@@ -16,8 +18,8 @@ const ACCURACY: f64 = 1e-9;
 /// Most ratios tried within a bracket.
 const MOST_STEPS: usize = 30;
 
-/// The coefficients `at` the whirl ratio of the threshold at the journal's `speed` [rad/s]; in the limit of slow motions where the rotor is stable with any
-/// mass, and nothing where no ratio below [`HIGHEST`] is its own.
+/// The coefficients `at` the whirl ratio of the threshold at the journal's `speed` [rad/s]; in the limit of slow
+/// motions where the rotor is stable with any mass, and nothing where no ratio below [`HIGHEST`] is its own.
 ///
 /// # Errors
 /// Those of the coefficients.

@@ -1,7 +1,9 @@
-//! The map of a film of finite length: its force at many eccentricities and directions of the velocity, one film each, as a part of that of the short film:
-//! the logarithm of the ratio of both forces, and the angle between them, are smooth.
+//! The map of a film of finite length: its force at many eccentricities and directions of the velocity, one film each,
+//! as a part of that of the short film: the logarithm of the ratio of both forces, and the angle between them, are
+//! smooth.
 //!
-//! Eccentricities are even in `-ln(1 - eps)`, joined by cubics; directions by periodic splines, the lower half plane being the mirror image.
+//! Eccentricities are even in `-ln(1 - eps)`, joined by cubics; directions by periodic splines, the lower half plane
+//! being the mirror image.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;

@@ -1,11 +1,13 @@
 //! # Mobility: orbits by a map of the film
 //!
-//! **Equation.** The film of an aligned ring whose cavity has the pressure of its ends sees rotation and motion as one velocity,
+//! **Equation.** The film of an aligned ring whose cavity has the pressure of its ends sees rotation and motion as one
+//! velocity,
 //! ```text
 //! v = e' - (omega/2) k x e              W = F:   e' = V(e, F) + (omega/2) k x e
 //! ```
-//! and its force W is in proportion to v. So the film is a map of two numbers, the eccentricity and the direction of v against the line of centres; its
-//! inverse V is the mobility. A map is computed once for a slenderness B/D, and serves every load, speed, viscosity and clearance.
+//! and its force W is in proportion to v. So the film is a map of two numbers, the eccentricity and the direction of v
+//! against the line of centres; its inverse V is the mobility. A map is computed once for a slenderness B/D, and serves
+//! every load, speed, viscosity and clearance.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -18,8 +20,9 @@
 //! | `finite.rs` | that of a film of finite length, computed on its mesh |
 //! | `travel.rs` | the orbit by a map |
 //!
-//! **Source.** Booker, Trans. ASME J. Basic Eng. 87 (1965) 537; Childs, Moes, van Leeuwen, Trans. ASME J. Lubr. Tech. 99 (1977) 198. **Range.** Full rings without feeds and tilt;
-//! half films (Guembel) and those of Swift and Stieber with the pressure of the ends in the cavity; constant viscosity; no mass. **Verified by**
+//! **Source.** Booker, Trans. ASME J. Basic Eng. 87 (1965) 537; Childs, Moes, van Leeuwen, Trans. ASME J. Lubr. Tech.
+//! 99 (1977) 198. **Range.** Full rings without feeds and tilt; half films (Guembel) and those of Swift and Stieber
+//! with the pressure of the ends in the cavity; constant viscosity; no mass. **Verified by**
 //! `tests/tests/orbit/mobility.rs`.
 
 mod finite;
@@ -39,13 +42,15 @@ const ANGLE: f64 = 1e-13;
 
 /// A film as a map.
 pub trait FilmMap: Sync {
-    /// Force [1] for the unit of velocity in the direction `angle` in [0, pi] against the line of centres, along that line and across it, at an
-    /// eccentricity [1].
+    /// Force [1] for the unit of velocity in the direction `angle` in [0, pi] against the line of centres, along that
+    /// line and across it, at an eccentricity [1].
     fn force(&self, eccentricity: f64, angle: f64) -> [f64; 2];
 
-    /// The velocity [1/s] along the line of centres and across it for which the film has the force [1/s] of this size in the direction `angle` in [0, pi].
+    /// The velocity [1/s] along the line of centres and across it for which the film has the force [1/s] of this size
+    /// in the direction `angle` in [0, pi].
     ///
-    /// The force of a half film is the gradient of a convex function of the velocity, so that its direction grows with that of the velocity.
+    /// The force of a half film is the gradient of a convex function of the velocity, so that its direction grows with
+    /// that of the velocity.
     fn mobility(&self, eccentricity: f64, size: f64, angle: f64) -> [f64; 2] {
         let off = |direction: f64| {
             let [along, across] = self.force(eccentricity, direction);

@@ -2,8 +2,9 @@
 //! ```text
 //! W = Int_(v.n > 0) (v.n) n/(1 - eps cos phi)^3 dphi
 //! ```
-//! over the half of the ring where it falls. Sommerfeld's angle g, `cos phi = (cos g + eps)/(1 + eps cos g)`, makes the integrals elementary.
-//! Where the thick half of the ring carries, differences of primitives cancel: rounding is some `1e-15/(1 - eps^2)^(5/2)` of the force, 1e-8 at eps 0.999.
+//! over the half of the ring where it falls. Sommerfeld's angle g, `cos phi = (cos g + eps)/(1 + eps cos g)`, makes the
+//! integrals elementary. Where the thick half of the ring carries, differences of primitives cancel: rounding is some
+//! `1e-15/(1 - eps^2)^(5/2)` of the force, 1e-8 at eps 0.999.
 
 use std::f64::consts::FRAC_PI_2;
 

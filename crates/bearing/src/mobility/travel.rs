@@ -1,4 +1,5 @@
-//! The orbit by a map: `e' = V(e, F) + (omega/2) k x e`, by the same implicit steps as that of a film, with the derivative of the right side by differences.
+//! The orbit by a map: `e' = V(e, F) + (omega/2) k x e`, by the same implicit steps as that of a film, with the
+//! derivative of the right side by differences.
 
 use super::FilmMap;
 use crate::coordinates::Vector;
@@ -44,8 +45,8 @@ pub struct MapOrbit {
 type Place = [f64; 2];
 
 impl Travel<'_> {
-    /// The orbit from a place [m], followed until a cycle closes to `closure` of the clearance, or for so many `cycles`; each step may be off by
-    /// `tolerance` of the least film. `None` where no step leads on.
+    /// The orbit from a place [m], followed until a cycle closes to `closure` of the clearance, or for so many
+    /// `cycles`; each step may be off by `tolerance` of the least film. `None` where no step leads on.
     pub fn orbit(&self, start: [f64; 2], tolerance: f64, closure: f64, cycles: usize) -> Option<MapOrbit> {
         let clearance = self.bearing.clearance;
         let mut place = start.map(|part| part / clearance);

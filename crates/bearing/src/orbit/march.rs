@@ -17,7 +17,8 @@ use crate::coordinates::{Vector, length, moved};
 /// Loads are sampled at so many times to find their peak.
 const SAMPLES: u32 = 1440;
 
-/// From this cycle on the steps of the cycle before are repeated: what both differ by is then the path, not what other steps make of it.
+/// From this cycle on the steps of the cycle before are repeated: what both differ by is then the path, not what other
+/// steps make of it.
 const REPEATED: usize = 3;
 
 /// How an orbit is sought.
@@ -44,7 +45,8 @@ pub trait OrbitObserver: std::fmt::Debug + Sync {
 /// One cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
-    /// Distance between the places in which it begins and ends, or by which the wall moves further, if that is more [m].
+    /// Distance between the places in which it begins and ends, or by which the wall moves further, if that is more
+    /// [m].
     pub closure: f64,
     /// Steps made.
     pub steps: usize,
@@ -61,7 +63,8 @@ pub struct Cycle {
 pub struct CycleOil {
     /// Oil that lies elsewhere at the end than at the beginning, over all oil in the film [1].
     pub closure: f64,
-    /// What the film holds more at the end, less what it has received: over what has come in or, where that is more, what it holds [1].
+    /// What the film holds more at the end, less what it has received: over what has come in or, where that is more,
+    /// what it holds [1].
     pub imbalance: f64,
 }
 
@@ -156,7 +159,8 @@ impl Motion<'_> {
         Ok(Orbit { steps: last, cycles, end: OrbitEnd::NotClosed })
     }
 
-    /// By how much a rotor with mass would be off after the crank has turned by one radian with the difference of two velocities [m]; a journal without mass moves as its place asks.
+    /// By how much a rotor with mass would be off after the crank has turned by one radian with the difference of two
+    /// velocities [m]; a journal without mass moves as its place asks.
     fn closure_of_velocity(&self, begin: Vector, end: Vector) -> f64 {
         let masses = self.masses();
         let moves = [0, 1, 2, 3].map(|k| if masses[k] > 0.0 { end[k] - begin[k] } else { 0.0 });
@@ -254,8 +258,9 @@ impl Motion<'_> {
         self.mass > 0.0 || from.until_next == Between::Path
     }
 
-    /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path, and the velocity that in which the film
-    /// carries the load, or that of the path for a rotor with mass and on a shaft; a film that conserves its oil, or whose wall gives way, is led on from the step.
+    /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path,
+    /// and the velocity that in which the film carries the load, or that of the path for a rotor with mass and on a
+    /// shaft; a film that conserves its oil, or whose wall gives way, is led on from the step.
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.

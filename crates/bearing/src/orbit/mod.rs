@@ -10,7 +10,8 @@
 //! | `no_orbit.rs` | why an orbit does not lead on |
 //! | `path.rs` | the journal between two steps |
 //!
-//! **Source.** Booker, Trans. ASME J. Basic Eng. 87 (1965) 537 (journals without mass); Kennedy and Carpenter, Appl. Numer. Math. 44 (2003) 139.
+//! **Source.** Booker, Trans. ASME J. Basic Eng. 87 (1965) 537 (journals without mass); Kennedy and Carpenter, Appl.
+//! Numer. Math. 44 (2003) 139.
 
 mod march;
 mod motion;

@@ -4,7 +4,8 @@
 //! m e'' + W(e, e') = F(t)                     m(e, g, ...) + k (g - g_0) = M(t)
 //! ```
 //!
-//! with the mass m of the rotor, which is zero unless a scene gives one. The force W of a film that conserves its oil depends on what it held before, too.
+//! with the mass m of the rotor, which is zero unless a scene gives one. The force W of a film that conserves its oil
+//! depends on what it held before, too.
 
 use std::sync::Arc;
 
@@ -24,7 +25,8 @@ use crate::deflection::{CLOSED, carried_changes, carried_slowly, closed_within, 
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
 
-/// Accuracy to which a wall that gives way follows in the tangent of a stage: each step leaves about this part of the difference.
+/// Accuracy to which a wall that gives way follows in the tangent of a stage: each step leaves about this part of the
+/// difference.
 const FOLLOWED: f64 = 1e-4;
 
 /// A support that holds the shaft against its tilt.
@@ -81,7 +83,8 @@ impl Instant {
 pub struct Held<'a> {
     /// Oil of a film that conserves it.
     pub storage: Option<&'a Arc<Storage>>,
-    /// The wall, in the stage in which it moves, or from which it is closed; `None`: it is rigid, or at rest and not bent.
+    /// The wall, in the stage in which it moves, or from which it is closed; `None`: it is rigid, or at rest and not
+    /// bent.
     pub wall: Option<&'a Deflection>,
 }
 
@@ -175,12 +178,14 @@ impl Motion<'_> {
         }
     }
 
-    /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
+    /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way
+    /// is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
         self.closed(moving, self.problem_of(moving, held), near)
     }
 
-    /// As [`Motion::film`], for a search that tries films beyond the limit of the viscosity law, too; what it finds is to be [accepted](Motion::accepted).
+    /// As [`Motion::film`], for a search that tries films beyond the limit of the viscosity law, too; what it finds is
+    /// to be [accepted](Motion::accepted).
     pub(super) fn trial(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
         self.closed(moving, self.problem_of(moving, held).tried(), near)
     }
@@ -197,7 +202,8 @@ impl Motion<'_> {
         Ok(self.instant(moving, film, &carried.total.resultant()))
     }
 
-    /// A trial of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of contact where that is simulated.
+    /// A trial of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of
+    /// contact where that is simulated.
     pub(super) fn trial_under(
         &self,
         moving: Moving,
@@ -238,8 +244,8 @@ impl Motion<'_> {
         JournalChange { velocity: rate.offset, tilt_rate: rate.tilt, ..offset }
     }
 
-    /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the cavity held, exact to first order. A wall that
-    /// gives way follows, in the stage that it has.
+    /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the
+    /// cavity held, exact to first order. A wall that gives way follows, in the stage that it has.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -258,7 +264,8 @@ impl Motion<'_> {
         })
     }
 
-    /// Stiffness K [N/m] and damping C [N s/m] of film and support for slow motions; a wall that gives way follows them.
+    /// Stiffness K [N/m] and damping C [N s/m] of film and support for slow motions; a wall that gives way follows
+    /// them.
     ///
     /// # Errors
     /// The linear systems could not be solved.

@@ -46,8 +46,8 @@ pub enum NoOrbit {
         /// Least gap over the clearance [1].
         gap: f64,
     },
-    /// No step leads on, for films that conserve their oil need pressures at which the viscosity law ends. Whether a finer mesh has a film is not known: what the film
-    /// held before is known on its own mesh alone.
+    /// No step leads on, for films that conserve their oil need pressures at which the viscosity law ends. Whether a
+    /// finer mesh has a film is not known: what the film held before is known on its own mesh alone.
     #[error(
         "not converged: no step leads on from {angle:.2} deg of cycle {cycle}: the load squeezes the film until its reduced pressure is {} of that at which the viscosity law makes the pressure infinite",
         readable(*ratio)
@@ -180,7 +180,8 @@ impl Motion<'_> {
         directions.into_iter().find(is_near)
     }
 
-    /// Angle [rad] between the nodes on both sides of this one [rad]: from pi on a film, which pushes, has no force that way.
+    /// Angle [rad] between the nodes on both sides of this one [rad]: from pi on a film, which pushes, has no force
+    /// that way.
     fn opening(&self, angle: f64) -> f64 {
         opening(self.system, self.problem.bearing.radius, angle)
     }

@@ -1,8 +1,9 @@
 //! Oil that a film holds along an orbit, where its cavity conserves it.
 //!
-//! The oil `V theta` of each cell is integrated by the method of the journal's path: a stage leaves `m = V_n theta_n + dt sum_{j<i} a_ij (V theta)_j'`
-//! to the cell, and the film of the stage takes up `(V theta - m)/(gamma dt)` ([`Storage`]). The same sum of what enters the film is what it has received, to
-//! rounding what it holds more.
+//! The oil `V theta` of each cell is integrated by the method of the journal's path: a stage leaves
+//! `m = V_n theta_n + dt sum_{j<i} a_ij (V theta)_j'` to the cell, and the film of the stage takes up
+//! `(V theta - m)/(gamma dt)` ([`Storage`]). The same sum of what enters the film is what it has received, to rounding
+//! what it holds more.
 
 use std::sync::Arc;
 
@@ -67,7 +68,8 @@ pub struct Oil {
 }
 
 impl Oil {
-    /// What stage number `stage` of a step of the length `dt` [s] from here begins with, after these `stages`, of which the first is this one.
+    /// What stage number `stage` of a step of the length `dt` [s] from here begins with, after these `stages`, of which
+    /// the first is this one.
     pub fn before(&self, scheme: &Scheme, stage: usize, dt: f64, stages: &[Arc<Self>]) -> Before {
         let mut known = self.held.clone();
         let (mut received, mut passed) = (self.received, self.passed);

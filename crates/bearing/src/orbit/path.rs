@@ -35,7 +35,8 @@ pub struct Step {
 pub enum Between {
     /// The load: the velocity is that in which the film carries it.
     Load,
-    /// The path: what a shaft leaves to one of its bearings is known at the steps alone, and a load that is drawn through them may be one that no film carries.
+    /// The path: what a shaft leaves to one of its bearings is known at the steps alone, and a load that is drawn
+    /// through them may be one that no film carries.
     Path,
 }
 
@@ -122,7 +123,8 @@ impl Span {
         self.summed([-slope, slope, t * (t - 2.0 * u), u * (u - 2.0 * t)])
     }
 
-    /// The wall at a time [s] on its way from one deflection to another, as coefficients [m]: on the cubic through both.
+    /// The wall at a time [s] on its way from one deflection to another, as coefficients [m]: on the cubic through
+    /// both.
     pub fn wall(&self, [from, to]: [&Deflection; 2], time: f64) -> Vec<f64> {
         let [a, b, v, w] = self.weights(time);
         let ends = from.coefficients.iter().zip(&*to.coefficients);

@@ -1,16 +1,17 @@
-//! The time integration: singly diagonally implicit Runge-Kutta methods whose first stage is explicit, the end of the step before. They are L-stable and
-//! stiffly accurate: the last stage is the end of the step.
+//! The time integration: singly diagonally implicit Runge-Kutta methods whose first stage is explicit, the end of the
+//! step before. They are L-stable and stiffly accurate: the last stage is the end of the step.
 //!
 //! ```text
 //! x_i = x_n + dt sum_{j<=i} a_ij x_j'        x_{n+1} = x_s        error = dt sum_j (a_sj - b_j) x_j'
 //! ```
 //!
-//! Films without memory are smooth in time but for their edges, and are followed by a method of order 4. Where the cavity conserves its oil, nodes fill and
-//! empty at times that no step meets; the method of order 2 for them has coefficients that are not negative, so that what a stage leaves to a cell is
-//! close to what the cell held.
+//! Films without memory are smooth in time but for their edges, and are followed by a method of order 4. Where the
+//! cavity conserves its oil, nodes fill and empty at times that no step meets; the method of order 2 for them has
+//! coefficients that are not negative, so that what a stage leaves to a cell is close to what the cell held.
 //!
-//! **Source.** Kennedy and Carpenter, Appl. Numer. Math. 44 (2003) 139, ARK4(3)6L\[2\]SA, implicit part; Bank, Coughran, Fichtner, Grosse, Rose, Smith, IEEE Trans.
-//! Electron Devices 32 (1985) 1992, and Hosea, Shampine, Appl. Numer. Math. 20 (1996) 21 (TR-BDF2).
+//! **Source.** Kennedy and Carpenter, Appl. Numer. Math. 44 (2003) 139, ARK4(3)6L\[2\]SA, implicit part; Bank,
+//! Coughran, Fichtner, Grosse, Rose, Smith, IEEE Trans. Electron Devices 32 (1985) 1992, and Hosea, Shampine, Appl.
+//! Numer. Math. 20 (1996) 21 (TR-BDF2).
 
 use std::f64::consts::SQRT_2;
 

@@ -1,6 +1,7 @@
 //! One implicit stage: the offset at which film, support and mass carry the load of its time.
 //!
-//! With `v = (x - x_0)/(gamma dt)` the residual is `W(x, v) + m (v - v_0)/(gamma dt) - F`, its tangent `K + C/(gamma dt) + m/(gamma dt)^2`.
+//! With `v = (x - x_0)/(gamma dt)` the residual is `W(x, v) + m (v - v_0)/(gamma dt) - F`, its tangent
+//! `K + C/(gamma dt) + m/(gamma dt)^2`.
 
 use std::sync::Arc;
 
@@ -20,7 +21,8 @@ pub(super) const MOST_FILMS: usize = 30;
 pub(super) const LEAST_SHRINK: f64 = 0.4;
 /// Shortest part of an iteration that is tried: cells that fill stiffen the film within a small part of one.
 pub(super) const SHORTEST: f64 = 1e-3;
-/// A stage is solved where the residual over the load, and the next change over the least gap, are below these parts of the tolerance;
+/// A stage is solved where the residual over the load, and the next change over the least gap, are below these parts of
+/// the tolerance;
 const BALANCED: f64 = 1e-3;
 pub(super) const SETTLED: f64 = 3e-2;
 /// of the residual not less than this, which is round-off;
@@ -160,8 +162,8 @@ impl Motion<'_> {
         Ok(Instant { oil: Some(Arc::new(oil.map_err(NoFilm::from)?)), ..here })
     }
 
-    /// Where an orbit begins: in films without memory at the velocity in which film and support carry the load, full ones that conserve their oil after a time
-    /// that is short beside all steps.
+    /// Where an orbit begins: in films without memory at the velocity in which film and support carry the load, full
+    /// ones that conserve their oil after a time that is short beside all steps.
     pub(super) fn beginning(
         &self,
         at: Vector,
@@ -192,8 +194,8 @@ impl Motion<'_> {
         self.stage(&known, moved(at, 1.0 / per_time, velocity), &near, accuracy, films)
     }
 
-    /// How the motion of a film that conserves its oil begins: in a rigid liner at rest. In one that gives way the wall has no time to move, so it is where a film without
-    /// memory bends it, which carries the load in this velocity.
+    /// How the motion of a film that conserves its oil begins: in a rigid liner at rest. In one that gives way the wall
+    /// has no time to move, so it is where a film without memory bends it, which carries the load in this velocity.
     fn without_memory(
         &self,
         at: Vector,

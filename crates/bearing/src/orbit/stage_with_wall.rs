@@ -1,4 +1,5 @@
-//! One implicit stage of a journal in a wall that gives way: place and deflection are found together, by Newton's method, so that each step solves one film.
+//! One implicit stage of a journal in a wall that gives way: place and deflection are found together, by Newton's
+//! method, so that each step solves one film.
 //!
 //! ```text
 //! W(x, v, d, d') + m (v - v_0)/(gamma dt) = F        C f(p(x, v, d, d')) = d
@@ -135,7 +136,8 @@ impl Motion<'_> {
         Ok(Trial { parts: [length(force) / scale, wall.residual], force, wall, instant })
     }
 
-    /// What stiffness of film and wall leaves of an error of the place and of one of the wall, in the place: both push the film as rates in the stage do.
+    /// What stiffness of film and wall leaves of an error of the place and of one of the wall, in the place: both push
+    /// the film as rates in the stage do.
     pub(super) fn damped_with_wall(
         &self,
         end: &Instant,

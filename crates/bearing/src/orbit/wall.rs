@@ -1,7 +1,8 @@
 //! The wall along an orbit: its deflection is integrated by the method of the journal's path.
 //!
-//! A stage knows `d_0 = d_n + dt sum_{j<i} a_ij d_j'` and moves by `d' = (d - d_0)/(gamma dt)` ([`WallStage`]); the deflection closes with the film of the stage, whose thickness
-//! changes by d' too. A film that conserves its oil takes the rate of its thickness from what its cells held before; that of the wall is the one of its tangent.
+//! A stage knows `d_0 = d_n + dt sum_{j<i} a_ij d_j'` and moves by `d' = (d - d_0)/(gamma dt)` ([`WallStage`]); the
+//! deflection closes with the film of the stage, whose thickness changes by d' too. A film that conserves its oil takes
+//! the rate of its thickness from what its cells held before; that of the wall is the one of its tangent.
 
 use std::sync::Arc;
 
@@ -52,8 +53,8 @@ impl WallStages {
         })
     }
 
-    /// What stage number `stage` of a step of the length `dt` [s] knows, and where the wall is to be expected at its `time` [s] on its way: without one, further at the rate
-    /// of the beginning.
+    /// What stage number `stage` of a step of the length `dt` [s] knows, and where the wall is to be expected at its
+    /// `time` [s] on its way: without one, further at the rate of the beginning.
     pub(super) fn stage(
         &self,
         (scheme, stage): (&Scheme, usize),

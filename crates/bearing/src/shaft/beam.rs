@@ -1,12 +1,14 @@
 //! # Beams in space: how a piece of a shaft resists the motions of its ends
 //!
-//! **Equation.** A beam along the axis t of a frame (a, b, t) with one end held bends under a force P and a moment M at the other one, in the plane of a and t, as
+//! **Equation.** A beam along the axis t of a frame (a, b, t) with one end held bends under a force P and a moment M at
+//! the other one, in the plane of a and t, as
 //! ```text
 //! u_a = P (L^3/(3 E I_a) + L/(G A_a)) + M L^2/(2 E I_a),     theta_b = P L^2/(2 E I_a) + M L/(E I_a)
 //! ```
-//! and in that of b and t likewise with -theta_a; along and about its axis `u_t = P L/(E A)`, `theta_t = M L/(G J)`. The inverse is the stiffness of that end.
-//! A rigid arm r from a node to the end makes the motion of the end `u + theta x r`, and so does the beam itself, held as a rigid body, for the motion of its
-//! other end: the energy is that of the difference of both.
+//! and in that of b and t likewise with -theta_a; along and about its axis `u_t = P L/(E A)`, `theta_t = M L/(G J)`.
+//! The inverse is the stiffness of that end. A rigid arm r from a node to the end makes the motion of the end
+//! `u + theta x r`, and so does the beam itself, held as a rigid body, for the motion of its other end: the energy is
+//! that of the difference of both.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -15,9 +17,10 @@
 //! | A_a, A_b | 1 | [`Section::shear_factors`], over A |
 //! | u, theta | m, rad | the first and last three entries of a motion |
 //!
-//! **Source.** S. P. Timoshenko, Phil. Mag. 41 (1921) 744; J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, ch. 5; shear factors: G. R. Cowper, J. Appl.
-//! Mech. 33 (1966) 335; torsion of rectangles: W. C. Young, Roark's Formulas for Stress and Strain, 1989, table 20. **Range.** Small strains; straight beams of one section;
-//! no warping. Without a shear modulus the beam of Euler and Bernoulli: rigid in shear, and in torsion as if G were E.
+//! **Source.** S. P. Timoshenko, Phil. Mag. 41 (1921) 744; J. S. Przemieniecki, Theory of Matrix Structural Analysis,
+//! 1968, ch. 5; shear factors: G. R. Cowper, J. Appl. Mech. 33 (1966) 335; torsion of rectangles: W. C. Young, Roark's
+//! Formulas for Stress and Strain, 1989, table 20. **Range.** Small strains; straight beams of one section; no warping.
+//! Without a shear modulus the beam of Euler and Bernoulli: rigid in shear, and in torsion as if G were E.
 //! **Verified by** the tests below and of `shaft/frame.rs`.
 
 use std::f64::consts::PI;

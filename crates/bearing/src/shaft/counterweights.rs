@@ -1,14 +1,18 @@
 //! # Counterweights: how to move them between the webs so that the bearings fare best
 //!
-//! **Equation.** Mass times radius U_j of the webs at z_j may change by dU_j where the force and the moment that the whole shaft puts on its bearings stay:
+//! **Equation.** Mass times radius U_j of the webs at z_j may change by dU_j where the force and the moment that the
+//! whole shaft puts on its bearings stay:
 //! ```text
 //! sum dU_j = 0,        sum z_j dU_j = 0
 //! ```
-//! With a basis b_k of the numbers that meet both, perpendicular to each other, `dU_j = sum_k b_kj a_k` has free vectors a_k: two less than webs that may change. An objective is made
-//! greatest over them without derivatives: it is a least film or a peak load, whose greatest value is a corner.
+//! With a basis b_k of the numbers that meet both, perpendicular to each other, `dU_j = sum_k b_kj a_k` has free
+//! vectors a_k: two less than webs that may change. An objective is made greatest over them without derivatives: it is
+//! a least film or a peak load, whose greatest value is a corner.
 //!
-//! **Source.** Constraints: definition. Search: Nelder, Mead, Computer J. 7 (1965) 308, begun anew from its best point until that gains no more. **Range.** A few weights.
-//! **Verified by** the tests below, and `tests/tests/shaft/weights.rs`: a crank with a rod without end and without gas, whose greatest load is least, m_p r omega^2/2, with the counterweight m_r + m_p/2.
+//! **Source.** Constraints: definition. Search: Nelder, Mead, Computer J. 7 (1965) 308, begun anew from its best point
+//! until that gains no more. **Range.** A few weights.
+//! **Verified by** the tests below, and `tests/tests/shaft/weights.rs`: a crank with a rod without end and without gas,
+//! whose greatest load is least, m_p r omega^2/2, with the counterweight m_r + m_p/2.
 
 use super::matrix::product;
 
@@ -22,7 +26,8 @@ const SHORTER: f64 = 0.3;
 /// while it gains this part of the value.
 const GAIN: f64 = 1e-12;
 
-/// The numbers on places z [m] that change neither sum nor moment: a basis of vectors one long and perpendicular to each other.
+/// The numbers on places z [m] that change neither sum nor moment: a basis of vectors one long and perpendicular to
+/// each other.
 pub fn neutral(places: &[f64]) -> Vec<Vec<f64>> {
     let n = places.len();
     let middle = places.iter().sum::<f64>() / n as f64;
@@ -49,7 +54,8 @@ pub fn neutral(places: &[f64]) -> Vec<Vec<f64>> {
     basis.split_off(constraints)
 }
 
-/// Changes [kg m] of what is out of balance on webs, by the free vectors of a [`neutral`] basis: two numbers for each of its entries.
+/// Changes [kg m] of what is out of balance on webs, by the free vectors of a [`neutral`] basis: two numbers for each
+/// of its entries.
 pub fn changes(basis: &[Vec<f64>], free: &[f64]) -> Vec<[f64; 2]> {
     let webs = basis.first().map_or(0, Vec::len);
     let change = |web: usize| {
@@ -73,7 +79,8 @@ pub struct Best {
     pub asked: usize,
 }
 
-/// Where an objective is greatest near a point: steps begin with `step`, and it is asked at most `most` times. Values that are no numbers count as the worst.
+/// Where an objective is greatest near a point: steps begin with `step`, and it is asked at most `most` times. Values
+/// that are no numbers count as the worst.
 pub fn greatest(objective: impl Fn(&[f64]) -> f64, from: &[f64], step: f64, most: usize) -> Best {
     let value = |at: &[f64]| match objective(at) {
         value if value.is_nan() => f64::NEG_INFINITY,

@@ -1,6 +1,7 @@
 //! A crankshaft along its axis: straight pieces, and throws of a pin between two webs.
 //!
-//! Journals and pins are beams along z, webs beams along the throw in the middle of their thickness, or rigid arms. A journal reaches to the middle of the web beside it.
+//! Journals and pins are beams along z, webs beams along the throw in the middle of their thickness, or rigid arms. A
+//! journal reaches to the middle of the web beside it.
 
 use super::beam::{Beam, Material, Point, Section};
 use super::frame::Frame;
@@ -165,7 +166,8 @@ impl Laying {
         self.z = to;
     }
 
-    /// A throw from the last node, in the middle of its first web; the node behind it is in the middle of the second one.
+    /// A throw from the last node, in the middle of its first web; the node behind it is in the middle of the second
+    /// one.
     fn throw(&mut self, throw: &CrankThrow) {
         let first = self.laid.frame.nodes.len() - 1;
         let (sin, cos) = throw.angle.sin_cos();

@@ -1,10 +1,12 @@
 //! # Loads of an engine on its crankshaft: all throws by firing order, and what is out of balance on the webs
 //!
-//! **Equation.** Each throw has the crank drive of [`Crank`], at an angle of its own; so its rod presses the pin, and what is out of balance on a web pulls it outwards:
+//! **Equation.** Each throw has the crank drive of [`Crank`], at an angle of its own; so its rod presses the pin, and
+//! what is out of balance on a web pulls it outwards:
 //! ```text
 //! F_pin(theta) = F(theta - phi),        F_web(theta) = omega^2 R(theta) U
 //! ```
-//! in the frame of the cylinders, which are in line. R turns by theta, U is mass times radius in the axes of the shaft, in which the throw lies at -phi.
+//! in the frame of the cylinders, which are in line. R turns by theta, U is mass times radius in the axes of the shaft,
+//! in which the throw lies at -phi.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -12,10 +14,11 @@
 //! | U | kg m | [`Engine::unbalances`] |
 //! | omega | rad/s | [`Engine::speed`] |
 //!
-//! A shaft cut at its main bearings bears each load as a beam on the two mains beside it ([`shares`]); beyond the last main, as a lever on the last two.
+//! A shaft cut at its main bearings bears each load as a beam on the two mains beside it ([`shares`]); beyond the last
+//! main, as a lever on the last two.
 //!
-//! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8. **Range.** One row of cylinders; constant speed. **Verified by** the
-//! tests below and `tests/full/tests/shaft_cycle.rs`.
+//! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8. **Range.** One
+//! row of cylinders; constant speed. **Verified by** the tests below and `tests/full/tests/shaft_cycle.rs`.
 
 use super::cut::shares;
 use super::frame::NodeForce;
@@ -43,7 +46,8 @@ impl Engine {
         -self.fires_at[throw]
     }
 
-    /// The loads at a crank angle [rad] on the nodes of all pins and, behind them, of all webs, in the frame of the cylinders.
+    /// The loads at a crank angle [rad] on the nodes of all pins and, behind them, of all webs, in the frame of the
+    /// cylinders.
     pub fn loads(&self, angle: f64) -> Vec<NodeForce> {
         let throws = self.fires_at.len();
         let pins = self.fires_at.iter().map(|phi| self.crank.force_on_pin(angle - phi, self.speed));
@@ -55,8 +59,8 @@ impl Engine {
         (0..).zip(pins.chain(pulls)).map(|(place, force)| NodeForce { place, force }).collect()
     }
 
-    /// The load of each main bearing at these axial places [m], growing, where the shaft is cut at them; `throws` are the places of the first web, the pin and
-    /// the second web of each throw [m].
+    /// The load of each main bearing at these axial places [m], growing, where the shaft is cut at them; `throws` are
+    /// the places of the first web, the pin and the second web of each throw [m].
     pub fn on_mains(&self, mains: &[f64], throws: &[[f64; 3]]) -> Vec<DutyCycle> {
         let share = |main: usize, z: f64| shares(mains, z)[main];
         let load = |main: usize| {

@@ -1,7 +1,8 @@
 //! A shaft at rest on its films under loads that do not change.
 //!
-//! The journals sink from near the middle of their bearings by implicit steps in time that grow, on the coarsest meshes; from there Newton's method leads on to the balance, from mesh to
-//! mesh. The damping of the last step stays in the tangent in proportion to what is unbalanced, so that a film that carries nothing leaves no journal free.
+//! The journals sink from near the middle of their bearings by implicit steps in time that grow, on the coarsest
+//! meshes; from there Newton's method leads on to the balance, from mesh to mesh. The damping of the last step stays in
+//! the tangent in proportion to what is unbalanced, so that a film that carries nothing leaves no journal free.
 
 use super::films::{Films, NoFilmAt, magnitude};
 use super::stage::{Accuracy, Known, NoStage, Staged};
@@ -91,7 +92,8 @@ impl Films<'_> {
         }
     }
 
-    /// How all journals move [m] where one film carries somewhat more [N] in its place, for each such bearing, by its number, and force; not finite where the tangent is singular.
+    /// How all journals move [m] where one film carries somewhat more [N] in its place, for each such bearing, by its
+    /// number, and force; not finite where the tangent is singular.
     ///
     /// # Errors
     /// [`NoFilmAt`]: the linear systems of a film could not be solved.

@@ -1,11 +1,13 @@
 //! # All films of a shaft at once
 //!
-//! **Equation.** The journals of the shaft are displaced by `u = e + C W`, with the offsets e of the films and the compliance C of what holds the shells; the slopes likewise, with
-//! moments. The film pushes the journal with -W and the shell with W:
+//! **Equation.** The journals of the shaft are displaced by `u = e + C W`, with the offsets e of the films and the
+//! compliance C of what holds the shells; the slopes likewise, with moments. The film pushes the journal with -W and
+//! the shell with W:
 //! ```text
 //! K (e + C W) + W = F,        W = W(e, e')
 //! ```
-//! with the stiffness K of the shaft by its journals and the loads F moved to them. Its tangent is `K + (1 + K C) (K_film + C_film/gamma)`, where the films stand in blocks.
+//! with the stiffness K of the shaft by its journals and the loads F moved to them. Its tangent is
+//! `K + (1 + K C) (K_film + C_film/gamma)`, where the films stand in blocks.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -14,7 +16,8 @@
 //! | C | m/N | [`Film::compliance`] |
 //! | 1/gamma | 1/s | `per_time` |
 //!
-//! **Source.** Definition. **Range.** Quasi-static shafts: their mass acts by the loads only. **Verified by** `tests/tests/shaft/statics.rs`.
+//! **Source.** Definition. **Range.** Quasi-static shafts: their mass acts by the loads only. **Verified by**
+//! `tests/tests/shaft/statics.rs`.
 
 use std::sync::Arc;
 
@@ -80,7 +83,8 @@ pub struct NoFilmAt {
 }
 
 impl<'a> Film<'a> {
-    /// The film of a journal that turns with the speed of its problem; `support` [N/m, N m/rad] holds the shell, infinite for a rigid one.
+    /// The film of a journal that turns with the speed of its problem; `support` [N/m, N m/rad] holds the shell,
+    /// infinite for a rigid one.
     pub fn new(
         problem: &FilmProblem,
         system: &'a Arc<FilmSystem>,
@@ -174,7 +178,8 @@ impl Films<'_> {
         forces.map(|((carried, shaft), asked)| [0, 1, 2, 3].map(|k| shaft[k] + carried[k] - asked[k])).collect()
     }
 
-    /// How the force of each film changes where its offset changes by `per_offset` and the rate of that by `per_rate` [1/s].
+    /// How the force of each film changes where its offset changes by `per_offset` and the rate of that by `per_rate`
+    /// [1/s].
     ///
     /// # Errors
     /// [`NoFilmAt`]: the linear systems of a film could not be solved.
@@ -187,7 +192,8 @@ impl Films<'_> {
             .collect()
     }
 
-    /// The tangent of that balance, where each offset changes by `per_offset` [1] and the forces of the films by these `slopes`.
+    /// The tangent of that balance, where each offset changes by `per_offset` [1] and the forces of the films by these
+    /// `slopes`.
     pub fn tangent(&self, slopes: &[Stiffness], per_offset: f64, angle: f64) -> Matrix {
         let mut tangent = self.shaft.stiffness(angle).scaled(per_offset);
         for (column, &(bearing, coordinate)) in self.shaft.rows().iter().enumerate() {
@@ -201,7 +207,8 @@ impl Films<'_> {
         tangent
     }
 
-    /// Where journals under these loads [N] may begin: all moved as much the way that the loads pull, so that the shaft stays straight and each film has a wedge.
+    /// Where journals under these loads [N] may begin: all moved as much the way that the loads pull, so that the shaft
+    /// stays straight and each film has a wedge.
     pub fn first_places(&self, asked: &[Vector]) -> Vec<Vector> {
         let [x, y] = asked.iter().fold([0.0; 2], |[x, y], load| [x + load[0], y + load[1]]);
         let (sin, cos) = y.atan2(x).sin_cos();

@@ -1,11 +1,13 @@
-//! A frame of beams, and what its journals see of it: stiffness by their coordinates alone, and loads elsewhere as forces on them.
+//! A frame of beams, and what its journals see of it: stiffness by their coordinates alone, and loads elsewhere as
+//! forces on them.
 //!
 //! **Equation.** With the motions q_r of the journals and q_i of all else, `K q = f` is, without q_i,
 //! ```text
 //! (K_rr - K_ri K_ii^-1 K_ir) q_r = f_r - K_ri K_ii^-1 f_i
 //! ```
-//! Rigid motions across the axis cost nothing, and loads are moved to the journals by statics: round-off of the elimination is taken out of both by projection, so that the
-//! sums of forces and moments are right to round-off of their own size, however stiff the shaft is.
+//! Rigid motions across the axis cost nothing, and loads are moved to the journals by statics: round-off of the
+//! elimination is taken out of both by projection, so that the sums of forces and moments are right to round-off of
+//! their own size, however stiff the shaft is.
 
 use super::beam::{Beam, Point};
 use super::cut::shares;
@@ -264,8 +266,8 @@ fn by_statics(mut forces: Vec<f64>, rigid: &[Rigid], towards: usize, z: f64) -> 
 }
 
 impl Shaft {
-    /// A shaft cut at journals that stand at these growing places [m] and resist no tilt, loaded at others: it has no stiffness, and the two journals beside a load
-    /// bear it.
+    /// A shaft cut at journals that stand at these growing places [m] and resist no tilt, loaded at others: it has no
+    /// stiffness, and the two journals beside a load bear it.
     ///
     /// # Errors
     /// [`NoShaft::Free`]: there are fewer than two journals.

@@ -1,4 +1,5 @@
-//! All journals of a shaft over cycles of the crank angle, by the implicit steps of [`crate::orbit`], until they repeat.
+//! All journals of a shaft over cycles of the crank angle, by the implicit steps of [`crate::orbit`], until they
+//! repeat.
 
 use super::NoShaftOrbit;
 use super::films::{all_moved, magnitude};
@@ -19,7 +20,8 @@ const INNER: f64 = 1e-4;
 const PATH: f64 = 2.0;
 /// What the first stage is off by goes like this power of the step.
 const PATH_POWER: f64 = 3.0;
-/// A cycle takes the steps of the last one, so that both make the same errors and close, where they are at most this multiple of what the tolerance suggests.
+/// A cycle takes the steps of the last one, so that both make the same errors and close, where they are at most this
+/// multiple of what the tolerance suggests.
 const KEPT: f64 = 1.25;
 /// Steps do not end nearer to each other than this part of the cycle.
 const APART: f64 = 1e-9;
@@ -117,7 +119,8 @@ impl Drive<'_> {
         Ok(ShaftOrbit { steps: last, cycles, end: OrbitEnd::NotClosed })
     }
 
-    /// The greater error of a step of this length [s] and of its path, over the tolerance, and the length of the next step [s].
+    /// The greater error of a step of this length [s] and of its path, over the tolerance, and the length of the next
+    /// step [s].
     fn judged(&self, made: &Made, taken: f64, pace: Pace, tolerance: f64) -> (f64, f64) {
         let [at, off] = &made.within;
         let of_step = self.films.change(&made.end.at(), &made.error) / tolerance;
@@ -199,7 +202,8 @@ fn ended(last: &[ShaftStep], time: f64, period: f64) -> Option<f64> {
     Some(next.time - time)
 }
 
-/// Whether a step takes the length `again` [s] of one of the last cycle, where the tolerance suggests `dt` [s] and one of the length `refused` [s] has just been rejected.
+/// Whether a step takes the length `again` [s] of one of the last cycle, where the tolerance suggests `dt` [s] and one
+/// of the length `refused` [s] has just been rejected.
 fn is_kept(again: f64, dt: f64, refused: f64) -> bool {
     again <= KEPT * dt && again < refused
 }

@@ -27,9 +27,11 @@ pub(super) struct Known {
     pub(super) offset: Vec<Vector>,
     /// Loads on the journals [N].
     pub(super) asked: Vec<Vector>,
-    /// `1/gamma` of the damping that the tangent has beside that of the motion, where the residual is as large as the load [1/s]; it falls with the residual.
+    /// `1/gamma` of the damping that the tangent has beside that of the motion, where the residual is as large as the
+    /// load [1/s]; it falls with the residual.
     pub(super) shift: f64,
-    /// How the forces of the films change with the offsets nearby, and with the rates that go with them; `None`: that is not known.
+    /// How the forces of the films change with the offsets nearby, and with the rates that go with them; `None`: that
+    /// is not known.
     pub(super) slopes: Option<Vec<Stiffness>>,
 }
 
@@ -42,7 +44,8 @@ pub(super) struct Accuracy {
     pub(super) settled: Option<f64>,
     /// A force [N].
     pub(super) scale: f64,
-    /// The tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part [1]; zero: it is made anew always.
+    /// The tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this
+    /// part [1]; zero: it is made anew always.
     pub(super) steep: f64,
 }
 
@@ -159,7 +162,8 @@ impl Films<'_> {
         magnitude(&step).is_finite().then_some(step)
     }
 
-    /// A place on the way of a step that leaves less of the balance: its end, or half of the way and so on, down to the `shortest` part; `None` where there is none.
+    /// A place on the way of a step that leaves less of the balance: its end, or half of the way and so on, down to the
+    /// `shortest` part; `None` where there is none.
     fn nearer(
         &self,
         known: &Known,
@@ -193,7 +197,8 @@ impl Iterate {
     }
 }
 
-/// The slopes of the films, each corrected by what it missed of the way from one place to the next (Broyden, Math. Comp. 19 (1965) 577).
+/// The slopes of the films, each corrected by what it missed of the way from one place to the next (Broyden, Math.
+/// Comp. 19 (1965) 577).
 fn corrected(slopes: Vec<Stiffness>, from: &[Instant], to: &[Instant]) -> Vec<Stiffness> {
     let ways = from.iter().zip(to);
     (slopes.into_iter().zip(ways))

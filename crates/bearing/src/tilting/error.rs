@@ -1,12 +1,15 @@
 //! How far the part of a branch at its end is from that of the limit of fine meshes.
 //!
-//! **Equation.** Another film under the same wall carries forces that differ by m at the same place x. With K the tangent of the forces, g the gradient of the least film, the wall
-//! following, and R_0 as in [`super`], its branch reaches the same least film where
+//! **Equation.** Another film under the same wall carries forces that differ by m at the same place x. With K the
+//! tangent of the forces, g the gradient of the least film, the wall following, and R_0 as in [`super`], its branch
+//! reaches the same least film where
 //! ```text
 //! K dx + m = -dpart R_0,    g . dx = 0:    dpart = -(g . K^-1 m)/(g . K^-1 R_0)
 //! ```
-//! for a film that conserves oil, in contact: near it K is stiff, so that a great difference at one place moves the branch by little. Where such a branch ends before contact, for its next balance was not
-//! found or it turns, it may lead on on another mesh: no error is known. Other films may turn before contact on one mesh and not on another: their error is m over R_0.
+//! for a film that conserves oil, in contact: near it K is stiff, so that a great difference at one place moves the
+//! branch by little. Where such a branch ends before contact, for its next balance was not found or it turns, it may
+//! lead on on another mesh: no error is known. Other films may turn before contact on one mesh and not on another:
+//! their error is m over R_0.
 //! **Verified by** `tests/tests/tilt/balance.rs`: finer meshes.
 
 use super::{Branch, FOLLOWED, Point};
@@ -15,23 +18,27 @@ use crate::coordinates::{Vector, length};
 use crate::deflection::Moves;
 use crate::search::Trial;
 
-/// Error at most over that to first order by the tangent at the end of the branch, of a film that conserves oil: up to 1 was seen on twelve rows of cells and more, 4 on six.
+/// Error at most over that to first order by the tangent at the end of the branch, of a film that conserves oil: up to
+/// 1 was seen on twelve rows of cells and more, 4 on six.
 const OF_FIRST_ORDER: f64 = 2.0;
-/// Error over that by the forces at one place, of films whose branch may turn: where it does on another mesh the tangent at the end does not show. Up to 4.5 was seen.
+/// Error over that by the forces at one place, of films whose branch may turn: where it does on another mesh the
+/// tangent at the end does not show. Up to 4.5 was seen.
 const OF_FORCES: f64 = 5.0;
 /// Step of a difference, over the least film.
 const STEP: f64 = 1e-3;
 
 impl Branch<'_, '_> {
-    /// Part of what tilts the journal that is balanced at this part of the branch [1]: at its beginning the film may carry some of the moment already.
+    /// Part of what tilts the journal that is balanced at this part of the branch [1]: at its beginning the film may
+    /// carry some of the moment already.
     pub(super) fn carried(&self, part: f64) -> f64 {
         let tilting = |[_, _, x, y]: Vector| x.hypot(y);
         let (asked, left) = (tilting(self.search.asked()), (1.0 - part) * tilting(self.first));
         if asked > 0.0 { 1.0 - left / asked } else { part }
     }
 
-    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the same wall; no error where there is none, of a mass-conserving film before contact,
-    /// and in a search whose reason is a start at most.
+    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the
+    /// same wall; no error where there is none, of a mass-conserving film before contact, and in a search whose reason
+    /// is a start at most.
     pub(super) fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
         let (search, Trial { film, .. }) = (self.search, &at.trial);
         let carried = self.carried(at.part);

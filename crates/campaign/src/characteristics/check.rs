@@ -1,9 +1,11 @@
-//! Which scenes have characteristics: films whose pressures grow in proportion to the rates, and that nothing but motion makes.
+//! Which scenes have characteristics: films whose pressures grow in proportion to the rates, and that nothing but
+//! motion makes.
 
 use oilwedge_scene::{Complaints, Position, Scene};
 use oilwedge_study::effects::{Sockets, present};
 
-/// Complains about all that gives a film a pressure of its own, or a pressure that does not grow in proportion to the rate of a motion.
+/// Complains about all that gives a film a pressure of its own, or a pressure that does not grow in proportion to the
+/// rate of a motion.
 pub fn check(scene: &Scene, complaints: &mut Complaints) {
     for [key, message, help] in present(scene).filter_map(|effect| effect.no_proportion) {
         complaints.add(key, message, help);

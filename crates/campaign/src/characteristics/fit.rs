@@ -9,9 +9,10 @@
 //! | n | 1 | `power`: 1, with one more for each factor z in source and weight |
 //! | k0, k1, k2, a0, a1 | 1 | `coefficients` |
 //!
-//! A short bearing has `S ~ b^(n+2)` and a long one `S ~ b^n`, as the limits of Reynolds' equation have. **Source.** Zharov, dissertation (1996),
-//! formula (3) with the requirements on its errors; the formula is damaged in print, and this reading of it is ours. **Range.** Full rings,
-//! Swift-Stieber, 0.5 to 0.99 in eps and 0.125 to 1.3 in B/D. **Verified by** `tests/tests/tilt/characteristics.rs`, against the films of a second code.
+//! A short bearing has `S ~ b^(n+2)` and a long one `S ~ b^n`, as the limits of Reynolds' equation have. **Source.**
+//! Zharov, dissertation (1996), formula (3) with the requirements on its errors; the formula is damaged in print, and
+//! this reading of it is ours. **Range.** Full rings, Swift-Stieber, 0.5 to 0.99 in eps and 0.125 to 1.3 in B/D.
+//! **Verified by** `tests/tests/tilt/characteristics.rs`, against the films of a second code.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -138,8 +139,8 @@ impl FitRow {
     }
 }
 
-/// Solves the grid of straight bearings with the dimensions and the oil of a scene, as full rings after Swift and Stieber, and fits the formula.
-/// `progress` is called with the number of films done and of all.
+/// Solves the grid of straight bearings with the dimensions and the oil of a scene, as full rings after Swift and
+/// Stieber, and fits the formula. `progress` is called with the number of films done and of all.
 ///
 /// # Errors
 /// A liner cannot be meshed.
@@ -175,8 +176,8 @@ pub fn fitted_rows(grid: &[GridPoint]) -> Vec<FitRow> {
     SEVEN.iter().enumerate().filter_map(|(k, it)| row(it, k, grid)).collect()
 }
 
-/// The characteristics of a parallel journal at this eccentricity and B/D, in a full ring with the bore, the clearance and the oil of a scene;
-/// why a film is missing.
+/// The characteristics of a parallel journal at this eccentricity and B/D, in a full ring with the bore, the clearance
+/// and the oil of a scene; why a film is missing.
 ///
 /// # Errors
 /// The liner cannot be meshed.
@@ -263,7 +264,8 @@ fn row(it: &Fitted, k: usize, grid: &[GridPoint]) -> Option<FitRow> {
     })
 }
 
-/// A fit of the form `k0 g^-a0 (1 + k1 g^a1)`, rewritten so that a1 > 0: `k0 g^-a0 (1 + k1 g^a1) = k0 k1 g^(a1 - a0) (1 + g^-a1/k1)`.
+/// A fit of the form `k0 g^-a0 (1 + k1 g^a1)`, rewritten so that a1 > 0:
+/// `k0 g^-a0 (1 + k1 g^a1) = k0 k1 g^(a1 - a0) (1 + g^-a1/k1)`.
 fn with_positive_exponent([k0, k1, k2, a0, a1]: [f64; PARAMETERS]) -> [f64; PARAMETERS] {
     match a1 < 0.0 && k1 > 0.0 {
         true => [k0 * k1, 1.0 / k1, k2, a0 - a1, -a1],

@@ -1,5 +1,6 @@
-//! Fits of a positive function whose greatest relative error, over what is allowed at each point, is least: Gauss-Newton steps with Lawson's weights,
-//! which grow where the error is large (Lawson 1961; Rice and Usow, Math. Comp. 22 (1968) 118).
+//! Fits of a positive function whose greatest relative error, over what is allowed at each point, is least:
+//! Gauss-Newton steps with Lawson's weights, which grow where the error is large (Lawson 1961; Rice and Usow, Math.
+//! Comp. 22 (1968) 118).
 
 /// Parameters of a fit.
 pub(super) const PARAMETERS: usize = 5;
@@ -15,8 +16,9 @@ const DIFFERENCE: f64 = 1e-6;
 /// Logarithm of a model at each point.
 pub(super) type Model<'a> = &'a dyn Fn([f64; PARAMETERS]) -> Option<Vec<f64>>;
 
-/// The parameters, from the best of several starts, and their greatest error over what is allowed. `logarithms` are those of the data, `allowed` the
-/// relative error allowed at each point. `None` where no start leads to a model that is positive everywhere.
+/// The parameters, from the best of several starts, and their greatest error over what is allowed. `logarithms` are
+/// those of the data, `allowed` the relative error allowed at each point. `None` where no start leads to a model that
+/// is positive everywhere.
 pub(super) fn minimax(
     model: Model<'_>,
     logarithms: &[f64],
@@ -134,7 +136,8 @@ fn solve(mut matrix: [[f64; PARAMETERS]; PARAMETERS], mut right: [f64; PARAMETER
 mod tests {
     use super::*;
 
-    /// Of `e^x` over [0, 1] the quartic with the least greatest relative error is off by about 2^-9/(5! 2^4), as Chebyshev's polynomial says.
+    /// Of `e^x` over [0, 1] the quartic with the least greatest relative error is off by about 2^-9/(5! 2^4), as
+    /// Chebyshev's polynomial says.
     #[test]
     fn a_polynomial_levels_its_errors() {
         let points: Vec<f64> =

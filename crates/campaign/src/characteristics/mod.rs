@@ -1,15 +1,19 @@
-//! The characteristics of a film: what it carries for each motion of the journal by itself, with the cavity of that motion.
+//! The characteristics of a film: what it carries for each motion of the journal by itself, with the cavity of that
+//! motion.
 //!
 //! ```text
 //! div(H^3 grad P) = 6 u H_phi - 12 (s cos + g_x z cos + g_y z sin),   H = 1 - eps cos - z (gamma_x cos + gamma_y sin)
 //! S = Int P {cos, sin, z cos, z sin} dphi dz,   W = S mu R^2/psi^2 rate,   m = S mu R^3/psi^2 rate
 //! ```
-//! with phi from the line of centres, z in radii from mid-length, gamma = g R/c, psi = c/R, and one unit rate at a time: rotation u, squeeze s = eps',
-//! and the rates g_x, g_y of the tilt along the line of centres and across it. A journal that turns at omega while its line of centres turns at beta'
-//! makes the film of one that turns at `u = omega - 2 beta'` about a line of centres that rests. Sixteen numbers. Where the cavity bears no tension, the
-//! pressures of the parts together are nowhere below that of the film that has all motions at once: their sum is too strong.
+//! with phi from the line of centres, z in radii from mid-length, gamma = g R/c, psi = c/R, and one unit rate at a
+//! time: rotation u, squeeze s = eps', and the rates g_x, g_y of the tilt along the line of centres and across it. A
+//! journal that turns at omega while its line of centres turns at beta' makes the film of one that turns at
+//! `u = omega - 2 beta'` about a line of centres that rests. Sixteen numbers. Where the cavity bears no tension, the
+//! pressures of the parts together are nowhere below that of the film that has all motions at once: their sum is too
+//! strong.
 //!
-//! **Source.** Zharov, dissertation (1996): the notation, the superposition, and the form of [`mod@fit`]. `docs/theory/characteristics.md`.
+//! **Source.** Zharov, dissertation (1996): the notation, the superposition, and the form of [`mod@fit`].
+//! `docs/theory/characteristics.md`.
 
 mod check;
 pub mod fit;
@@ -34,8 +38,8 @@ use check::has_pockets;
 use motion::{Motion, PARTS, PartMotion};
 use symmetry::{Symmetry, zeros};
 
-/// Characteristics of the film of `scene`, at its position or at that under its load, by runs with these options. Where a film is not found the
-/// report has the reason.
+/// Characteristics of the film of `scene`, at its position or at that under its load, by runs with these options. Where
+/// a film is not found the report has the reason.
 ///
 /// # Errors
 /// The mesh is unreadable, defective, or not that of the scene.
@@ -132,7 +136,8 @@ impl<'a> Films<'a> {
         part == PartMotion::Rotation && self.motion.is_concentric() && !has_pockets(self.placed)
     }
 
-    /// The scene with one motion, at this rate [1/s], and with its tolerance on the number that the motion does work on.
+    /// The scene with one motion, at this rate [1/s], and with its tolerance on the number that the motion does work
+    /// on.
     fn scene_of(&self, part: PartMotion, rate: f64) -> Scene {
         let mut scene = self.placed.clone();
         part.alone(&mut scene, &self.motion, rate);
@@ -156,7 +161,8 @@ impl<'a> Films<'a> {
         if x.abs() >= y.abs() { &MOMENT_X } else { &MOMENT_Y }
     }
 
-    /// Force [N] and moment [N m] of a run with these motions, along and across the line of centres; none where there is no film.
+    /// Force [N] and moment [N m] of a run with these motions, along and across the line of centres; none where there
+    /// is no film.
     fn carried(&self, result: &RunResult, motions: &[PartMotion]) -> Option<Carried> {
         let pair = |rows: [&Row; 2]| {
             let [x, y] = rows.map(|row| result.quantity(row));

@@ -66,7 +66,8 @@ pub(super) struct Motion {
     pub(super) along: [f64; 2],
     /// Tilt along and across the line of centres, times R/c [1].
     pub(super) gamma: [f64; 2],
-    /// Rates of the four motions [1/s]: u, eps', gamma_x', gamma_y', the last two in the frame that turns with the line of centres.
+    /// Rates of the four motions [1/s]: u, eps', gamma_x', gamma_y', the last two in the frame that turns with the line
+    /// of centres.
     pub(super) rates: [f64; 4],
 }
 
@@ -114,7 +115,8 @@ impl Motion {
         self.eccentricity == 0.0 && self.gamma == [0.0; 2]
     }
 
-    /// The rate [1/s] at which the film of a part is solved: that of the scene or, where it is zero, the greatest of the others.
+    /// The rate [1/s] at which the film of a part is solved: that of the scene or, where it is zero, the greatest of
+    /// the others.
     pub(super) fn used(&self, part: PartMotion) -> f64 {
         let own = self.rates[part.index()];
         let greatest = self.rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));

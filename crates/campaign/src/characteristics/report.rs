@@ -139,7 +139,8 @@ impl Characteristics {
         }
     }
 
-    /// How much stronger the sum of the parts is than the film: the ratio of their loads; `None` without both, or without a load.
+    /// How much stronger the sum of the parts is than the film: the ratio of their loads; `None` without both, or
+    /// without a load.
     pub fn surplus(&self) -> Option<f64> {
         let (sum, film) = (self.sum?.load(), self.film?.load());
         (film > 0.0).then(|| sum / film)

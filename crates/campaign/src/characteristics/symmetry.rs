@@ -6,8 +6,8 @@
 //! | mirrored about the line of centres | no tilt across it | odd | even | even | odd |
 //! | both | no tilt along it | odd | even | odd | even |
 //!
-//! An even source makes an even pressure, and the integral of an even pressure with an odd weight is zero. An odd source makes an odd pressure only where the
-//! film bears tension.
+//! An even source makes an even pressure, and the integral of an even pressure with an odd weight is zero. An odd
+//! source makes an odd pressure only where the film bears tension.
 
 use std::f64::consts::TAU;
 
@@ -67,7 +67,8 @@ pub(super) fn zeros(symmetry: &Symmetry, motions: &[PartMotion]) -> [bool; 4] {
     })
 }
 
-/// Maps the liner to itself: z to `ends` times z, angles to `mirrored` times themselves, from the line of centres at `angle`.
+/// Maps the liner to itself: z to `ends` times z, angles to `mirrored` times themselves, from the line of centres at
+/// `angle`.
 #[derive(Clone, Copy)]
 struct Mapping {
     ends: f64,

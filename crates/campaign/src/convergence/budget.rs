@@ -37,7 +37,8 @@ impl Budget {
         self.interrupt.is_asked()
     }
 
-    /// How long a search that begins now may go on. A study without levels has no result, so only an interrupt ends the first.
+    /// How long a search that begins now may go on. A study without levels has no result, so only an interrupt ends the
+    /// first.
     pub(super) fn deadline(&self, is_first: bool) -> Deadline {
         let seconds = match is_first {
             true => f64::INFINITY,

@@ -4,9 +4,9 @@
 //! error(n') = error(n) (n'/n)^-s      extrapolated from the last level, s the order of the strategy
 //! seconds(n') = seconds(n) (n'/n)^t   likewise, t fitted to the last levels and kept within [1, 1.6]
 //! ```
-//! Between levels both are interpolated in logarithms. A level counts as accurate only where all later ones are too. The order s
-//! is that of theory: orders fitted to few levels are unreliable. Only where the last steps all stay clearly behind it, as they
-//! do at sharp corners of grooves, their mean is taken.
+//! Between levels both are interpolated in logarithms. A level counts as accurate only where all later ones are too.
+//! The order s is that of theory: orders fitted to few levels are unreliable. Only where the last steps all stay
+//! clearly behind it, as they do at sharp corners of grooves, their mean is taken.
 
 use serde::Serialize;
 
@@ -20,7 +20,8 @@ const USUAL_EXPONENT: f64 = 1.3;
 const LAST: usize = 3;
 /// Steps that gain less than this part of the order stay behind it.
 const BEHIND: f64 = 0.8;
-/// The least order that is accepted, as a part of that of theory for elements of second order: that of quadratic elements at a corner of 270 degrees.
+/// The least order that is accepted, as a part of that of theory for elements of second order: that of quadratic
+/// elements at a corner of 270 degrees.
 const LEAST_PART: f64 = 1.0 / 3.0;
 /// The order of these elements.
 const SECOND: f64 = 2.0;
@@ -102,7 +103,8 @@ pub fn price_list(models: &[CostModel], measure: Measure) -> Vec<Price> {
     accuracies.filter_map(price).collect()
 }
 
-/// Prices by error bars, followed by those by true errors. A bar holds the error, so that an accuracy which a bar shows costs no more by the error.
+/// Prices by error bars, followed by those by true errors. A bar holds the error, so that an accuracy which a bar shows
+/// costs no more by the error.
 pub fn with_errors(by_bars: &[Price], by_errors: Vec<Price>) -> Vec<Price> {
     let at_most = |price: Price| {
         let shown = by_bars.iter().find(|shown| shown.accuracy == price.accuracy);

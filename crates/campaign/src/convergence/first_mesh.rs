@@ -15,7 +15,8 @@ use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::position::Position;
 use oilwedge_study::solved::SolveOptions;
 
-/// How much longer than wanted the edges of a drawn mesh are, the first that leads to an answer: two, one and no halving.
+/// How much longer than wanted the edges of a drawn mesh are, the first that leads to an answer: two, one and no
+/// halving.
 const FACTORS: [f64; 3] = [4.0, 2.0, 1.0];
 
 /// The first mesh.
@@ -27,8 +28,8 @@ pub(super) struct First {
     pub(super) seconds: f64,
 }
 
-/// Reads the mesh of a scene or draws a coarse one. Under a load a drawn mesh is graded for the position that the load leads to
-/// on a mesh as coarse.
+/// Reads the mesh of a scene or draws a coarse one. Under a load a drawn mesh is graded for the position that the load
+/// leads to on a mesh as coarse.
 ///
 /// # Errors
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.

@@ -1,8 +1,8 @@
 //! A convergence study: a scene solved on ever finer meshes by three strategies, for what accuracy costs.
 //!
-//! Reading order: [`strategy`], `first_mesh.rs`, `study_run.rs` (one strategy from level to level, by [`oilwedge_study::level`]), [`budget`]
-//! (when to stop), `reference.rs` (errors against the finest answer), [`cost_model`] (what the next digit costs),
-//! [`report`].
+//! Reading order: [`strategy`], `first_mesh.rs`, `study_run.rs` (one strategy from level to level, by
+//! [`oilwedge_study::level`]), [`budget`] (when to stop), `reference.rs` (errors against the finest answer),
+//! [`cost_model`] (what the next digit costs), [`report`].
 
 pub mod budget;
 pub mod cost_model;
@@ -44,11 +44,12 @@ pub struct Convergence {
     pub mesh: Option<MarkedMesh>,
 }
 
-/// Solves a scene by all strategies on ever finer meshes, the quickest next level first, as long as `budget` allows. That
-/// there is no film is a result, with its reason.
+/// Solves a scene by all strategies on ever finer meshes, the quickest next level first, as long as `budget` allows.
+/// That there is no film is a result, with its reason.
 ///
 /// # Errors
-/// The mesh cannot be read or does not fit the scene, the goal is zero ([`Error::NothingToConverge`]), or the scene has an orbit ([`Error::Orbit`]).
+/// The mesh cannot be read or does not fit the scene, the goal is zero ([`Error::NothingToConverge`]), or the scene has
+/// an orbit ([`Error::Orbit`]).
 pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> Result<Convergence, Error> {
     if scene.orbit.is_some() {
         return Err(Error::Orbit);

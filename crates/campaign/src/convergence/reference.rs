@@ -6,8 +6,8 @@ use super::report::{Course, LevelReport, Reference};
 /// Answers are not known better than this, however small their bars: rounding of long sums.
 const ROUNDING: f64 = 1e-14;
 
-/// The finest answer: that of the smallest bar or, without bars, of the highest degree on the most unknowns; `None` without
-/// levels.
+/// The finest answer: that of the smallest bar or, without bars, of the highest degree on the most unknowns; `None`
+/// without levels.
 pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
     let degree = courses.iter().filter(|course| !course.levels.is_empty());
     let degree = degree.map(|course| course.strategy.degree()).max()?;
@@ -31,9 +31,9 @@ pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
     })
 }
 
-/// The relative error of the last level by a law of order s, `e = d r/(1 - r)`: d the distance of a level from the one before, r
-/// the ratio of their errors. s is that of theory or, if it is less, the one by which the last two distances shrank. The
-/// greater of what the last two distances predict counts, since one of them may be small by chance.
+/// The relative error of the last level by a law of order s, `e = d r/(1 - r)`: d the distance of a level from the one
+/// before, r the ratio of their errors. s is that of theory or, if it is less, the one by which the last two distances
+/// shrank. The greater of what the last two distances predict counts, since one of them may be small by chance.
 fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
     let last = levels.last()?;
     let growth = |from: &LevelReport, to: &LevelReport| to.unknowns as f64 / from.unknowns as f64;
@@ -54,8 +54,8 @@ fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
     errors.filter(|error| error.is_finite() && *error >= 0.0).reduce(f64::max)
 }
 
-/// Fills in the relative errors of all levels, and makes their bars, so far relative to their own values, relative to the
-/// finest answer.
+/// Fills in the relative errors of all levels, and makes their bars, so far relative to their own values, relative to
+/// the finest answer.
 pub(super) fn measure(courses: &mut [Course], reference: &Reference) {
     for course in courses {
         for level in &mut course.levels {

@@ -69,8 +69,8 @@ pub struct Reference {
     pub unknowns: usize,
     /// The value.
     pub value: f64,
-    /// How well it is itself known, relative: its bar or, if that is less, what its distances from the levels before predict;
-    /// `None` with one level and no bar. Errors below this mean nothing.
+    /// How well it is itself known, relative: its bar or, if that is less, what its distances from the levels before
+    /// predict; `None` with one level and no bar. Errors below this mean nothing.
     pub uncertainty: Option<f64>,
 }
 
@@ -102,7 +102,8 @@ pub struct LevelReport {
     pub value: f64,
     /// Half width of the error bar over the finest answer; `None` where it was not estimated.
     pub relative_bar: Option<f64>,
-    /// Distance from the finest answer over that answer; `None` for the finest answer itself, or if it is not known well.
+    /// Distance from the finest answer over that answer; `None` for the finest answer itself, or if it is not known
+    /// well.
     pub relative_error: Option<f64>,
     /// The time from the scene to this answer.
     pub seconds: Timing,
@@ -130,8 +131,8 @@ pub struct Timing {
     pub greatest: f64,
     /// How often the level was run.
     pub runs: usize,
-    /// The parts of the total, medians: `mesh` is the making of all meshes up to this one, `earlier` the levels before that
-    /// an adaptive mesh needs. An object keyed by part in JSON.
+    /// The parts of the total, medians: `mesh` is the making of all meshes up to this one, `earlier` the levels before
+    /// that an adaptive mesh needs. An object keyed by part in JSON.
     #[serde(serialize_with = "in_parts")]
     pub parts: Vec<(String, f64)>,
 }

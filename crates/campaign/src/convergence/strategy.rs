@@ -44,7 +44,8 @@ impl Strategy {
         }
     }
 
-    /// The order s of the error of a load, `error ~ unknowns^-s`: that of the bar on quadratic elements, 1 on linear ones.
+    /// The order s of the error of a load, `error ~ unknowns^-s`: that of the bar on quadratic elements, 1 on linear
+    /// ones.
     pub fn order(self, scene: &Scene) -> f64 {
         match self.degree() {
             1 => 1.0,

@@ -13,8 +13,8 @@ const SHORT: f64 = 0.5 * PI;
 /// Extent [rad] of a groove along half of the liner, at least and at most.
 const HALF: [f64; 2] = [0.8 * PI, 1.2 * PI];
 
-/// The feed in the terms of the standard with its pressure [Pa] above that of the ends; nothing where oil comes from the ends only, or why the
-/// standard has none like that.
+/// The feed in the terms of the standard with its pressure [Pa] above that of the ends; nothing where oil comes from
+/// the ends only, or why the standard has none like that.
 pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
     let feeds: Vec<_> =
         (scene.feeds.iter()).filter_map(|feed| Some((feed, feed.pressure? - scene.ends.pressure))).collect();

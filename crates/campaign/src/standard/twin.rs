@@ -131,8 +131,8 @@ impl Twin {
     }
 }
 
-/// The standard's own balance of heat, friction by its fits carried off by its flows: temperatures of film and outlet, viscosity and the bearing
-/// there. Empty without `[heat]`, and where it has no flow through the feed or no balance.
+/// The standard's own balance of heat, friction by its fits carried off by its flows: temperatures of film and outlet,
+/// viscosity and the bearing there. Empty without `[heat]`, and where it has no flow through the feed or no balance.
 pub(super) fn own_balance(scene: &Scene, given: Given, feed: &Fed) -> Vec<Quantity> {
     balanced(scene, given, feed).unwrap_or_default()
 }

@@ -1,7 +1,7 @@
 //! Chains: runs of neighbouring cases along the last axis, each computed in its order by one worker.
 //!
-//! They are cut by the numbers of cases alone, so that a case has the same neighbours on any number of threads and after
-//! any interruption.
+//! They are cut by the numbers of cases alone, so that a case has the same neighbours on any number of threads and
+//! after any interruption.
 
 use std::ops::Range;
 

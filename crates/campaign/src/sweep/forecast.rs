@@ -1,7 +1,7 @@
 //! How long a sweep will take, from the first cases of some of its chains.
 //!
-//! The first case of a chain is solved cold, those behind it start from their neighbours. Both times are averaged over chains that are
-//! spread over the whole sweep.
+//! The first case of a chain is solved cold, those behind it start from their neighbours. Both times are averaged over
+//! chains that are spread over the whole sweep.
 
 use std::ops::Range;
 
@@ -34,8 +34,8 @@ pub(super) fn samples_first(chains: Vec<Range<usize>>, workers: usize) -> (Vec<R
     (order.map(|place| chains[place].clone()).collect(), count)
 }
 
-/// Wall time [s] of what is left of the chains after the first cases of the first `seconds.len()` of them took these times [s]; `None` where
-/// nothing is left, or nothing was measured.
+/// Wall time [s] of what is left of the chains after the first cases of the first `seconds.len()` of them took these
+/// times [s]; `None` where nothing is left, or nothing was measured.
 pub(super) fn rest(chains: &[Range<usize>], seconds: &[Vec<f64>], workers: usize) -> Option<f64> {
     let mean = |times: &[f64]| times.iter().sum::<f64>() / times.len().max(1) as f64;
     let measured: Vec<&Vec<f64>> = seconds.iter().filter(|times| !times.is_empty()).collect();

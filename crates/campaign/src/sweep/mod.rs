@@ -1,8 +1,8 @@
 //! A sweep: one scene solved for many values of its keys.
 //!
-//! Cases are cut into chains of neighbours (`chain.rs`), which are walked along (`walk.rs`): the mesh, its numbering and analysis stay as
-//! long as they fit, films and positions begin where those before lead. Chains do not depend on each other: machines that share a sweep
-//! compute whole ones ([`Sweep::chains`], [`Sweep::cases_of`]).
+//! Cases are cut into chains of neighbours (`chain.rs`), which are walked along (`walk.rs`): the mesh, its numbering
+//! and analysis stay as long as they fit, films and positions begin where those before lead. Chains do not depend on
+//! each other: machines that share a sweep compute whole ones ([`Sweep::chains`], [`Sweep::cases_of`]).
 //!
 //! Of crankshafts each bearing is a case: the bearings of one shaft are a chain, and are solved together.
 
@@ -150,9 +150,9 @@ impl Sweep {
         parts.filter(|(_, cases)| !cases.is_empty()).collect()
     }
 
-    /// Runs all cases but those that `is_kept`, on all threads, and hands on each when it ends. The first cases of some chains come first;
-    /// from them the time of the sweep is forecast, and nothing is computed twice for that. A chain of which every case is kept is not touched: with all
-    /// others kept, one chain is computed by itself.
+    /// Runs all cases but those that `is_kept`, on all threads, and hands on each when it ends. The first cases of some
+    /// chains come first; from them the time of the sweep is forecast, and nothing is computed twice for that. A chain
+    /// of which every case is kept is not touched: with all others kept, one chain is computed by itself.
     ///
     /// # Errors
     /// Threads cannot be started, or the first error of `event`.
@@ -209,7 +209,8 @@ impl Sweep {
         let (sender, receiver) = channel();
         std::thread::scope(|scope| {
             for _ in 0..workers.min(walks.len()) {
-                // Threads of its own: a worker that waits for a part of its film does not take up another chain meanwhile.
+                // Threads of its own: a worker that waits for a part of its film does not take up another chain
+                // meanwhile.
                 let pool =
                     pool(rayon::current_num_threads() / workers).map_err(|error| Error::Threads(error.to_string()))?;
                 let (sender, next) = (sender.clone(), &next);

@@ -1,4 +1,5 @@
-//! Parts of a sweep, for machines that share it: neighbouring chains, whole, so that each case has the numbers that it has in the sweep by itself.
+//! Parts of a sweep, for machines that share it: neighbouring chains, whole, so that each case has the numbers that it
+//! has in the sweep by itself.
 
 use std::ops::Range;
 
@@ -15,7 +16,8 @@ impl Part {
     /// Most parts of a sweep.
     pub const MOST: u32 = 1_000_000;
 
-    /// The part of this number of so many; `None` where there is none of this number, or there are more than [`Part::MOST`].
+    /// The part of this number of so many; `None` where there is none of this number, or there are more than
+    /// [`Part::MOST`].
     pub fn new(number: u32, of: u32) -> Option<Self> {
         ((1..=of).contains(&number) && of <= Self::MOST).then_some(Self { number, of })
     }
@@ -30,7 +32,8 @@ impl Part {
         self.of
     }
 
-    /// Its cases, where these are the chains of the sweep in the order of their cases. Of more parts than chains some are empty.
+    /// Its cases, where these are the chains of the sweep in the order of their cases. Of more parts than chains some
+    /// are empty.
     pub(super) fn cases(self, chains: &[Range<usize>]) -> Range<usize> {
         let place = |number: u32| (u64::from(number) * chains.len() as u64 / u64::from(self.of)) as usize;
         let first = |place: usize| match chains.get(place) {

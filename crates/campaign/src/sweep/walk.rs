@@ -242,7 +242,8 @@ impl<'a> Walker<'a> {
         SolveOptions { errors: self.options.errors(), deadline: self.deadline, guess, ..SolveOptions::default() }
     }
 
-    /// The film as the case is solved by itself; on the system at hand where that is the same and no position has shaped it.
+    /// The film as the case is solved by itself; on the system at hand where that is the same and no position has
+    /// shaped it.
     fn by_itself(&mut self, scene: &Scene) -> Result<Film, CompileError> {
         let held = self.held.take();
         let ungraded = held.filter(|held| !scene.mesh.is_graded() && has_same_system(&held.film.scene, scene));
@@ -250,7 +251,8 @@ impl<'a> Walker<'a> {
         reused.map_or_else(|| graded(scene, self.deadline.into()), Ok)
     }
 
-    /// From the case before, if there is one and it leads to an answer; with the position for which the mesh was graded.
+    /// From the case before, if there is one and it leads to an answer; with the position for which the mesh was
+    /// graded.
     fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(JournalState, Solved)>, CompileError> {
         let position = match scene.journal.load() {
             None => Some(Position::start(scene)),

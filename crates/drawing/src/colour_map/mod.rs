@@ -1,7 +1,8 @@
 //! Colour maps as data: tables of 33 colours, between which colours are mixed.
 //!
-//! Requirements, which tests check by CAM02-UCS and by Machado's model of colour-vision deficiencies: the lightness of a map rises or
-//! falls throughout, for normal vision and for the three deficiencies; its steps are even; the diverging map is white in its middle.
+//! Requirements, which tests check by CAM02-UCS and by Machado's model of colour-vision deficiencies: the lightness of
+//! a map rises or falls throughout, for normal vision and for the three deficiencies; its steps are even; the diverging
+//! map is white in its middle.
 
 #[cfg(test)]
 mod perception;

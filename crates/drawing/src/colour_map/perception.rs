@@ -1,5 +1,5 @@
-//! How colour maps are seen: lightness and distances in CAM02-UCS (Luo, Cui, Li 2006), and the three deficiencies by the matrices of
-//! Machado, Oliveira, Fernandes (2009) at severity 1.
+//! How colour maps are seen: lightness and distances in CAM02-UCS (Luo, Cui, Li 2006), and the three deficiencies by
+//! the matrices of Machado, Oliveira, Fernandes (2009) at severity 1.
 
 use super::ColourMap;
 

@@ -116,7 +116,8 @@ impl Mesh {
         defects
     }
 
-    /// The defect of a film in several pieces, if it is. Pieces that reach from end to end are the lands between grooves of full length.
+    /// The defect of a film in several pieces, if it is. Pieces that reach from end to end are the lands between
+    /// grooves of full length.
     pub(super) fn pieces(&self) -> Option<Defect> {
         let mut piece_of = vec![u32::MAX; self.triangles.len()];
         let mut sizes: Vec<(usize, usize)> = Vec::new();

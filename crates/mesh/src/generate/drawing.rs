@@ -164,8 +164,8 @@ fn land_in_words(land: f64) -> String {
     }
 }
 
-/// This drawing with each feature on the turn of the liner: an angle may be given as 350 or as -10 degrees. Sides that touch do so
-/// to the last digit, and features that others of their name hold are left out.
+/// This drawing with each feature on the turn of the liner: an angle may be given as 350 or as -10 degrees. Sides that
+/// touch do so to the last digit, and features that others of their name hold are left out.
 pub(super) fn placed(blueprint: &Blueprint) -> Blueprint {
     let mut placed = blueprint.clone();
     let turn = blueprint.liner.circumference();

@@ -10,8 +10,9 @@ const ACROSS: usize = 64;
 /// Area of a triangle of the grid over that of its cell.
 const HALF_A_CELL: f64 = 0.5;
 
-/// Meshes the geometry `blueprint` of `mesh` in rows along the flow: columns as far apart as the triangles of `mesh` are long there (median from end to
-/// end), rows as far as they are wide (median around), both scaled so that there are as many triangles, and then by `ratio`.
+/// Meshes the geometry `blueprint` of `mesh` in rows along the flow: columns as far apart as the triangles of `mesh`
+/// are long there (median from end to end), rows as far as they are wide (median around), both scaled so that there are
+/// as many triangles, and then by `ratio`.
 ///
 /// # Errors
 /// As [`generate_in_rows`].

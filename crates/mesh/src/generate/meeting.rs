@@ -1,7 +1,8 @@
-//! How the features of a liner lie to each other and to its edges: apart, touching along straight sides, or overlapping.
+//! How the features of a liner lie to each other and to its edges: apart, touching along straight sides, or
+//! overlapping.
 //!
-//! Straight sides may lie on one line: a pocket begins where a groove ends, or at the edge of an arc. Sides that differ by rounding are
-//! moved onto one line first, so that each point of a common side is one node.
+//! Straight sides may lie on one line: a pocket begins where a groove ends, or at the edge of an arc. Sides that differ
+//! by rounding are moved onto one line first, so that each point of a common side is one node.
 
 use super::shape::{Feature, Piece, Shape};
 use super::sheet::{Sheet, on_sheet};
@@ -45,8 +46,8 @@ pub(super) fn between(sheet: &Sheet, one: &Feature, other: &Feature, near: f64) 
     }
 }
 
-/// Gaps [m] between the bounding boxes of two shapes along x and z, negative where they overlap: the lesser one, and on a ring the one
-/// on the other side, infinite where there is none.
+/// Gaps [m] between the bounding boxes of two shapes along x and z, negative where they overlap: the lesser one, and on
+/// a ring the one on the other side, infinite where there is none.
 fn gaps_between(sheet: &Sheet, one: &Shape, other: &Shape) -> [[f64; 2]; 2] {
     let halves = [0, 1].map(|axis| one.half[axis] + other.half[axis]);
     let between = [0, 1].map(|axis| one.centre[axis] - other.centre[axis]);
@@ -88,7 +89,8 @@ pub(super) fn outline_points(sheet: &Sheet, feature: &Feature) -> Vec<[f64; 2]> 
     pieces.iter().flat_map(|piece| (0..A_PIECE).map(|k| piece.at(f64::from(k) / f64::from(A_PIECE)))).collect()
 }
 
-/// Land [m] between a feature and the edges of the liner, negative where it reaches out; on a ring also what it leaves around.
+/// Land [m] between a feature and the edges of the liner, negative where it reaches out; on a ring also what it leaves
+/// around.
 pub(super) fn lands(sheet: &Sheet, shape: &Shape) -> Vec<f64> {
     let [x, z] = shape.centre;
     let [along, across] = shape.half;
@@ -102,8 +104,8 @@ pub(super) fn lands(sheet: &Sheet, shape: &Shape) -> Vec<f64> {
     lands
 }
 
-/// Moves straight sides that are almost on one line onto it: the edges of the liner, the axial line at `line` [m], and sides of features
-/// without round corners before them.
+/// Moves straight sides that are almost on one line onto it: the edges of the liner, the axial line at `line` [m], and
+/// sides of features without round corners before them.
 pub(super) fn align(features: &mut [Feature], liner: &Liner, line: Option<f64>) {
     let sheet = Sheet::of(liner, 0.0);
     let reach = ONE_LINE * liner.radius;

@@ -1,9 +1,9 @@
 //! Meshes of a liner as it is drawn: no mesh generator needed.
 //!
-//! The developed liner is a rectangle with holes and grooves ([`Feature`]), of which those of one name may overlap, others may touch, and a groove may
-//! reach an end. Its outlines are cut
-//! into edges of the wanted size (`outline`), filled with triangles (`triangulate`), and become a
-//! [`crate::RawMesh`] like that of a file: the same groups, round rims on their circles, a ring glued.
+//! The developed liner is a rectangle with holes and grooves ([`Feature`]), of which those of one name may overlap,
+//! others may touch, and a groove may reach an end. Its outlines are cut into edges of the wanted size (`outline`),
+//! filled with triangles (`triangulate`), and become a [`crate::RawMesh`] like that of a file: the same groups, round
+//! rims on their circles, a ring glued.
 
 mod assemble;
 mod drawing;
@@ -194,7 +194,8 @@ fn count(domain: &Domain, rows: Option<&Rows>) -> Result<Count, Vec<DrawingError
         };
         triangles += (sheet.width / edges[0]) * (sheet.length / edges[1]) / (area * f64::from(ALONG * ACROSS));
     }
-    // Those around a rim may be too few in number of rows to be met above: the integral of dA / (area of a triangle) beside an edge.
+    // Those around a rim may be too few in number of rows to be met above: the integral of dA / (area of a triangle)
+    // beside an edge.
     for feature in features.iter().filter(|feature| rows.is_none() || !feature.shape.is_full_turn()) {
         let sides = if feature.meshed { 2.0 } else { 1.0 };
         triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * field.grading.growth);

@@ -59,7 +59,8 @@ fn shape_of(mesh: &Mesh, region: &Region, length: f64) -> Option<Shape> {
     rectangle(mesh, &rim, region.cells.is_empty().then_some(length))
 }
 
-/// The rectangle or band that edges along the axes bound. The rim of one that is cut out has no edges on the ends of a liner, whose length [m] is given for it.
+/// The rectangle or band that edges along the axes bound. The rim of one that is cut out has no edges on the ends of a
+/// liner, whose length [m] is given for it.
 fn rectangle(mesh: &Mesh, rim: &[u32], cut_out_of: Option<f64>) -> Option<Shape> {
     let origin = mesh.edge_nodes(*rim.first()?)[0];
     // Corners of every edge near the first one: the shorter way around.

@@ -1,9 +1,9 @@
 //! Rows along the flow: nodes on straight lines z = constant, from column to column.
 //!
-//! Oil that is carried through a cavity moves along these lines. A triangle with an edge on one carries it along that edge alone,
-//! so that nothing spreads across the flow. Columns and rows bound the cells of a grid. Near features, where smaller edges are wanted, cells
-//! are halved again and again, so that there are rows nearly up to the rims; only between the last of them and a rim the
-//! triangles are free.
+//! Oil that is carried through a cavity moves along these lines. A triangle with an edge on one carries it along that
+//! edge alone, so that nothing spreads across the flow. Columns and rows bound the cells of a grid. Near features,
+//! where smaller edges are wanted, cells are halved again and again, so that there are rows nearly up to the rims; only
+//! between the last of them and a rim the triangles are free.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -23,7 +23,8 @@ const OWN_ROW: f64 = 0.5;
 const TOO_LONG: f64 = 1.4;
 /// Nodes of the grid keep this part of the edge of a cell away from outlines.
 const APART: f64 = 0.55;
-/// A cell longer than this many times its width that has a node amid a long side is halved there: the triangle would be obtuse.
+/// A cell longer than this many times its width that has a node amid a long side is halved there: the triangle would be
+/// obtuse.
 const LONG: f64 = 1.8;
 /// Cells are halved no more often than this in each direction.
 const DEEPEST: u32 = 20;
@@ -95,7 +96,8 @@ impl Grid {
         grid
     }
 
-    /// Places along `axis` of the nodes whose other coordinate is `level` [m], ascending. The two sides of a ring have the same nodes.
+    /// Places along `axis` of the nodes whose other coordinate is `level` [m], ascending. The two sides of a ring have
+    /// the same nodes.
     pub(super) fn on_line(&self, axis: usize, level: f64) -> Vec<f64> {
         let positions = self.nodes.iter().map(|&place| self.position(place));
         let mut places: Vec<f64> =
@@ -112,8 +114,9 @@ impl Grid {
         positions.filter(|&point| domain.margin(point) > APART * domain.size.at(point)).collect()
     }
 
-    /// Cuts neighbouring cells along the one and the other diagonal: which one a Delaunay triangulation takes is left to rounding. Faces of cells
-    /// around the nodes lie straight across the flow then, and what crosses slanted ones does not add up along a row. Films of either sense are mirror images.
+    /// Cuts neighbouring cells along the one and the other diagonal: which one a Delaunay triangulation takes is left
+    /// to rounding. Faces of cells around the nodes lie straight across the flow then, and what crosses slanted ones
+    /// does not add up along a row. Films of either sense are mirror images.
     pub(super) fn turn_diagonals(&self, filled: &mut Triangles) {
         let Triangles { points, triangles } = filled;
         let key = |point: [f64; 2]| point.map(f64::to_bits);

@@ -306,7 +306,8 @@ fn circles_meet(one: &Circle, two: &Circle, near: f64) -> Vec<[f64; 2]> {
     half_chord(one.radius, along, near).map_or(Vec::new(), |half| vec![at(-half), at(half)])
 }
 
-/// Half the chord [m] of a circle at the distance `off` [m] from its centre: none outside, zero where it almost touches.
+/// Half the chord [m] of a circle at the distance `off` [m] from its centre: none outside, zero where it almost
+/// touches.
 fn half_chord(radius: f64, off: f64, near: f64) -> Option<f64> {
     let inside = radius - off.abs();
     (inside >= -near).then(|| match inside > near {

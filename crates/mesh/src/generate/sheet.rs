@@ -36,8 +36,8 @@ impl Sheet {
         self.start + self.width
     }
 
-    /// Whether a piece of the outline of a feature lies on an edge of the sheet: on an end or, on an arc, on one of its edges. A meshed feature may
-    /// also begin or end at the seam of a ring, which is a line of edges.
+    /// Whether a piece of the outline of a feature lies on an edge of the sheet: on an end or, on an arc, on one of its
+    /// edges. A meshed feature may also begin or end at the seam of a ring, which is a line of edges.
     fn has_on_edge(&self, piece: &Piece, meshed: bool) -> bool {
         let (near, half) = (SAME * self.length, 0.5 * self.length);
         let points = [0.0, 0.5, 1.0].map(|s| piece.at(s));

@@ -14,17 +14,18 @@ pub struct Grading {
     pub of_half: f64,
     /// Edges along a round rim or corner, over its radius.
     pub of_radius: f64,
-    /// The lesser half extent of a groove or, if that is less, the size far from it, over the edges at its sharp corners.
+    /// The lesser half extent of a groove or, if that is less, the size far from it, over the edges at its sharp
+    /// corners.
     pub per_corner: f64,
 }
 
 impl Grading {
-    /// Rims are resolved. With this growth and these edges at a rim the load of the hole-fed shell has the least error at equal unknowns
-    /// (`at_rim` 0.15 to 0.6 and `growth` 0.15 to 0.45 were tried).
+    /// Rims are resolved. With this growth and these edges at a rim the load of the hole-fed shell has the least error
+    /// at equal unknowns (`at_rim` 0.15 to 0.6 and `growth` 0.15 to 0.45 were tried).
     pub const RESOLVED: Self = Self { growth: 0.2, at_rim: 0.3, of_half: 0.5, of_radius: 0.25, per_corner: 10.0 };
-    /// The wanted size counts, and rims get few edges of their own: four corners of a narrow groove are given 1900 triangles by
-    /// [`Self::RESOLVED`], however large the wanted size is, and some 40 here. Round rims are resolved: with edges of half the radius the least
-    /// angle of meshed discs was 11 degrees.
+    /// The wanted size counts, and rims get few edges of their own: four corners of a narrow groove are given 1900
+    /// triangles by [`Self::RESOLVED`], however large the wanted size is, and some 40 here. Round rims are resolved:
+    /// with edges of half the radius the least angle of meshed discs was 11 degrees.
     pub const BY_SIZE: Self =
         Self { growth: 0.5, at_rim: 0.5, of_half: f64::INFINITY, of_radius: 0.25, per_corner: 1.0 };
 }
@@ -47,7 +48,8 @@ struct Spot {
 }
 
 impl<'a> SizeField<'a> {
-    /// `base` is the size [m] far from all features, `gaps` the free distance [m] around each feature, `junctions` the corners where rims meet.
+    /// `base` is the size [m] far from all features, `gaps` the free distance [m] around each feature, `junctions` the
+    /// corners where rims meet.
     pub(super) fn new(
         base: &'a dyn Fn([f64; 2]) -> f64,
         grading: Grading,
@@ -110,8 +112,8 @@ impl<'a> SizeField<'a> {
     }
 }
 
-/// Corners of a shape, sharp or round, and straight sides that are shorter than their neighbours; `wide` [m] is its lesser half
-/// extent, or the size far from it.
+/// Corners of a shape, sharp or round, and straight sides that are shorter than their neighbours; `wide` [m] is its
+/// lesser half extent, or the size far from it.
 fn spots_of(shape: &Shape, wide: f64, grading: Grading) -> Vec<Spot> {
     let sharp =
         shape.sharp_corners().into_iter().map(|centre| Spot { centre, radius: 0.0, size: wide / grading.per_corner });

@@ -1,8 +1,9 @@
-//! Features of one name are one region: where they overlap, only the outline of their union is one. Features that touch share a part
-//! of their outlines.
+//! Features of one name are one region: where they overlap, only the outline of their union is one. Features that touch
+//! share a part of their outlines.
 //!
-//! Each piece of an outline is cut where it meets the outlines of the others; the parts inside another feature of its name go. What stays
-//! bounds the union, counter-clockwise about it. A common part stays once, with the feature that is cut out if one of them is.
+//! Each piece of an outline is cut where it meets the outlines of the others; the parts inside another feature of its
+//! name go. What stays bounds the union, counter-clockwise about it. A common part stays once, with the feature that is
+//! cut out if one of them is.
 
 use super::shape::{Feature, Piece};
 use super::sheet::{Sheet, on_sheet};
@@ -13,7 +14,8 @@ pub(super) const SAME: f64 = 1e-11;
 /// A part of the outline of a feature, by the index of that feature.
 pub(super) type Part = (usize, Piece);
 
-/// The outlines of all features on the sheet, but for what lies on the ends of the liner: of features of one name that of their union.
+/// The outlines of all features on the sheet, but for what lies on the ends of the liner: of features of one name that
+/// of their union.
 pub(super) fn parts(sheet: &Sheet, features: &[Feature]) -> Vec<Part> {
     let own = |(index, feature): (usize, &Feature)| {
         let pieces = on_sheet(sheet, feature);
@@ -40,8 +42,8 @@ fn of_outlines(sheet: &Sheet, features: &[Feature], parts: Vec<Part>) -> Vec<Par
     parts.iter().flat_map(cut).filter(is_outer).collect()
 }
 
-/// Whether a part of the outline of a feature lies inside another of its name, or is that of another. Of two that run along each other one is kept
-/// if both features lie on the same side, or have two names.
+/// Whether a part of the outline of a feature lies inside another of its name, or is that of another. Of two that run
+/// along each other one is kept if both features lie on the same side, or have two names.
 fn covers(sheet: &Sheet, features: &[Feature], other: usize, (index, piece): (usize, &Piece), near: f64) -> bool {
     let shape = &features[other].shape;
     let middle = piece.at(0.5);

@@ -1,7 +1,8 @@
 //! gmsh 4.1 mesh files, text and binary: 3- or 6-node triangles, lines, physical groups.
 //!
 //! [`read`] takes the numbers out of the sections (`scan`), and makes nodes, triangles and named groups of them
-//! (`assemble`). Nothing about bearings is known here: [`crate::developed`] makes a liner of it. [`write()`] is the way back.
+//! (`assemble`). Nothing about bearings is known here: [`crate::developed`] makes a liner of it. [`write()`] is the way
+//! back.
 
 mod assemble;
 mod cursor;

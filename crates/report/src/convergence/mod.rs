@@ -14,8 +14,8 @@ use oilwedge_campaign::convergence::Convergence;
 
 /// Everything that a study found, for scripts.
 pub const REPORT_FILE: &str = "converge.json";
-/// The files of a study. The numbers for scripts are taken away first and come last, so they are the sign that all are there and of one
-/// study.
+/// The files of a study. The numbers for scripts are taken away first and come last, so they are the sign that all are
+/// there and of one study.
 pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", REPORT_FILE];
 
 /// Whether the files of a study may stand in the folder `dir`: better asked before the study than after it.

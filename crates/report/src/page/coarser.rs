@@ -1,5 +1,6 @@
-//! A film on fewer triangles, for a page that would be too large with all of them. Rims, the edges of pockets, everything curved, and
-//! places where a field is steep stay as they are; between them vertices are removed evenly (`thinning.rs`), and the new middles of sides take the values of the film.
+//! A film on fewer triangles, for a page that would be too large with all of them. Rims, the edges of pockets,
+//! everything curved, and places where a field is steep stay as they are; between them vertices are removed evenly
+//! (`thinning.rs`), and the new middles of sides take the values of the film.
 
 use std::collections::HashMap;
 
@@ -14,7 +15,8 @@ use crate::plot::{DrawnFilm, Finder, InTriangle, drawn_fields};
 
 /// Middles of sides that are as far from the line between their ends as this part of its length are on a curve.
 const STRAIGHT: f64 = 1e-7;
-/// A field that changes by more than this part of its range within a triangle is steep there, as the film fraction where the film breaks.
+/// A field that changes by more than this part of its range within a triangle is steep there, as the film fraction
+/// where the film breaks.
 const STEEP: f64 = 0.03;
 /// A field whose range is less than this part of its size is the same everywhere.
 const SAME: f64 = 1e-6;

@@ -1,4 +1,5 @@
-//! What was compared with the film on request: films without an effect, of bearing theories, and the numbers of the standard.
+//! What was compared with the film on request: films without an effect, of bearing theories, and the numbers of the
+//! standard.
 
 use oilwedge_study::quantities::row;
 use serde_json::Value;

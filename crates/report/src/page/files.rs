@@ -21,7 +21,8 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// The files that the scene `text` in the file `path` names, and those that these name in turn, as far as they can be read and a page can carry them.
+    /// The files that the scene `text` in the file `path` names, and those that these name in turn, as far as they can
+    /// be read and a page can carry them.
     pub fn all(text: &str, path: &Path) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
         let mut left = vec![(text.to_owned(), PathBuf::from(SCENE), path.to_owned())];
@@ -45,7 +46,8 @@ impl SceneFile {
     }
 }
 
-/// The files that a scene of a bearing or a crankshaft names, counted from the folder of `path`; nothing of a text that is none.
+/// The files that a scene of a bearing or a crankshaft names, counted from the folder of `path`; nothing of a text that
+/// is none.
 fn named(text: &str, path: &Path) -> Vec<PathBuf> {
     let of_bearing = Scene::parse(text, path, &[]).map(|scene| {
         let files = scene.files().map(|(_, file, _)| file.to_owned());

@@ -1,7 +1,8 @@
-//! The film as the script of the page has it: angles, heights and values as whole numbers of 32 bits, and how they are shown.
+//! The film as the script of the page has it: angles, heights and values as whole numbers of 32 bits, and how they are
+//! shown.
 //!
-//! An angle is a part of a turn, so that a ring has no seam. A field is a part of its range: 24 bits are as fine as the numbers of a picture
-//! need to be, and finer than single precision where the range is small against the values.
+//! An angle is a part of a turn, so that a ring has no seam. A field is a part of its range: 24 bits are as fine as the
+//! numbers of a picture need to be, and finer than single precision where the range is small against the values.
 
 use std::f64::consts::TAU;
 

@@ -1,13 +1,15 @@
 //! One HTML file about a run, a sweep or a convergence study, which needs nothing but itself: no request leaves it.
 //!
-//! Everything is in it without a script: numbers, tables, and the figures of [`crate::plot`]. The script draws the film on canvases
-//! (`assets/film.js` unpacks it and finds values, `map.js` draws the unrolled liner and profiles, `view.js` the liner in space, `sweep.js` curves and
-//! maps of a sweep). A policy in the
-//! page forbids all else: `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
+//! Everything is in it without a script: numbers, tables, and the figures of [`crate::plot`]. The script draws the film
+//! on canvases (`assets/film.js` unpacks it and finds values, `map.js` draws the unrolled liner and profiles, `view.js`
+//! the liner in space, `sweep.js` curves and maps of a sweep). A policy in the page forbids all else:
+//! `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
-//! Reading order: this file (what the page shows), `verdict.rs` (what it says first), `lead.rs` (what comes before all else), `files.rs` (what is saved with the scene), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `shaft.rs`, `film_data.rs` and
-//! `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and `thinning.rs` (a film that is too large).
+//! Reading order: this file (what the page shows), `verdict.rs` (what it says first), `lead.rs` (what comes before all
+//! else), `files.rs` (what is saved with the scene), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`,
+//! `studies.rs`, `shaft.rs`, `film_data.rs` and `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and
+//! `thinning.rs` (a film that is too large).
 
 mod coarser;
 mod comparisons;

@@ -1,7 +1,9 @@
-//! Arrays of a film in few letters: differences from what neighbours predict, bytes of equal rank together, deflated, in base 64.
+//! Arrays of a film in few letters: differences from what neighbours predict, bytes of equal rank together, deflated,
+//! in base 64.
 //!
-//! Nodes are predicted by those before them: a vertex by the vertex before it, the middle of a side by the mean of the ends of the side. Where a
-//! mesh is straight its middles cost nothing. All numbers are whole, so that the page computes the same bits again.
+//! Nodes are predicted by those before them: a vertex by the vertex before it, the middle of a side by the mean of the
+//! ends of the side. Where a mesh is straight its middles cost nothing. All numbers are whole, so that the page
+//! computes the same bits again.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -31,7 +33,8 @@ pub(super) fn packed(values: &[u32]) -> Packed {
     Packed { count: values.len(), data: STANDARD.encode(compress_to_vec(&planes, LEVEL)) }
 }
 
-/// Triangles by their nodes, each as its distance from the first number that none before has: zero for nodes in the order in which they are met.
+/// Triangles by their nodes, each as its distance from the first number that none before has: zero for nodes in the
+/// order in which they are met.
 pub(super) fn triangles(cells: &[[u32; 6]]) -> Vec<u32> {
     let mut next = 0u32;
     let code = |node: &u32| {
@@ -42,7 +45,8 @@ pub(super) fn triangles(cells: &[[u32; 6]]) -> Vec<u32> {
     cells.iter().flatten().map(code).collect()
 }
 
-/// What predicts each node: nothing but the node before, or the ends of a side. In the order in which nodes are first met.
+/// What predicts each node: nothing but the node before, or the ends of a side. In the order in which nodes are first
+/// met.
 #[derive(Debug)]
 pub(super) struct Prediction {
     /// Nodes, and the ends of the side that they are the middle of.
@@ -70,7 +74,8 @@ impl Prediction {
         Self { order }
     }
 
-    /// Differences of values at the nodes from their prediction, around the clock of 32 bits; small ones of either sign are small numbers.
+    /// Differences of values at the nodes from their prediction, around the clock of 32 bits; small ones of either sign
+    /// are small numbers.
     pub(super) fn differences(&self, values: &[u32]) -> Vec<u32> {
         let mut last = 0u32;
         let difference = |(node, ends): &(u32, Option<[u32; 2]>)| {

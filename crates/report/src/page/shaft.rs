@@ -1,4 +1,5 @@
-//! The page of a crankshaft: the shaft, a table of its bearings, their loads and paths side by side, and shafts beside it.
+//! The page of a crankshaft: the shaft, a table of its bearings, their loads and paths side by side, and shafts beside
+//! it.
 
 use oilwedge_drawing::PAGE_WIDTH;
 use oilwedge_scene::wording::millimetres;

@@ -27,8 +27,8 @@ pub(super) fn cases_in_words(sweep: &Value) -> String {
     each.join(", ")
 }
 
-/// The rows of a sweep: its axes in their order, the columns that the scene asks for or the main quantities, the verdict where the scene sets limits, and how each case
-/// ended.
+/// The rows of a sweep: its axes in their order, the columns that the scene asks for or the main quantities, the
+/// verdict where the scene sets limits, and how each case ended.
 pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
     let cases = Cases::of(sweep)?;
     let quantities: Vec<(String, &str, f64)> = cases

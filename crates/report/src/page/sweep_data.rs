@@ -14,7 +14,8 @@ use crate::plot::{Cases, quantity_names};
 pub(super) struct SweepData {
     axes: Vec<AxisData>,
     quantities: Vec<QuantityData>,
-    /// Values and errors in SI: all cases of the first quantity, then of the next; bits of single precision, not a number where there is none.
+    /// Values and errors in SI: all cases of the first quantity, then of the next; bits of single precision, not a
+    /// number where there is none.
     values: Packed,
     errors: Packed,
     /// What became of each case.

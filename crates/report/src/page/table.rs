@@ -17,7 +17,8 @@ pub(super) struct Cell {
     pub(super) text: String,
     pub(super) si: String,
     pub(super) is_number: bool,
-    /// Class of its style: `good`, `bad`, `open`, or `whole` where its words stay in one line; empty as the text around it.
+    /// Class of its style: `good`, `bad`, `open`, or `whole` where its words stay in one line; empty as the text around
+    /// it.
     pub(super) kind: &'static str,
 }
 

@@ -1,7 +1,9 @@
-//! Fewer triangles on the same area: vertices are moved onto a neighbour one by one, far from each other in each pass, so that fine
-//! regions stay finer than coarse ones. Vertices that must stay, as those of rims, keep the sides between them.
+//! Fewer triangles on the same area: vertices are moved onto a neighbour one by one, far from each other in each pass,
+//! so that fine regions stay finer than coarse ones. Vertices that must stay, as those of rims, keep the sides between
+//! them.
 
-/// Least shape of new triangles ([`shape`]), and what they may be worse than those before; both fall by half where nothing can be removed.
+/// Least shape of new triangles ([`shape`]), and what they may be worse than those before; both fall by half where
+/// nothing can be removed.
 const GOOD: f64 = 0.5;
 const WORSE: f64 = 0.7;
 /// A pass that removes less than this share of the vertices has come to its end, and so often shapes may be relaxed.
@@ -20,8 +22,8 @@ struct Thinning<'a> {
     around: Vec<Vec<u32>>,
 }
 
-/// Removes as many vertices as wanted, or as possible, from triangles that run against the clock; none of those that must stay.
-/// Places [m] are on a cylinder of that circumference [m], unrolled.
+/// Removes as many vertices as wanted, or as possible, from triangles that run against the clock; none of those that
+/// must stay. Places [m] are on a cylinder of that circumference [m], unrolled.
 pub(super) fn thinned(
     places: &[[f64; 2]],
     triangles: &[[u32; 3]],

@@ -35,7 +35,8 @@ pub(super) struct DrawnBore {
 }
 
 impl DrawnBore {
-    /// The bore whose deepest place is drawn at a distance [mm] from the middle: what the film is thicker than between circles.
+    /// The bore whose deepest place is drawn at a distance [mm] from the middle: what the film is thicker than between
+    /// circles.
     pub(super) fn of(film: &DrawnFilm, deepest: f64) -> Self {
         let [from, to] = film.liner.angles();
         let step = (to - from) / POINTS as f64;
@@ -73,7 +74,8 @@ impl DrawnBore {
     }
 }
 
-/// How much deeper than its circle the bore is at angles [rad] at mid-length, over the clearance; straight between the ends of holes, grooves and pockets. `None` without a film at mid-length.
+/// How much deeper than its circle the bore is at angles [rad] at mid-length, over the clearance; straight between the
+/// ends of holes, grooves and pockets. `None` without a film at mid-length.
 fn depths(film: &DrawnFilm, angles: &[f64]) -> Option<Vec<f64>> {
     let [eccentricity, towards] = film.position()?;
     let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, 0.0]).collect();

@@ -61,7 +61,8 @@ fn bars(course: &Course, against: Against) -> Vec<[f64; 2]> {
     points.filter(|[_, bar]| *bar > 0.0).collect()
 }
 
-/// What is predicted: from the last known points of a strategy to its price beyond. Bars are what is predicted, if there are any.
+/// What is predicted: from the last known points of a strategy to its price beyond. Bars are what is predicted, if
+/// there are any.
 fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, Vec<[f64; 2]>)> {
     let (Some(reference), Some(first)) = (&report.reference, report.prices.first()) else {
         return Vec::new();

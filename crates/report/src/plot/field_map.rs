@@ -1,4 +1,5 @@
-//! A field on the unrolled liner: filled contours, rims, the edges of the cavity and the thinnest film; and the mesh alone.
+//! A field on the unrolled liner: filled contours, rims, the edges of the cavity and the thinnest film; and the mesh
+//! alone.
 
 use oilwedge_drawing::{
     Anchor, Axis, BLACK, BLUE, Colour, ColourMap, Entry, Figure, Frame, GREY, INK, Label, Letters, Levels, Mark, Pen,
@@ -20,7 +21,8 @@ const BAR: f64 = 17.0;
 const BANDS: f64 = 20.0;
 /// A field has both signs where its lesser extreme is more than this part of the other.
 const BOTH_SIGNS: f64 = 1e-3;
-/// Places along the axis at which a film is compared, and the ratio of the thickest to the thinnest up to which it is one line.
+/// Places along the axis at which a film is compared, and the ratio of the thickest to the thinnest up to which it is
+/// one line.
 const ALONG: u32 = 40;
 const EVEN: f64 = 1.01;
 /// Sides of triangles.
@@ -162,7 +164,8 @@ pub(super) fn peak(cells: &[[[f64; 2]; 6]], values: &[[f64; 6]]) -> Option<[f64;
     finite.max_by(|a, b| a.1.total_cmp(b.1)).map(|(node, _)| *node)
 }
 
-/// Where the film is thinnest [m] around and, where it is not as thin all along the axis, along it; `None` too where that place along the axis is not known.
+/// Where the film is thinnest [m] around and, where it is not as thin all along the axis, along it; `None` too where
+/// that place along the axis is not known.
 fn thinnest(film: &DrawnFilm) -> Option<(f64, Option<f64>)> {
     let (angle, z) = film.thinnest()?;
     let x = angle * film.radius;

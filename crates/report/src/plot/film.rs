@@ -1,4 +1,5 @@
-//! A solved film as it is drawn: the numbers of `result.json` and the fields and lines of its picture, on the unrolled liner.
+//! A solved film as it is drawn: the numbers of `result.json` and the fields and lines of its picture, on the unrolled
+//! liner.
 
 use std::f64::consts::TAU;
 
@@ -157,7 +158,8 @@ impl DrawnFilm {
         Some((angle, self.quantity(&FILM_THICKNESS_MIN_Z)))
     }
 
-    /// The least value that the model lets a field have, below which quadratics between its nodes may dip: the pressure of a cavity, that of its nodes, and no contact.
+    /// The least value that the model lets a field have, below which quadratics between its nodes may dip: the pressure
+    /// of a cavity, that of its nodes, and no contact.
     pub(crate) fn floor(&self, name: &str) -> Option<f64> {
         let has_cavity = self.cavity_edges().iter().any(|pieces| !pieces.is_empty());
         match name {
@@ -195,7 +197,8 @@ impl DrawnFilm {
         [RUPTURE, REFORMATION].map(|name| self.line(name))
     }
 
-    /// Triangles with the values of a field between which it is a quadratic: a field that is linear on the parts of triangles has four for each.
+    /// Triangles with the values of a field between which it is a quadratic: a field that is linear on the parts of
+    /// triangles has four for each.
     pub(super) fn pieces(&self, name: &str) -> Option<(Vec<Nodes>, Vec<[f64; 6]>)> {
         let values = self.values(name)?;
         if field(name).map(|row| row.interpolation) != Some(Interpolation::Linear) {

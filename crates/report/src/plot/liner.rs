@@ -20,7 +20,8 @@ pub(super) struct Liner {
 }
 
 impl Liner {
-    /// The liner of radius R [m] that triangles cover. A ring, whose circumference is `period`, is cut at `cut` [m] or where its triangles begin.
+    /// The liner of radius R [m] that triangles cover. A ring, whose circumference is `period`, is cut at `cut` [m] or
+    /// where its triangles begin.
     pub(super) fn of(cells: &[Nodes], radius: f64, period: Option<f64>, cut: Option<f64>) -> Self {
         let points = || cells.iter().flatten();
         let end = |d: usize, of: fn(f64, f64) -> f64, start: f64| points().map(|point| point[d]).fold(start, of);
@@ -36,7 +37,8 @@ impl Liner {
         Self { radius, low, high, period }
     }
 
-    /// The liner of radius R [m] between two angles `from` and `to` [rad], where triangles may be any number of turns away; cut off at both ends.
+    /// The liner of radius R [m] between two angles `from` and `to` [rad], where triangles may be any number of turns
+    /// away; cut off at both ends.
     pub(super) fn between(cells: &[Nodes], radius: f64, [from, to]: [f64; 2]) -> Self {
         let period = Some(std::f64::consts::TAU * radius);
         let whole = Self::of(cells, radius, period, Some(radius * from));
@@ -49,8 +51,8 @@ impl Liner {
         [self.low[0] / self.radius, self.high[0] / self.radius]
     }
 
-    /// The frame of the map within a rectangle whose height is not limited, to scale. A needle or a washer, which would be too high or too
-    /// low for a sheet, is narrower or stretched.
+    /// The frame of the map within a rectangle whose height is not limited, to scale. A needle or a washer, which would
+    /// be too high or too low for a sheet, is narrower or stretched.
     pub(super) fn frame(&self, [left, top, width, _]: Rectangle) -> Frame {
         let degrees = |x: f64| (x / self.radius).to_degrees();
         let x = Axis::between(
@@ -82,7 +84,8 @@ impl Liner {
         frame.at([(x / self.radius).to_degrees(), 1e3 * z])
     }
 
-    /// The shifts [m] by which something between `from` and `to` [m] along the circumference must be drawn: of a ring twice where it crosses the cut.
+    /// The shifts [m] by which something between `from` and `to` [m] along the circumference must be drawn: of a ring
+    /// twice where it crosses the cut.
     pub(super) fn shifts(&self, from: f64, to: f64) -> Vec<f64> {
         let Some(period) = self.period else { return vec![0.0] };
         let slack = 1e-9 * period;

@@ -51,7 +51,8 @@ impl<'a> Drawn<'a> {
         Self { cycle, unit }
     }
 
-    /// The frames in which the load is known, with a word for their x axis; all of them where the shell is in a rod, else that of the shell alone.
+    /// The frames in which the load is known, with a word for their x axis; all of them where the shell is in a rod,
+    /// else that of the shell alone.
     fn frames(&self) -> Vec<(Frame, &'static str)> {
         let rod = self.cycle.turning().and_then(|turning| turning.rod);
         match rod {

@@ -114,8 +114,8 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each, nowhere below what the model allows; NaN where there is no film. `None` where the film has no
-/// such field.
+/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each, nowhere below what
+/// the model allows; NaN where there is no film. `None` where the film has no such field.
 pub fn sampled(film: &DrawnFilm, row: &FieldRow, points: &[[f64; 2]]) -> Option<Vec<f64>> {
     Finder::new(film).values(row, points)
 }

@@ -1,4 +1,5 @@
-//! The cross-section of the bearing at mid-length: shell with the shape of its bore, feeds, journal, the gap exaggerated, rotation, load, attitude angle, and the pressure around.
+//! The cross-section of the bearing at mid-length: shell with the shape of its bore, feeds, journal, the gap
+//! exaggerated, rotation, load, attitude angle, and the pressure around.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -1,4 +1,5 @@
-//! All bearings of a crankshaft over a cycle: loads and paths side by side, films over the crank angle in one chart, and two shafts beside each other.
+//! All bearings of a crankshaft over a cycle: loads and paths side by side, films over the crank angle in one chart,
+//! and two shafts beside each other.
 
 use oilwedge_drawing::{BLACK, Chart, Figure, Label, SERIES, Series, Stroke, charts_figure};
 use oilwedge_study::quantities::{

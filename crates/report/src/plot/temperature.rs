@@ -15,7 +15,8 @@ pub(super) fn is_sought(result: &Value) -> bool {
     result[BALANCE]["curve"].as_array().is_some_and(|curve| !curve.is_empty())
 }
 
-/// The picture of a balance of heat, at most that wide [mm], from the object of `result.json`; `None` where it has none.
+/// The picture of a balance of heat, at most that wide [mm], from the object of `result.json`; `None` where it has
+/// none.
 pub(crate) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
     let points = result[BALANCE]["curve"].as_array().filter(|points| !points.is_empty())?;
     let number = |point: &Value, key: &str| point[key].as_f64().unwrap_or(f64::NAN);

@@ -1,4 +1,5 @@
-//! The folder of a sweep: rows are added to `sweep.csv` as cases end; a sweep that was killed is taken up again from them.
+//! The folder of a sweep: rows are added to `sweep.csv` as cases end; a sweep that was killed is taken up again from
+//! them.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -53,7 +54,8 @@ impl Table {
             ((OsStr::new(REPORT_FILE), Some(about.as_bytes())), (OsStr::new(TABLE_FILE), Some(&table[..])));
         let page_step = (OsStr::new(SWEEP_PAGE_FILE), None);
         let [rotor_step, rotor_step_3] = ROTOR_FILES.map(|name| (OsStr::new(name), None));
-        // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
+        // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands
+        // there.
         match kept.is_empty() {
             true => folder::replace_alone(
                 dir,
@@ -104,7 +106,8 @@ fn free(dir: &Path, path: &Path) -> Result<Option<File>, SweepError> {
     }
 }
 
-/// Replaces table and report by those of the finished sweep, and adds the tables for programs of rotors; which of them there are. Between the two the report says still that the sweep has not ended.
+/// Replaces table and report by those of the finished sweep, and adds the tables for programs of rotors; which of them
+/// there are. Between the two the report says still that the sweep has not ended.
 ///
 /// # Errors
 /// The system refuses; the rows that were added stand there still.

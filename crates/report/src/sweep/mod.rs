@@ -1,7 +1,7 @@
 //! The folder of a sweep: rows are written as cases end, and a sweep that was ended is taken up again.
 //!
-//! `table.rs` (columns and rows), `rotor_table.rs` (stiffness and damping for programs of rotors), `files.rs` (a table that can be taken up again), `parts.rs` (a sweep
-//! that several runs share), `report.rs` (for scripts).
+//! `table.rs` (columns and rows), `rotor_table.rs` (stiffness and damping for programs of rotors), `files.rs` (a table
+//! that can be taken up again), `parts.rs` (a sweep that several runs share), `report.rs` (for scripts).
 
 mod error;
 mod files;
@@ -68,8 +68,8 @@ pub enum Notice {
     Progress(Progress),
 }
 
-/// Runs all cases of a sweep, or of the part that is wanted, and writes them to the folder `dir`, a part to a folder of its own below ([`part_folder`]). Rows
-/// that stand there from an earlier run of the same sweep are kept.
+/// Runs all cases of a sweep, or of the part that is wanted, and writes them to the folder `dir`, a part to a folder of
+/// its own below ([`part_folder`]). Rows that stand there from an earlier run of the same sweep are kept.
 ///
 /// # Errors
 /// The first case does not become a film, another sweep stands in the folder, or it cannot be written; or the sweep was
@@ -115,10 +115,12 @@ pub fn run(
     Ok(report)
 }
 
-/// Joins the parts of a sweep that stand below the folder `parts` to the table in the folder `dir`, which is that of [`run`] except for the times.
+/// Joins the parts of a sweep that stand below the folder `parts` to the table in the folder `dir`, which is that of
+/// [`run`] except for the times.
 ///
 /// # Errors
-/// A part is missing, has not ended, or is one of another sweep; another sweep stands in the folder, or it cannot be written.
+/// A part is missing, has not ended, or is one of another sweep; another sweep stands in the folder, or it cannot be
+/// written.
 pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> Result<SweepReport, SweepError> {
     check(dir)?;
     let mut report = begun(sweep, options)?;
@@ -129,7 +131,8 @@ pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> 
     Ok(report)
 }
 
-/// The rows of the part of a sweep that is wanted, as CSV with headings; nothing is written. After an interrupt those of the cases that ended before.
+/// The rows of the part of a sweep that is wanted, as CSV with headings; nothing is written. After an interrupt those
+/// of the cases that ended before.
 ///
 /// # Errors
 /// The cases cannot be run, or a number is not finite.
@@ -225,7 +228,8 @@ fn meshes_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
     sha256_of(paths, read)
 }
 
-/// SHA-256 of all tables of loads, gas pressures and measured shapes, and of the scenes of bearings on crankshafts, each once; `None` where there are none.
+/// SHA-256 of all tables of loads, gas pressures and measured shapes, and of the scenes of bearings on crankshafts,
+/// each once; `None` where there are none.
 fn tables_sha256(sweep: &Sweep) -> Result<Option<String>, Error> {
     let of_shafts: Vec<PathBuf> = (sweep.shafts.iter().flat_map(ShaftScene::files)).map(|(_, path, _)| path).collect();
     let tables = (sweep.scenes).iter().flat_map(Scene::files).filter(|(key, ..)| key.as_ref() != MESH_FILE);

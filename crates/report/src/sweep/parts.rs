@@ -1,6 +1,7 @@
 //! A sweep that several runs share: each computes a part in a folder of its own, and one joins their tables.
 //!
-//! Runs do not share a file, so that they need no locks and may be on other machines. A part is a sweep in its folder: it survives a kill like one.
+//! Runs do not share a file, so that they need no locks and may be on other machines. A part is a sweep in its folder:
+//! it survives a kill like one.
 
 use std::collections::BTreeSet;
 use std::io;

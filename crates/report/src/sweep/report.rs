@@ -24,7 +24,8 @@ pub struct Identity {
     pub scene_sha256: String,
     /// SHA-256 of the mesh files, hexadecimal; `None` where meshes are drawn.
     pub mesh_sha256: Option<String>,
-    /// SHA-256 of the tables of loads and gas pressures, and of the scenes of bearings on crankshafts, hexadecimal; `None` where there are none.
+    /// SHA-256 of the tables of loads and gas pressures, and of the scenes of bearings on crankshafts, hexadecimal;
+    /// `None` where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tables_sha256: Option<String>,
     /// Whether error bars are estimated.

@@ -1,7 +1,8 @@
-//! Stiffness and damping over the speed, as programs for rotors read them: one row a speed, the columns named like the parameters of `ross.BearingElement`.
+//! Stiffness and damping over the speed, as programs for rotors read them: one row a speed, the columns named like the
+//! parameters of `ross.BearingElement`.
 //!
-//! In version 2 of ROSS the speed of a table is called `frequency`; from version 3 on it is `speed`, and `frequency` is that of the whirl. So there is a
-//! table for each version, and one over speed and whirl for version 3 alone.
+//! In version 2 of ROSS the speed of a table is called `frequency`; from version 3 on it is `speed`, and `frequency` is
+//! that of the whirl. So there is a table for each version, and one over speed and whirl for version 3 alone.
 
 use oilwedge_scene::sweep::AxisValue;
 use oilwedge_scene::unit::{Dimension, unit_size};
@@ -33,8 +34,8 @@ const COLUMNS: [(&str, &Quantity); 8] = [
     ("cyy", &DAMPING_YY),
 ];
 
-/// The tables of a sweep over positive speeds, or over these and the whirl, whose rows have all coefficients; none of any other one, and of a part. Cases
-/// without an answer are left out.
+/// The tables of a sweep over positive speeds, or over these and the whirl, whose rows have all coefficients; none of
+/// any other one, and of a part. Cases without an answer are left out.
 pub(super) fn rotor_tables(report: &SweepReport) -> [Option<Vec<u8>>; 2] {
     let Some(rows) = points(report).filter(|rows| !rows.is_empty()) else {
         return [None, None];

@@ -23,7 +23,8 @@ pub struct Columns {
 pub type Row = Vec<String>;
 
 impl Columns {
-    /// The columns of all cases of a sweep; without a wish of the scene an input that is a quantity of the report too has one column only.
+    /// The columns of all cases of a sweep; without a wish of the scene an input that is a quantity of the report too
+    /// has one column only.
     pub(crate) fn new(plan: &Plan, scenes: &[Scene], bars: bool) -> Self {
         let is_input = |name: &str| plan.axes.iter().any(|axis| axis.name == name);
         let all = || of_scenes(scenes).into_iter().filter(|(name, _)| !is_input(name));
@@ -176,8 +177,8 @@ pub(crate) fn to_csv<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Vec<u8> {
     writer.into_inner().unwrap_or_default()
 }
 
-/// The rows of a table whose writer may have been killed: whole ones, up to the first that is not. `None` where the table has other
-/// headings.
+/// The rows of a table whose writer may have been killed: whole ones, up to the first that is not. `None` where the
+/// table has other headings.
 pub(crate) fn whole_rows(bytes: &[u8], headings: &Row) -> Option<Vec<Row>> {
     let end = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |place| place + 1);
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..end]);

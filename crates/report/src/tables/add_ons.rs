@@ -32,7 +32,8 @@ fn number(quantity: &Quantity) -> String {
     format!("{value} {unit}").trim_end().to_owned()
 }
 
-/// Quantities in rows: the film's number, and beside it those of each alternative. Nothing where there is nothing to compare.
+/// Quantities in rows: the film's number, and beside it those of each alternative. Nothing where there is nothing to
+/// compare.
 fn comparisons(add_on: &AddOn) -> Option<String> {
     let answers = &add_on.alternatives;
     let mut rows: Vec<&Comparison> = Vec::new();

@@ -11,7 +11,8 @@ use oilwedge_study::result::{CoefficientReport, DynamicsReport, Pair, RunResult,
 /// Digits of a coefficient: bars are some thousandths.
 const DIGITS: usize = 4;
 
-/// The tables of the coefficients, the stability of the rotor and, where all is shown, the coefficients with their bars; nothing where they were not asked for.
+/// The tables of the coefficients, the stability of the rotor and, where all is shown, the coefficients with their
+/// bars; nothing where they were not asked for.
 pub(crate) fn dynamics(result: &RunResult, shown: Shown) -> Option<String> {
     let report = result.dynamics.as_ref()?;
     let mut parts = vec!["stiffness and damping at the temperature of the film".to_owned()];

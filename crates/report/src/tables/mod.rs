@@ -1,6 +1,7 @@
 //! Results as tables and lines for people, as the command line prints them and Python shows them.
 //!
-//! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`, `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`, `shaft.rs`.
+//! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`,
+//! `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`, `shaft.rs`.
 
 mod add_ons;
 mod criteria;

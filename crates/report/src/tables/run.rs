@@ -40,7 +40,8 @@ impl Written<'_> {
     }
 }
 
-/// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if anything was, and last the verdict.
+/// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if
+/// anything was, and last the verdict.
 pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: Option<Written>) -> String {
     let mut parts = vec![heading(&result.title, status(result.status))];
     if let Some(reason) = &result.reason {
@@ -71,7 +72,8 @@ pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: 
     parts.join("\n\n") + "\n"
 }
 
-/// The tables of quantities: headlines first, then the joint of a cap, then all others of the film if they are asked for.
+/// The tables of quantities: headlines first, then the joint of a cap, then all others of the film if they are asked
+/// for.
 fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
     if result.quantities.is_empty() {
         return Vec::new();

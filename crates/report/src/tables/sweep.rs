@@ -63,7 +63,8 @@ pub fn sweep_report(report: &SweepReport, folder: Option<&Path>) -> String {
     parts.join("\n\n") + "\n"
 }
 
-/// The crown that evens the film of all cases, as bearings of one shaft, where films at mid-length and deviations are columns in SI units.
+/// The crown that evens the film of all cases, as bearings of one shaft, where films at mid-length and deviations are
+/// columns in SI units.
 fn crown(report: &SweepReport) -> Option<String> {
     let columns = &report.columns.quantities;
     let place = |rows: [&quantities::Row; 2]| columns.iter().position(|column| rows.contains(&column.row));
@@ -87,7 +88,8 @@ fn written(report: &SweepReport, folder: &Path) -> String {
     format!("written   {}: sweep.csv, sweep.json{rotor}", folder.display())
 }
 
-/// A column of numbers that is shown: the quantity by its place among those of the report, its heading, the size of its unit.
+/// A column of numbers that is shown: the quantity by its place among those of the report, its heading, the size of its
+/// unit.
 struct Shown {
     place: usize,
     heading: String,

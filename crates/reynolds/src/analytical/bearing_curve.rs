@@ -1,7 +1,7 @@
 //! # Contact of a tilted journal by the bearing curve
 //!
-//! **Equation.** The gap `h = c - (e + g z) cos phi` with its parabola in phi, `h = c - E + c phi^2/2`, `E = e + g z`, meets `p_a = H ((r - h)/r)^2` over the depth
-//! `d(z) = E - (c - r)`, where that is positive:
+//! **Equation.** The gap `h = c - (e + g z) cos phi` with its parabola in phi, `h = c - E + c phi^2/2`, `E = e + g z`,
+//! meets `p_a = H ((r - h)/r)^2` over the depth `d(z) = E - (c - r)`, where that is positive:
 //! ```text
 //! dF/dz = k d^(5/2),  k = (16 sqrt 2/15) R H/(r^2 sqrt c)
 //! F = 2 k/(7 g) [d^(7/2)],   M = k/g^2 [2/9 d^(9/2) - 2/7 d(0) d^(7/2)]    between the ends, d not below zero
@@ -13,8 +13,8 @@
 //! | e, g | m, rad | `offset`, `tilt`, towards the contact |
 //! | r, H | m, Pa | [`BearingCurve`] |
 //!
-//! **Source.** Zharov, dissertation, Moscow 1996. **Range.** A narrow zone of contact: `d << c`; no part of it under the hardness. **Verified by**
-//! `tests/tests/contact/closed_forms.rs`.
+//! **Source.** Zharov, dissertation, Moscow 1996. **Range.** A narrow zone of contact: `d << c`; no part of it under
+//! the hardness. **Verified by** `tests/tests/contact/closed_forms.rs`.
 
 use std::f64::consts::SQRT_2;
 

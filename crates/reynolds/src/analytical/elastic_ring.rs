@@ -2,8 +2,9 @@
 //!
 //! **Equation.** A pressure `p_n cos(n phi)` at the bore r = a moves it outwards by `u_r = C_n p_n cos(n phi)`. With
 //! `2 G (u_r + i u_t) exp(i phi) = kappa f(z) - z conj(f'(z)) - conj(g(z))`, `kappa = 3 - 4 nu`,
-//! `f = A z^(n+1) + B z^(1-n)`, `g = C z^(n-1) + D z^(-n-1)`, two conditions at each surface give the four constants. For n = 1
-//! `f = A z^2 + B ln z`, `g = -kappa B ln z + D z^-2`, beside a translation; for n = 0 Lame's `u_r = A r + B/r`.
+//! `f = A z^(n+1) + B z^(1-n)`, `g = C z^(n-1) + D z^(-n-1)`, two conditions at each surface give the four constants.
+//! For n = 1 `f = A z^2 + B ln z`, `g = -kappa B ln z + D z^-2`, beside a translation; for n = 0 Lame's
+//! `u_r = A r + B/r`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -12,9 +13,11 @@
 //! | C_n | m/Pa | [`ElasticRing::compliance`] |
 //! | k = t (1 - 2 nu)(1 + nu)/(E (1 - nu)) | m/Pa | [`ElasticRing::thin_layer`] |
 //!
-//! **Source.** Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity (1953), sections 41 and 56. **Range.** Plane strain, small
-//! strains, 0 <= nu < 1/2. The first harmonic of a free ring is a rigid motion, which is part of the offset of the journal: C_1 = 0 there.
-//! **Verified by** `a_ring_is_that_of_the_equations_in_r`, `thin_and_thick_rings_have_their_limits`, and `tests/tests/liner`.
+//! **Source.** Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity (1953), sections 41 and 56.
+//! **Range.** Plane strain, small strains, 0 <= nu < 1/2. The first harmonic of a free ring is a rigid motion, which is
+//! part of the offset of the journal: C_1 = 0 there.
+//! **Verified by** `a_ring_is_that_of_the_equations_in_r`, `thin_and_thick_rings_have_their_limits`, and
+//! `tests/tests/liner`.
 
 /// What holds the outer surface of a ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,7 +62,8 @@ impl ElasticRing {
         }
     }
 
-    /// Displacement for each pascal [m/Pa] of a layer that is thin beside all waves of the pressure, bonded to a rigid housing.
+    /// Displacement for each pascal [m/Pa] of a layer that is thin beside all waves of the pressure, bonded to a rigid
+    /// housing.
     pub fn thin_layer(&self) -> f64 {
         let Self { thickness, modulus, poisson, .. } = *self;
         thickness * (1.0 - 2.0 * poisson) * (1.0 + poisson) / (modulus * (1.0 - poisson))
@@ -100,7 +104,8 @@ impl ElasticRing {
         sum * self.radius / (2.0 * self.shear_modulus())
     }
 
-    /// At the radius r over that of the bore; what grows outwards is over its value at the outer surface, so that nothing overflows.
+    /// At the radius r over that of the bore; what grows outwards is over its value at the outer surface, so that
+    /// nothing overflows.
     fn at(&self, n: usize, r: f64) -> At {
         let kappa = 3.0 - 4.0 * self.poisson;
         let grown = (r / self.ratio()).powi(n as i32);

@@ -16,9 +16,10 @@
 //! | So, f/psi, Q_3*, Q_p* | - | functions of these names |
 //! | beta | rad | `attitude` |
 //!
-//! **Source.** Butenschoen, thesis, Karlsruhe 1976 (fits of So and beta); ISO 7902-1 and -2, DIN 31652. The factors q_H and q_P of feeds stand
-//! here from secondary sources. **Range.** b from 0.25 to 1.5, eps from 0.1 to 0.95: So within some 2 %, beta within 2 degrees of
-//! films with film start and Swift-Stieber's end. **Verified by** `tests/tests/literature/thermal_balance.rs`, and by the limits below.
+//! **Source.** Butenschoen, thesis, Karlsruhe 1976 (fits of So and beta); ISO 7902-1 and -2, DIN 31652. The factors q_H
+//! and q_P of feeds stand here from secondary sources. **Range.** b from 0.25 to 1.5, eps from 0.1 to 0.95: So within
+//! some 2 %, beta within 2 degrees of films with film start and Swift-Stieber's end. **Verified by**
+//! `tests/tests/literature/thermal_balance.rs`, and by the limits below.
 
 use std::f64::consts::PI;
 
@@ -53,7 +54,8 @@ pub fn attitude(eccentricity: f64, slenderness: f64) -> f64 {
     factor * (PI * (1.0 - eps * eps).sqrt()).atan2(2.0 * eps)
 }
 
-/// Eccentricity at which the film has this Sommerfeld number, at most 0.9999; `None` where the number is negative or none.
+/// Eccentricity at which the film has this Sommerfeld number, at most 0.9999; `None` where the number is negative or
+/// none.
 pub fn eccentricity(number: f64, slenderness: f64) -> Option<f64> {
     if !(number >= 0.0 && number.is_finite()) {
         return None;
@@ -127,7 +129,8 @@ pub fn feed_flow_number(feed: Feed, eccentricity: f64, slenderness: f64) -> f64 
 mod tests {
     use super::*;
 
-    /// So falls back on Ocvirk's for short bearings, where the last factor of the fit tends to 1.1642 only: the fit is for b from 0.25 on.
+    /// So falls back on Ocvirk's for short bearings, where the last factor of the fit tends to 1.1642 only: the fit is
+    /// for b from 0.25 on.
     #[test]
     fn numbers_by_hand() {
         // b = 0.345, eps = 0.8: So 1.040, beta 30.0 deg; a finite-difference film has 1.022 and 31.9 deg.
@@ -141,7 +144,8 @@ mod tests {
         assert!((eccentricity(1e30, 0.5).expect("a number") - 0.9999).abs() < 1e-9);
     }
 
-    /// A journal at rest in the middle: Petroff's friction, no side flow; oil pressed through the annulus from a groove all around.
+    /// A journal at rest in the middle: Petroff's friction, no side flow; oil pressed through the annulus from a groove
+    /// all around.
     #[test]
     fn a_centred_journal() {
         let number = sommerfeld_number(1e-9, 0.5);

@@ -2,11 +2,12 @@
 //!
 //! **Equation.** With `H = 1 - eps cos(phi)`, phi from the **narrowest** film in the sense of positive speeds,
 //! `d/dz (h^3 dp/dz) = 6 mu omega dh/dphi + 12 mu dh/dt` gives above the end pressure
-//! `p = -(3 mu/c^2) (B^2/4 - z^2) [(omega - 2 delta') eps sin(phi) - 2 eps' cos(phi)] / H^3`, delta the angle of the narrowest film.
-//! The half film of Guembel is loaded over `phi_H .. phi_H + pi`, `phi_H = atan2(E, eps G) + pi`. With
+//! `p = -(3 mu/c^2) (B^2/4 - z^2) [(omega - 2 delta') eps sin(phi) - 2 eps' cos(phi)] / H^3`, delta the angle of the
+//! narrowest film. The half film of Guembel is loaded over `phi_H .. phi_H + pi`, `phi_H = atan2(E, eps G) + pi`. With
 //! `A_k^mn = Int sin^m cos^n / H^k dphi` over that half and all forces over `B D (mu omega_0/psi^2) (B/D)^2`:
-//! `W = E A_3^02 - eps G A_3^11` towards the narrowest film, `V = E A_3^11 - eps G A_3^20` a quarter turn on, attitude `atan2(-V, W)`.
-//! Sommerfeld's substitution `H = (1 - eps^2)/(1 + eps cos(gamma))` makes every integral one of sines and cosines.
+//! `W = E A_3^02 - eps G A_3^11` towards the narrowest film, `V = E A_3^11 - eps G A_3^20` a quarter turn on, attitude
+//! `atan2(-V, W)`. Sommerfeld's substitution `H = (1 - eps^2)/(1 + eps cos(gamma))` makes every integral one of sines
+//! and cosines.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -17,9 +18,10 @@
 //! | W, V | - | `along`, `across` |
 //! | q, kN | - | [`ShortFilm::side_flow`], [`ShortFilm::pumping_power`], [`shear_power`] |
 //!
-//! **Source.** Ocvirk, NACA TN 2808 (1952); DuBois & Ocvirk, NACA Rep. 1157 (1953); the substitution: Booker, J. Basic Eng. 87 (1965) 537.
-//! **Range.** B/D small, 0 <= eps < 1, any signs of G and E. **Verified by** the tests below against sums of the pressure, and
-//! `tests/tests/literature/short_crankshaft_bearing.rs`.
+//! **Source.** Ocvirk, NACA TN 2808 (1952); DuBois & Ocvirk, NACA Rep. 1157 (1953); the substitution: Booker, J. Basic
+//! Eng. 87 (1965) 537.
+//! **Range.** B/D small, 0 <= eps < 1, any signs of G and E. **Verified by** the tests below against sums of the
+//! pressure, and `tests/tests/literature/short_crankshaft_bearing.rs`.
 
 use std::f64::consts::{PI, TAU};
 
@@ -78,8 +80,8 @@ impl ShortFilm {
         Self { eccentricity, rotation: 1.0, closing: 0.0 }
     }
 
-    /// Pressure of the full film `p psi^2/(mu omega_0)` over `(B/D)^2`, at `phi` [rad] from the narrowest film and the axial
-    /// position `zeta = 2 z/B` in [-1, 1]. Negative outside the loaded half.
+    /// Pressure of the full film `p psi^2/(mu omega_0)` over `(B/D)^2`, at `phi` [rad] from the narrowest film and the
+    /// axial position `zeta = 2 z/B` in [-1, 1]. Negative outside the loaded half.
     pub fn pressure(&self, phi: f64, zeta: f64) -> f64 {
         let (sin, cos) = phi.sin_cos();
         let film = 1.0 - self.eccentricity * cos;
@@ -114,12 +116,14 @@ impl ShortFilm {
         self.load(&self.full_integrals())
     }
 
-    /// Oil that leaves the loaded half at both ends, `q = Q/(B D^2 psi omega_0/2)`: `Q = R c B omega_0 sqrt((eps G)^2 + E^2)`.
+    /// Oil that leaves the loaded half at both ends, `q = Q/(B D^2 psi omega_0/2)`:
+    /// `Q = R c B omega_0 sqrt((eps G)^2 + E^2)`.
     pub fn side_flow(&self) -> f64 {
         0.5 * (self.eccentricity * self.rotation).hypot(self.closing)
     }
 
-    /// Power that drives oil out of the half film, `-eps G V/2` and `E W/2`, over `(B D^2/2) (mu omega_0^2/psi) (B/D)^2`.
+    /// Power that drives oil out of the half film, `-eps G V/2` and `E W/2`, over
+    /// `(B D^2/2) (mu omega_0^2/psi) (B/D)^2`.
     pub fn pumping_power(&self) -> [f64; 2] {
         let load = self.half_film();
         [-0.5 * self.eccentricity * self.rotation * load.across, 0.5 * self.closing * load.along]
@@ -160,7 +164,8 @@ impl ShortFilm {
     }
 }
 
-/// Power that shears a film all around, over `(B D^2/2) (mu omega_0^2/psi)`, at the journal's own speed in parts of omega_0.
+/// Power that shears a film all around, over `(B D^2/2) (mu omega_0^2/psi)`, at the journal's own speed in parts of
+/// omega_0.
 pub fn shear_power(eccentricity: f64, speed: f64) -> f64 {
     PI * speed * speed / (1.0 - eccentricity * eccentricity).sqrt()
 }

@@ -74,7 +74,8 @@ impl Cavitation {
         }
     }
 
-    /// A cheaper closure whose film has no less pressure anywhere at one position of the journal, for films that conserve oil: a guide of searches.
+    /// A cheaper closure whose film has no less pressure anywhere at one position of the journal, for films that
+    /// conserve oil: a guide of searches.
     pub fn guide(&self) -> Option<Self> {
         match *self {
             Self::Jfo { pressure } => Some(Self::Reynolds { pressure }),
@@ -102,13 +103,15 @@ impl Cavitation {
         matches!(self, Self::Reynolds { .. } | Self::Jfo { .. })
     }
 
-    /// True if the linear systems are symmetric: solved by Cholesky factors and multigrid, on quadratic and cubic elements.
+    /// True if the linear systems are symmetric: solved by Cholesky factors and multigrid, on quadratic and cubic
+    /// elements.
     pub fn is_symmetric(&self) -> bool {
         !self.conserves_oil()
     }
 
-    /// The order s of the bar of a load on quadratic elements, `bar ~ unknowns^-s`: 3 where the film is linear and smooth, so that the law of smooth films
-    /// holds ([`crate::error_bar`]), 2 with a kink or a viscosity that grows with pressure, 7/4 where the elements meet a free boundary, 1 for control volumes.
+    /// The order s of the bar of a load on quadratic elements, `bar ~ unknowns^-s`: 3 where the film is linear and
+    /// smooth, so that the law of smooth films holds ([`crate::error_bar`]), 2 with a kink or a viscosity that grows
+    /// with pressure, 7/4 where the elements meet a free boundary, 1 for control volumes.
     pub fn convergence_order(&self, pressure_law: &PressureLaw) -> f64 {
         match (self, pressure_law) {
             (Self::None, PressureLaw::Constant) => 3.0,
@@ -118,8 +121,9 @@ impl Cavitation {
         }
     }
 
-    /// The order with which the bar of a load falls from a coarse mesh to one for a tolerance: that of the error or, of control volumes, 1.15. Their bar counts the places where two meshes do not agree
-    /// on the cavity, too, which become fewer; of random bearings three bars in four fall so fast or faster.
+    /// The order with which the bar of a load falls from a coarse mesh to one for a tolerance: that of the error or, of
+    /// control volumes, 1.15. Their bar counts the places where two meshes do not agree on the cavity, too, which
+    /// become fewer; of random bearings three bars in four fall so fast or faster.
     pub fn bar_order(&self, pressure_law: &PressureLaw) -> f64 {
         match self {
             Self::Jfo { .. } => 1.15,

@@ -1,7 +1,7 @@
 //! # Contact by a bearing curve
 //!
-//! **Equation.** `p_a = H ((r - h)/r)^2` for `h < r`, no contact beyond, and H for `h <= 0`: the part of the area that bears grows as the square of the approach, and
-//! every part that bears is under the pressure of the hardness.
+//! **Equation.** `p_a = H ((r - h)/r)^2` for `h < r`, no contact beyond, and H for `h <= 0`: the part of the area that
+//! bears grows as the square of the approach, and every part that bears is under the pressure of the hardness.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,9 +9,10 @@
 //! | r (depth at which the profiles first touch, `R_max/sqrt 2`) | m | `depth` |
 //! | H (hardness of the softer surface) | Pa | `hardness` |
 //!
-//! **Source.** Zharov, dissertation, Moscow 1996 (contact of crankshaft journals and their bearings); Kragelskii, Friction and Wear (1965), for bearing curves.
-//! **Range.** Plastic contact of run-in profiles. **Verified by** `tests/tests/contact/closed_forms.rs`: the force and the moment of
-//! [`crate::analytical::bearing_curve`].
+//! **Source.** Zharov, dissertation, Moscow 1996 (contact of crankshaft journals and their bearings); Kragelskii,
+//! Friction and Wear (1965), for bearing curves.
+//! **Range.** Plastic contact of run-in profiles. **Verified by** `tests/tests/contact/closed_forms.rs`: the force and
+//! the moment of [`crate::analytical::bearing_curve`].
 
 use super::ContactPressure;
 

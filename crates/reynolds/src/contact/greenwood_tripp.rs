@@ -3,8 +3,9 @@
 //! **Equation.** `p_a = (16 sqrt 2/15) pi (eta beta sigma)^2 sqrt(sigma/beta) E' F_5/2(h/sigma)`,
 //! `F_n(l) = (2 pi)^(-1/2) Int_l^inf (s - l)^n exp(-s^2/2) ds`, at most the hardness H; `dF_5/2/dl = -5/2 F_3/2`.
 //!
-//! With `s = l + x^2` the integral is `(2 pi)^(-1/2) Int x^6 exp(-(x^2 + l)^2/2) dx` over the whole line: analytic, so that the trapezoidal rule converges
-//! geometrically. [`integral`] sums it; films use the logarithm of the sums in Chebyshev polynomials, made once.
+//! With `s = l + x^2` the integral is `(2 pi)^(-1/2) Int x^6 exp(-(x^2 + l)^2/2) dx` over the whole line: analytic, so
+//! that the trapezoidal rule converges geometrically. [`integral`] sums it; films use the logarithm of the sums in
+//! Chebyshev polynomials, made once.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -14,9 +15,9 @@
 //! | E' (`1/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2`) | Pa | `modulus` |
 //! | H | Pa | `hardness` |
 //!
-//! **Source.** Greenwood, Tripp, Proc. Instn. Mech. Engrs. 185 (1970) 625; F_5/2 exactly, not by the power law `4.4086e-5 (4 - l)^6.804`, which is 11 % low at
-//! l = 0 and 98 % at 3.5. **Range.** Gaussian heights, elastic asperities; the cap stands for those that yield. **Verified by** `the_integral_is_exact`,
-//! `tests/tests/contact`.
+//! **Source.** Greenwood, Tripp, Proc. Instn. Mech. Engrs. 185 (1970) 625; F_5/2 exactly, not by the power law
+//! `4.4086e-5 (4 - l)^6.804`, which is 11 % low at l = 0 and 98 % at 3.5. **Range.** Gaussian heights, elastic
+//! asperities; the cap stands for those that yield. **Verified by** `the_integral_is_exact`, `tests/tests/contact`.
 
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::LazyLock;
@@ -64,7 +65,8 @@ pub struct GreenwoodTripp {
 }
 
 impl GreenwoodTripp {
-    /// Of a combined roughness sigma [m], `eta beta sigma` [1], `sigma/beta` [1], the modulus E' [Pa] and the hardness [Pa], all positive.
+    /// Of a combined roughness sigma [m], `eta beta sigma` [1], `sigma/beta` [1], the modulus E' [Pa] and the hardness
+    /// [Pa], all positive.
     pub fn new(roughness: f64, density: f64, sharpness: f64, modulus: f64, hardness: f64) -> Self {
         let factor = 16.0 * SQRT_2 / 15.0 * PI * density.powi(2) * sharpness.sqrt() * modulus;
         Self { roughness, hardness, factor, yields_at: ratio_of(hardness / factor) }
@@ -124,7 +126,8 @@ fn ratio_of(value: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// `Int_0^inf t^n exp(-(t + l)^2/2) dt / sqrt(2 pi)` by the double exponential substitution `t = exp(u - exp(-u))` (Takahasi, Mori, Publ. RIMS 9 (1974) 721).
+    /// `Int_0^inf t^n exp(-(t + l)^2/2) dt / sqrt(2 pi)` by the double exponential substitution `t = exp(u - exp(-u))`
+    /// (Takahasi, Mori, Publ. RIMS 9 (1974) 721).
     fn double_exponential(n: f64, l: f64) -> f64 {
         let step = 1.0 / 256.0;
         let at = |k: i32| {

@@ -1,7 +1,8 @@
-//! Where rough surfaces touch: the pressure of contact as a function of the gap, one law a file, and the friction that it makes.
+//! Where rough surfaces touch: the pressure of contact as a function of the gap, one law a file, and the friction that
+//! it makes.
 //!
-//! Contact is no term of Reynolds' equation: it adds to what the film carries and to what turns the journal, over the whole liner, in cavities and at the ends too
-//! ([`crate::quantities::contact`]).
+//! Contact is no term of Reynolds' equation: it adds to what the film carries and to what turns the journal, over the
+//! whole liner, in cavities and at the ends too ([`crate::quantities::contact`]).
 
 pub mod bearing_curve;
 pub mod greenwood_tripp;

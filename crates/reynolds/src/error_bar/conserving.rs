@@ -1,16 +1,17 @@
 //! # Error bars of a mass-conserving film: its distance from the film on the vertices alone
 //!
-//! **Equation.** With d = |p - p_2h| at the vertices, p_2h the pressure of the coarse comparison, and s = the integral of p by quadratic less
-//! that by linear functions over a triangle at the edge of the cavity:
+//! **Equation.** With d = |p - p_2h| at the vertices, p_2h the pressure of the coarse comparison, and s = the integral
+//! of p by quadratic less that by linear functions over a triangle at the edge of the cavity:
 //! ```text
 //! bar of Int p w dA = (1 + chi/chi_1) (c Int d |w| dA + Sum |w s|)
 //! ```
-//! Where a wall gives way, w of a force or moment has the part mu of [`super::following`] added.
-//! Both films carry oil by the same scheme, and what it spreads across the flow shows in neither: sigma and n (`jfo/spread.rs`) say. Every bar has
-//! the part `min(0.1 + 0.3 n, 0.8) sigma` of its number added. Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
-//! little more than a third. Where the two films do not agree on which nodes are in the cavity the mesh is not yet fine enough for
-//! that: chi. Flows are judged by their own differences `Q - Q_2h` and by that of what the cavity carries,
-//! the extent of the cavity by how much of the mesh its edge takes up.
+//! Where a wall gives way, w of a force or moment has the part mu of [`super::following`] added. Both films carry oil
+//! by the same scheme, and what it spreads across the flow shows in neither: sigma and n (`jfo/spread.rs`) say. Every
+//! bar has the part `min(0.1 + 0.3 n, 0.8) sigma` of its number added. Of second order the error at a node is a third
+//! of d, here without its sign, since signs change from mesh to mesh: c is a little more than a third. Where the two
+//! films do not agree on which nodes are in the cavity the mesh is not yet fine enough for that: chi. Flows are judged
+//! by their own differences `Q - Q_2h` and by that of what the cavity carries, the extent of the cavity by how much of
+//! the mesh its edge takes up.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -21,7 +22,8 @@
 //! | delta: mean difference of the film fraction at the vertices | 1 | `carried` |
 //!
 //! **Source.** Constants: measured on random bearings, held against others, `docs/theory/error_estimation_jfo.md`.
-//! **Range.** Mass-conserving films of quadratic elements. No bar can be trusted where that of the load exceeds a twentieth of it.
+//! **Range.** Mass-conserving films of quadratic elements. No bar can be trusted where that of the load exceeds a
+//! twentieth of it.
 //! **Verified by** `cavitation/bars`: finer meshes.
 
 mod directions;
@@ -63,8 +65,9 @@ const CARRIED_IN_SHEAR: f64 = 0.1;
 const OF_FRONT: f64 = 0.2;
 const OF_CARRIED: f64 = 0.3;
 const OF_DOUBT: f64 = 0.3;
-/// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of beta;
-/// the bar ends at zero oil, but is no less than the last, by which the transport over- and undershoots at edges of streaks.
+/// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of
+/// beta; the bar ends at zero oil, but is no less than the last, by which the transport over- and undershoots at edges
+/// of streaks.
 const LEAST_OIL: f64 = 0.9;
 const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;
@@ -100,7 +103,8 @@ pub struct ConservingError {
     pub side_flow: f64,
     /// Of the flow into the loaded film [m3/s].
     pub inlet_flow: f64,
-    /// Differences of the powers [W] that the turning journal puts in against shear, and against pressure, from those of the coarse comparison.
+    /// Differences of the powers [W] that the turning journal puts in against shear, and against pressure, from those
+    /// of the coarse comparison.
     pub power: [f64; 2],
     /// Power [W] of shear that is in doubt because the film fraction is.
     pub power_carried: f64,
@@ -147,8 +151,9 @@ struct Pair<'a> {
     difference: Vec<f64>,
 }
 
-/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison ([`SolvedFilm::coarse_comparison`]), where a wall that gives way is `following`, or held where
-/// there is none; none for other films.
+/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison
+/// ([`SolvedFilm::coarse_comparison`]), where a wall that gives way is `following`, or held where there is none; none
+/// for other films.
 pub fn conserving_error(
     film: &SolvedFilm,
     coarse: &SolvedFilm,
@@ -238,7 +243,8 @@ impl<'a> Pair<'a> {
         (0..space.mesh().points().len() as u32).map(|vertex| space.vertex_dof(vertex))
     }
 
-    /// How far the two films differ in what is in the cavity, and how full it is: `fractions` are those of the dofs and of the vertices.
+    /// How far the two films differ in what is in the cavity, and how full it is: `fractions` are those of the dofs and
+    /// of the vertices.
     fn disagreement(&self, coarse: &SolvedFilm, fractions: [&[f64]; 2]) -> Disagreement {
         let fractions: Vec<[f64; 2]> =
             (self.vertices().enumerate()).map(|(vertex, dof)| [fractions[0][dof], fractions[1][vertex]]).collect();
@@ -284,8 +290,8 @@ impl<'a> Pair<'a> {
         Bar { discretisation, front, ..Bar::default() }
     }
 
-    /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its limit pressures are
-    /// far more uncertain than it; not finite where the limit lies within the bar.
+    /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its
+    /// limit pressures are far more uncertain than it; not finite where the limit lies within the bar.
     fn greatest_pressure(&self, coarse: &SolvedFilm) -> f64 {
         let problem = &self.film.problem;
         let unknown = |dof: usize| self.film.solution.unknown[dof];
@@ -339,7 +345,8 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// What bars of a load are small against [N]: a tilted journal may bear a moment and next to no force, and parts of a load may cancel.
+/// What bars of a load are small against [N]: a tilted journal may bear a moment and next to no force, and parts of a
+/// load may cancel.
 fn least_resolved(problem: &FilmProblem, total: &Share) -> f64 {
     let [x, y] = total.force;
     let borne = match problem.can_tilt() {
@@ -349,7 +356,8 @@ fn least_resolved(problem: &FilmProblem, total: &Share) -> f64 {
     borne.max(CANCELLING * load::possible_load(problem, total))
 }
 
-/// Power of shear [W] of the film between element edges and the circles that they stand for: both films have the same edges.
+/// Power of shear [W] of the film between element edges and the circles that they stand for: both films have the same
+/// edges.
 fn at_rims(film: &SolvedFilm) -> f64 {
     let still = vec![0.0; film.solution.unknown.len()];
     let shear = |region: &SupplyRegion, _: [f64; 2], at: &FilmPoint| drag::shear(&film.problem, at, region.pressure);

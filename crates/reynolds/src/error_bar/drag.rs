@@ -1,8 +1,8 @@
 //! The power that the journal puts in, as a goal: its vectors in cubic functions.
 //!
-//! `j_i = Int h/2 U . grad(phi_i) dA s_i` for pressure, s_i the secant of the pressure at node i between the two films, and
-//! `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the difference of the two films
-//! times the vector is the change of the power, but for what the rules of integration add.
+//! `j_i = Int h/2 U . grad(phi_i) dA s_i` for pressure, s_i the secant of the pressure at node i between the two films,
+//! and `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the
+//! difference of the two films times the vector is the change of the power, but for what the rules of integration add.
 
 use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::quadrature::Quadrature;
@@ -21,9 +21,9 @@ pub(super) fn shear(problem: &FilmProblem, film: &FilmPoint, p: f64) -> f64 {
     problem.viscosity_at(p) * (x * x + z * z) / film.thickness
 }
 
-/// What the rules of integration for the two degrees differ by in the power of shear [W] of the `cubic` film: summed over triangles without sign, since the
-/// difference of the two powers is small by chance where it cancels. Zero for a journal at rest.
-/// `system` is that of the quadratic film.
+/// What the rules of integration for the two degrees differ by in the power of shear [W] of the `cubic` film: summed
+/// over triangles without sign, since the difference of the two powers is small by chance where it cancels. Zero for a
+/// journal at rest. `system` is that of the quadratic film.
 pub(super) fn difference_of_rules(system: &FilmSystem, cubic: &SolvedFilm) -> f64 {
     let problem = &cubic.problem;
     let law = FilmLaw::new(problem, 1.0);

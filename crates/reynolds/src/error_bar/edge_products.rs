@@ -1,7 +1,7 @@
 //! # What the edge of a cavity leaves open of a tangent
 //!
-//! **Equation.** A tangent holds the cavity at its edge, where response u of the film and dual z of what it carries both vanish. Where the edge lies a distance s off, the derivative
-//! of what is carried is off by (Hadamard)
+//! **Equation.** A tangent holds the cavity at its edge, where response u of the film and dual z of what it carries
+//! both vanish. Where the edge lies a distance s off, the derivative of what is carried is off by (Hadamard)
 //! ```text
 //! Int s h^3/(12 mu0) du/dn dz/dn dl
 //! ```
@@ -16,8 +16,8 @@
 //! | u | unit of the unknown by that of the motion | `responses` |
 //! | z | - | `duals` |
 //!
-//! **Source.** Delfour and Zolesio, Shapes and Geometries (2011), ch. 9. **Range.** Films with a free boundary that hold no oil in their cavity. **Verified by** `tests/tests/dynamics`: how
-//! often bars of stiffness and damping hold.
+//! **Source.** Delfour and Zolesio, Shapes and Geometries (2011), ch. 9. **Range.** Films with a free boundary that
+//! hold no oil in their cavity. **Verified by** `tests/tests/dynamics`: how often bars of stiffness and damping hold.
 
 use std::ops::AddAssign;
 
@@ -40,7 +40,8 @@ impl AddAssign for Listed {
     }
 }
 
-/// `a_T(u, z)` of each triangle T through which the edge of the cavity of a film runs, of at most four duals (rows) and four responses (columns) that vanish where the film is held.
+/// `a_T(u, z)` of each triangle T through which the edge of the cavity of a film runs, of at most four duals (rows) and
+/// four responses (columns) that vanish where the film is held.
 pub fn edge_products(film: &SolvedFilm, duals: &[Vec<f64>], responses: &[Vec<f64>]) -> Vec<[[f64; 4]; 4]> {
     let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());

@@ -1,11 +1,12 @@
 //! # Round rims that quadratic edges follow only nearly
 //!
-//! **Equation.** Hadamard's formula for a goal with the weight w and the dual z, over the rims of holes that are cut out:
+//! **Equation.** Hadamard's formula for a goal with the weight w and the dual z, over the rims of holes that are cut
+//! out:
 //! ```text
 //! G = -Int d (p_f w + h^3/(12 mu0) dq/dn dz/dn) ds
 //! ```
-//! with the distance d from the element edge to the true rim, positive where the film was meshed too large, and the outward
-//! normal n.
+//! with the distance d from the element edge to the true rim, positive where the film was meshed too large, and the
+//! outward normal n.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

@@ -8,11 +8,12 @@
 //! where there is no cavity and viscosity does not depend on pressure, if that is less:
 //! bar of J(p3) = (|eta| + 0.5 S') sqrt(S'/|J|) + 0.7 (B + C) + G + A
 //! ```
-//! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity, C that of the triangles at re-entrant corners and
-//! jumps of the film thickness, B that at other corners, and S' the rest, none of them deep in a cavity; the geometry part `G` of round rims
-//! ([`geometry`]); and the algebra part `A = |r . z|` of an equation solved to the residual r, z the dual, no less than three times the root of the
-//! sum of squares. F is there because at a free edge errors of either sign cancel by chance and both films have some; C because at a corner both
-//! films have a part of the same error; S because where much cancels in eta, what the pieces leave need not.
+//! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity, C that of the triangles
+//! at re-entrant corners and jumps of the film thickness, B that at other corners, and S' the rest, none of them deep
+//! in a cavity; the geometry part `G` of round rims ([`geometry`]); and the algebra part `A = |r . z|` of an equation
+//! solved to the residual r, z the dual, no less than three times the root of the sum of squares. F is there because at
+//! a free edge errors of either sign cancel by chance and both films have some; C because at a corner both films have a
+//! part of the same error; S because where much cancels in eta, what the pieces leave need not.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -21,9 +22,10 @@
 //! | A | unit of J | [`GoalError::algebra`], [`GoalError::scatter`] |
 //! | W, beta | N, rad | [`FilmError::load`], [`FilmError::across`] |
 //!
-//! **Source.** Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921 (two degrees); Becker and Rannacher, Acta Numerica 10 (2001) 1
-//! (duals); constants: measured, `docs/theory/error_estimation.md`. **Range.** Pressure films; a mass-conserving film is
-//! judged otherwise ([`conserving`]). No bar where `|eta|` exceeds a twentieth of the load: the mesh does not resolve the film.
+//! **Source.** Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921 (two degrees); Becker and Rannacher, Acta Numerica 10
+//! (2001) 1 (duals); constants: measured, `docs/theory/error_estimation.md`. **Range.** Pressure films; a
+//! mass-conserving film is judged otherwise ([`conserving`]). No bar where `|eta|` exceeds a twentieth of the load: the
+//! mesh does not resolve the film.
 //! **Verified by** `tests/tests/error_bars`: shares sum to eta, coverage of true errors, a straight rim.
 
 pub mod conserving;
@@ -41,16 +43,19 @@ use crate::quantities::load::Share;
 
 /// A load of which this part is in question is not resolved.
 pub const UNRESOLVED: f64 = 0.05;
-/// A load below this part of what its pressures could carry is one of parts that cancel: it is these that are resolved or not.
+/// A load below this part of what its pressures could carry is one of parts that cancel: it is these that are resolved
+/// or not.
 const CANCELLING: f64 = 0.01;
 
 /// At a re-entrant corner of angle a both films err by a part of the same term: with functions of degree p by
-/// `p^(-4 pi/a)` of the energy (Babuska and Suri, SIAM J. Numer. Anal. 24 (1987) 750). So `J(p3)` is left with 0.51 of their
-/// difference where the film takes up 270 degrees; a bit more is found, for the triangles that touch the corner do not hold all of it.
+/// `p^(-4 pi/a)` of the energy (Babuska and Suri, SIAM J. Numer. Anal. 24 (1987) 750). So `J(p3)` is left with 0.51 of
+/// their difference where the film takes up 270 degrees; a bit more is found, for the triangles that touch the corner
+/// do not hold all of it.
 const PER_CORNER: f64 = 0.7;
 
-/// Both films book alike where the edge of a cavity crosses an end, so their difference does not show it; the edge may lie in the next
-/// triangle, and more be booked wrongly than the triangles that it crosses hold. Measured: up to 1.4 times that.
+/// Both films book alike where the edge of a cavity crosses an end, so their difference does not show it; the edge may
+/// lie in the next triangle, and more be booked wrongly than the triangles that it crosses hold. Measured: up to 1.4
+/// times that.
 const PER_UNSURE: f64 = 2.0;
 
 /// What the pieces of a difference leave where they cancel.
@@ -59,9 +64,10 @@ const PER_SUM: f64 = 0.05;
 /// Of the scatter of residuals, in the algebra part.
 const DEVIATIONS: f64 = 3.0;
 
-/// What the cubic film leaves of a difference `eta` whose shares have magnitudes of this `sum`, where the solution is smooth: the error of the
-/// quadratic film decreases like h^4, that of the cubic one like h^6, so that the latter is `c |eta| sqrt(|eta| / size)` for a goal of this
-/// `size`. Measured: c = 0.3 to 0.7; where the shares cancel, the sum counts too.
+/// What the cubic film leaves of a difference `eta` whose shares have magnitudes of this `sum`, where the solution is
+/// smooth: the error of the quadratic film decreases like h^4, that of the cubic one like h^6, so that the latter is
+/// `c |eta| sqrt(|eta| / size)` for a goal of this `size`. Measured: c = 0.3 to 0.7; where the shares cancel, the sum
+/// counts too.
 fn smooth_law(eta: f64, sum: f64, size: f64) -> f64 {
     const PER_CANCELLED: f64 = 0.5;
     let eta = eta.abs().min(sum) + PER_CANCELLED * sum;
@@ -173,7 +179,8 @@ pub struct GoalError {
     pub geometry: f64,
     /// Error of the equation solved: exact less computed.
     pub algebra: f64,
-    /// Root of the sum of the squares of its parts, one for each residual, which have either sign: their sum may be small by chance.
+    /// Root of the sum of the squares of its parts, one for each residual, which have either sign: their sum may be
+    /// small by chance.
     pub scatter: f64,
 }
 
@@ -206,7 +213,8 @@ pub struct FilmError {
     pub moments: Option<[GoalError; 2]>,
     /// Of the power [W] that the turning journal puts in against shear, and against pressure.
     pub drag: [GoalError; 2],
-    /// What the rules of integration of the two degrees differ by in the power of shear [W], in each triangle and without sign.
+    /// What the rules of integration of the two degrees differ by in the power of shear [W], in each triangle and
+    /// without sign.
     pub shear_rules: f64,
     /// Of the flow into the film [m3/s] through both ends together, and through each region that gives a pressure.
     pub flows: Vec<(FlowGoal, GoalError)>,
@@ -218,7 +226,8 @@ pub struct FilmError {
     pub corner: Vec<bool>,
     /// Triangles where the edge of the film bends otherwise.
     pub bend: Vec<bool>,
-    /// True if the pressure is as smooth as the film thickness away from these: there is no cavity, and viscosity is constant.
+    /// True if the pressure is as smooth as the film thickness away from these: there is no cavity, and viscosity is
+    /// constant.
     pub is_smooth: bool,
     /// True if the equation is nonlinear, so that the algebra part is one of the nonlinear iteration.
     pub nonlinear: bool,
@@ -233,7 +242,8 @@ pub enum FlowGoal {
     Region(String),
 }
 
-/// Judges `film` by the `cubic` film of `system.cubic()`, which carries `carried`, where a wall that gives way is `following`, or held where there is none.
+/// Judges `film` by the `cubic` film of `system.cubic()`, which carries `carried`, where a wall that gives way is
+/// `following`, or held where there is none.
 ///
 /// # Errors
 /// The linear systems of the duals could not be solved.
@@ -254,7 +264,8 @@ impl FilmError {
         [[x / size, y / size, 0.0], [-y / size, x / size, 0.0]]
     }
 
-    /// Bar of a goal, which follows the law of smooth films if it has a `size`. `per_eta` is the part of `|eta|` that counts for a cubic value.
+    /// Bar of a goal, which follows the law of smooth films if it has a `size`. `per_eta` is the part of `|eta|` that
+    /// counts for a cubic value.
     fn bar(&self, goal: &GoalError, size: Option<f64>, value: Value, per_eta: f64) -> Bar {
         let (mut eta, mut all, mut front, mut corner, mut bend) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for (k, &share) in goal.shares.iter().enumerate() {
@@ -315,8 +326,9 @@ impl FilmError {
         Some(moments.each_ref().map(|goal| self.bar(goal, size, value, 0.4)))
     }
 
-    /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:
-    /// what the rules of integration add to the change is all error, and so is what they differ by where that cancels in the change.
+    /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change`
+    /// between the two films: what the rules of integration add to the change is all error, and so is what they differ
+    /// by where that cancels in the change.
     pub fn drag(&self, [shear, pressure]: [f64; 2], change: f64, value: Value) -> Bar {
         let goal = GoalError::default().plus(shear, &self.drag[0]).plus(pressure, &self.drag[1]);
         let bar = self.bar(&goal, None, value, 0.4);
@@ -324,8 +336,8 @@ impl FilmError {
         Bar { discretisation: bar.discretisation + integration.max(shear.abs() * self.shear_rules), ..bar }
     }
 
-    /// Bar of a flow [m3/s], which follows the law of smooth films if it has a `size` [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity
-    /// runs within a triangle, or at nodes of two regions.
+    /// Bar of a flow [m3/s], which follows the law of smooth films if it has a `size` [m3/s]; `unsure` [m3/s] is booked
+    /// by where the edge of a cavity runs within a triangle, or at nodes of two regions.
     pub fn flow(&self, goal: &GoalError, size: Option<f64>, unsure: f64, value: Value) -> Bar {
         let bar = self.bar(goal, size, value, 1.0);
         Bar { front: bar.front + PER_UNSURE * unsure, ..bar }
@@ -353,7 +365,8 @@ impl FilmError {
     /// Share of each triangle in the error of the load and its angle [N]: what refinement should look at.
     pub fn indicator(&self) -> Vec<f64> {
         let [along, across] = [0, 1].map(|direction| self.along(direction).shares);
-        // Deep in the cavity quadratics waver about its pressure, for they are held amid edges only: nothing to refine for.
+        // Deep in the cavity quadratics waver about its pressure, for they are held amid edges only: nothing to refine
+        // for.
         let parts = along.iter().zip(&across).zip(&self.deep);
         parts.map(|((a, b), &deep)| if deep { 0.0 } else { a.abs().max(b.abs()) }).collect()
     }

@@ -1,7 +1,8 @@
 //! Bars of places in a mass-conserving film: of the greatest pressure, and of the ends of the loaded film.
 //!
-//! The coarse comparison has sub-triangles twice as wide. An end of the film is off by the difference of the two and by a sub-triangle; the greatest pressure by the
-//! difference, and by part of a triangle, for pressures are linear on its pieces.
+//! The coarse comparison has sub-triangles twice as wide. An end of the film is off by the difference of the two and by
+//! a sub-triangle; the greatest pressure by the difference, and by part of a triangle, for pressures are linear on its
+//! pieces.
 
 use super::Bar;
 use crate::SolvedFilm;

@@ -1,9 +1,9 @@
 //! Where in the film the difference of two degrees comes from.
 //!
 //! With `e = p3 - p2`, the goal's vector j and the quadratic dual z, for any z, split exactly:
-//! `j . e = z . K e + (j - K z) . e`. The first term is local because z stands before a residual, the second because e is small
-//! where j - K z is not. In the hierarchical basis each product belongs to a function, and is shared
-//! equally among the triangles that it lives on.
+//! `j . e = z . K e + (j - K z) . e`. The first term is local because z stands before a residual, the second because e
+//! is small where j - K z is not. In the hierarchical basis each product belongs to a function, and is shared equally
+//! among the triangles that it lives on.
 
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::prolongation::Hierarchical;
@@ -17,7 +17,8 @@ use crate::quantities::load::{Share, possible_load};
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSystem, Form, SolvedFilm};
 
-/// Angles of the film [rad] from which on a corner spoils the order: 225 degrees. The sides of a round hole turn by less.
+/// Angles of the film [rad] from which on a corner spoils the order: 225 degrees. The sides of a round hole turn by
+/// less.
 const REENTRANT: f64 = 1.25 * std::f64::consts::PI;
 /// All around a vertex inside the film [rad], but for rounding.
 const WHOLE: f64 = 1.99 * std::f64::consts::PI;
@@ -140,7 +141,8 @@ impl<'a> Split<'a> {
             if region.kind == BoundaryKind::Sealed {
                 continue;
             }
-            // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
+            // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the
+            // cubic film.
             let chi: Vec<f64> = (0..self.film.solution.unknown.len())
                 .map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k))))
                 .collect();
@@ -198,7 +200,8 @@ struct At {
 }
 
 impl GoalVectors<'_> {
-    /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights w.
+    /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights
+    /// w.
     fn of<const N: usize>(&self, weights: impl Fn(At) -> [f64; N]) -> [Vec<f64>; N] {
         let (SolvedFilm { problem, system, solution }, following) = (self.cubic, self.following);
         let (space, mesh) = (system.space(), system.space().mesh());
@@ -246,8 +249,8 @@ fn secant(problem: &FilmProblem, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Triangles in the cavity of the cubic film with those that share a vertex with one at its edge, and those in the cavity
-/// that do not.
+/// Triangles in the cavity of the cubic film with those that share a vertex with one at its edge, and those in the
+/// cavity that do not.
 fn front(cubic: &SolvedFilm) -> (Vec<bool>, Vec<bool>) {
     let SolvedFilm { system, solution, .. } = cubic;
     let space = system.space();
@@ -269,8 +272,8 @@ fn front(cubic: &SolvedFilm) -> (Vec<bool>, Vec<bool>) {
     places.map(|(t, &inside)| (inside || at_edge(t), inside && !at_edge(t))).unzip()
 }
 
-/// Triangles at corners of the film: where it takes up more than [`REENTRANT`] or its thickness jumps, and where its edge bends otherwise, but for
-/// rims that are circles.
+/// Triangles at corners of the film: where it takes up more than [`REENTRANT`] or its thickness jumps, and where its
+/// edge bends otherwise, but for rims that are circles.
 fn corners(problem: &FilmProblem, system: &FilmSystem) -> [Vec<bool>; 2] {
     let mesh = system.space().mesh();
     let is_film = system.supply.film(mesh);

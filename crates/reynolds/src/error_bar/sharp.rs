@@ -1,20 +1,24 @@
 //! # Error bars of the sharp hill, and the film that a number is taken from
 //!
-//! **Equation.** With J2, J3 a number of the hill in quadratic and in cubic elements, and J3' that with as much more oil as its cavities lose
+//! **Equation.** With J2, J3 a number of the hill in quadratic and in cubic elements, and J3' that with as much more
+//! oil as its cavities lose
 //! ```text
 //! bar of J3 = 2.5 |J3 - J2| + 2 |J3' - J3| + 2e-4 |J3|
 //! ```
-//! Where the position was sought over cavities found near it, that which J3 changes by over those of the position is added.
+//! Where the position was sought over cavities found near it, that which J3 changes by over those of the position is
+//! added.
 //!
-//! A hill sees what the finite volumes do not resolve, and they see what its smeared front does to thin streaks and to edges of the film along the flow. A number is
-//! taken from the hill where its bar is the narrower one and the number lies inside the bar of the finite volumes. Where it lies outside, one of the two bars is
-//! wrong: the number of the finite volumes stands, and its bar reaches to that of the hill.
+//! A hill sees what the finite volumes do not resolve, and they see what its smeared front does to thin streaks and to
+//! edges of the film along the flow. A number is taken from the hill where its bar is the narrower one and the number
+//! lies inside the bar of the finite volumes. Where it lies outside, one of the two bars is wrong: the number of the
+//! finite volumes stands, and its bar reaches to that of the hill.
 //!
 //! | symbol | code |
 //! |---|---|
 //! | J3, J3 - J2, J3' - J3 | `cubic`, `by_degree`, `by_oil` |
 //!
-//! **Source.** The constants: measured on random bearings, `docs/theory/error_estimation_jfo.md`. **Range.** As of [`crate::sharp`]. **Verified by** `cavitation/sharp`.
+//! **Source.** The constants: measured on random bearings, `docs/theory/error_estimation_jfo.md`. **Range.** As of
+//! [`crate::sharp`]. **Verified by** `cavitation/sharp`.
 
 use super::Bar;
 use super::conserving::ConservingError;
@@ -28,7 +32,8 @@ const OF_DEGREES: f64 = 2.5;
 const OF_OIL: f64 = 2.0;
 /// Of the number itself.
 const OF_NUMBER: f64 = 2e-4;
-/// Bars of finite volumes below this part of their numbers leave a hill little to do: its own are a fifth of that at least.
+/// Bars of finite volumes below this part of their numbers leave a hill little to do: its own are a fifth of that at
+/// least.
 const NARROW: f64 = 1e-3;
 
 /// Numbers of the hill that take the place of those of the finite volumes; none where these stand.
@@ -51,7 +56,8 @@ pub enum Reported {
     Narrower,
 }
 
-/// Gives the numbers in `error` of a film with the numbers `film` the bars that they have beside its hill; the numbers that are those of the hill.
+/// Gives the numbers in `error` of a film with the numbers `film` the bars that they have beside its hill; the numbers
+/// that are those of the hill.
 pub fn sharpen(error: &mut ConservingError, film: &HillNumbers, sharp: &SharpFilm, reported: Reported) -> Sharpened {
     let mut sharpened = Sharpened::default();
     if !error.is_resolved {
@@ -91,7 +97,8 @@ enum Verdict {
 }
 
 impl Verdict {
-    /// Of a number with the bar `hill` that differs by `apart` from that of the film, whose bar is `film`. Where that has no end the film may not exist.
+    /// Of a number with the bar `hill` that differs by `apart` from that of the film, whose bar is `film`. Where that
+    /// has no end the film may not exist.
     fn of(hill: f64, film: f64, apart: f64) -> Self {
         match hill < film && film.is_finite() {
             false => Self::Wider,

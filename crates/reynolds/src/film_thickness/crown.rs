@@ -7,8 +7,9 @@
 //! | d_0 | m | `depth` |
 //! | b | m | `half_length` |
 //!
-//! **Source.** Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow, 1996), the hyperbolic bore, whose depth at the ends is
-//! that by which the film of a tilted journal is thinner there. **Range.** `d_0 << b`; negative: closer at its ends. **Verified by** `tests/tests/shapes`.
+//! **Source.** Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow,
+//! 1996), the hyperbolic bore, whose depth at the ends is that by which the film of a tilted journal is thinner there.
+//! **Range.** `d_0 << b`; negative: closer at its ends. **Verified by** `tests/tests/shapes`.
 
 use super::profile::{Profile, Relief};
 

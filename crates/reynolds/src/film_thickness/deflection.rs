@@ -1,7 +1,8 @@
 //! # Wall that gives way to the pressure
 //!
-//! **Equation.** `h` grows by the deflection `d(phi, z)` of the wall, outwards; `d = C f`, `f = T p`, is a balance around the film. In a film at rest `dd/dt` is
-//! left out; in an implicit stage of a method in time `dh/dt` grows by `dd/dt = (d - d_0)/(gamma dt)`, d_0 being what earlier stages leave.
+//! **Equation.** `h` grows by the deflection `d(phi, z)` of the wall, outwards; `d = C f`, `f = T p`, is a balance
+//! around the film. In a film at rest `dd/dt` is left out; in an implicit stage of a method in time `dh/dt` grows by
+//! `dd/dt = (d - d_0)/(gamma dt)`, d_0 being what earlier stages leave.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,8 +10,10 @@
 //! | 1/(gamma dt), d_0 | 1/s, m | [`WallStage`] |
 //! | C, T | m/N, m2 | [`crate::wall::Compliance`], [`crate::wall::Grid::forces`] |
 //!
-//! **Source.** Higginson, Proc. Inst. Mech. Eng. 180 (3B) (1965) 31 (elastic journal bearings); Dowson, Higginson, Elasto-hydrodynamic Lubrication (1966).
-//! **Range.** Slopes of the wall far below one. **Verified by** `slopes_and_variations_match_differences` and `tests/tests/liner`.
+//! **Source.** Higginson, Proc. Inst. Mech. Eng. 180 (3B) (1965) 31 (elastic journal bearings); Dowson, Higginson,
+//! Elasto-hydrodynamic Lubrication (1966).
+//! **Range.** Slopes of the wall far below one. **Verified by** `slopes_and_variations_match_differences` and
+//! `tests/tests/liner`.
 
 use std::sync::Arc;
 

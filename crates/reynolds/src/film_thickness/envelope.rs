@@ -1,7 +1,8 @@
 //! # Run-in bore: worn until no position of the journal leaves less than a given film
 //!
-//! **Equation.** `d = max(0, h_w - min_i h_i)`, `h_i = c - (e_i + z g_i).n`: at each angle the lines of the journal's surface in its positions i have a lower envelope, a broken line along the
-//! axis, and the bore wears until it runs parallel to it at the distance h_w.
+//! **Equation.** `d = max(0, h_w - min_i h_i)`, `h_i = c - (e_i + z g_i).n`: at each angle the lines of the journal's
+//! surface in its positions i have a lower envelope, a broken line along the axis, and the bore wears until it runs
+//! parallel to it at the distance h_w.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,14 +10,19 @@
 //! | e_i, g_i | m, rad | `positions` |
 //! | c, R | m | `clearance`, `radius` |
 //!
-//! **Source.** Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow, 1996), the settled shape of a section, which wears at the same rate all along it.
-//! **Range.** Positions of the journal that do not change as the bore wears. **Verified by** `no_position_leaves_less_than_the_film` and `slopes_and_variations_match_differences`.
+//! **Source.** Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow,
+//! 1996), the settled shape of a section, which wears at the same rate all along it.
+//! **Range.** Positions of the journal that do not change as the bore wears. **Verified by**
+//! `no_position_leaves_less_than_the_film` and `slopes_and_variations_match_differences`.
 //!
-//! **Which positions count.** In a sector of angles a position is left out where another one reaches as far at both of its angles and both ends of the bearing: their difference
-//! `(e + z g).n` is linear in z and, within a sector narrower than half a turn, a positive combination of its values at the two angles, so the other one reaches as far everywhere between.
+//! **Which positions count.** In a sector of angles a position is left out where another one reaches as far at both of
+//! its angles and both ends of the bearing: their difference `(e + z g).n` is linear in z and, within a sector narrower
+//! than half a turn, a positive combination of its values at the two angles, so the other one reaches as far everywhere
+//! between.
 //!
-//! **Edges.** The slope jumps at the edges of the worn place and where one position takes over from the next. With positions close to each other, as those of an orbit, the second kind of
-//! jumps are a bend, and by the bend over lengths that a film feels a mesh is graded for both.
+//! **Edges.** The slope jumps at the edges of the worn place and where one position takes over from the next. With
+//! positions close to each other, as those of an orbit, the second kind of jumps are a bend, and by the bend over
+//! lengths that a film feels a mesh is graded for both.
 
 use std::f64::consts::TAU;
 

@@ -1,22 +1,28 @@
 //! # Measured surface: depths at the points of a grid
 //!
-//! **Equation.** `d(x, z)` is the bicubic Hermite interpolant: depth, both slopes and the twist at the points, cubic along each side of a cell. It is continuous with its slopes. Slopes at a
-//! point are those of the parabola through it and its neighbours, at an end of the grid of the parabola through the last three points, limited: zero where the point is higher or lower than
-//! both neighbours, else of the sign of the two secants and at most three times the flatter one. Twists are the slopes of the slopes, limited so that in each of the four cells at the point
+//! **Equation.** `d(x, z)` is the bicubic Hermite interpolant: depth, both slopes and the twist at the points, cubic
+//! along each side of a cell. It is continuous with its slopes. Slopes at a point are those of the parabola through it
+//! and its neighbours, at an end of the grid of the parabola through the last three points, limited: zero where the
+//! point is higher or lower than both neighbours, else of the sign of the two secants and at most three times the
+//! flatter one. Twists are the slopes of the slopes, limited so that in each of the four cells at the point
 //! ```text
 //! d + dx d_x/3 + dz d_z/3 + dx dz d_xz/9
 //! ```
-//! lies between the least and the greatest depth of the four corners, with dx and dz the signed sides of the cell. Where no twist does both slopes are halved; then a twist of zero does. These numbers
-//! are the coefficients of Bernstein polynomials, so the surface of a cell stays between the depths of its corners. Beyond an end that the grid does not reach it goes on straight.
+//! lies between the least and the greatest depth of the four corners, with dx and dz the signed sides of the cell.
+//! Where no twist does both slopes are halved; then a twist of zero does. These numbers are the coefficients of
+//! Bernstein polynomials, so the surface of a cell stays between the depths of its corners. Beyond an end that the grid
+//! does not reach it goes on straight.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | x = R phi, z | m | `places` of both axes |
 //! | d, dd/dx, dd/dz, d2d/dxdz | m, -, -, 1/m | `nodes` |
 //!
-//! **Source.** de Boor, A Practical Guide to Splines (1978), ch. IV (parabolic slopes, Bessel) and XVII (tensor products); Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238 (limited slopes).
-//! **Range.** Points closer than the lengths over which
-//! the film changes; noise of a measurement is not smoothed. **Verified by** `parabolas_are_exact`, `the_surface_is_smooth_across_cells`, `no_place_of_a_cell_is_beyond_its_corners` and `tests/tests/shapes`.
+//! **Source.** de Boor, A Practical Guide to Splines (1978), ch. IV (parabolic slopes, Bessel) and XVII (tensor
+//! products); Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238 (limited slopes).
+//! **Range.** Points closer than the lengths over which the film changes; noise of a measurement is not smoothed.
+//! **Verified by** `parabolas_are_exact`, `the_surface_is_smooth_across_cells`,
+//! `no_place_of_a_cell_is_beyond_its_corners` and `tests/tests/shapes`.
 
 use super::measured_axis::PointAxis;
 use super::profile::{Profile, Relief};

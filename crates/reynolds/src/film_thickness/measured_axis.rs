@@ -1,14 +1,17 @@
 //! # Points along one axis of a measured surface
 //!
-//! **Equation.** Hermite's cubic between neighbours at the distance `d`, with `t` the part of the way: `y = (1 + 2 t)(1 - t)^2 y_0 + t (1 - t)^2 d y'_0 + t^2 (3 - 2 t) y_1 + t^2 (t - 1) d y'_1`. Slopes
-//! `y'` are those of the parabola through a point and its neighbours, of the sign of both secants and at most [`STEEPEST`] times the flatter one.
+//! **Equation.** Hermite's cubic between neighbours at the distance `d`, with `t` the part of the way:
+//! `y = (1 + 2 t)(1 - t)^2 y_0 + t (1 - t)^2 d y'_0 + t^2 (3 - 2 t) y_1 + t^2 (t - 1) d y'_1`. Slopes `y'` are those of
+//! the parabola through a point and its neighbours, of the sign of both secants and at most [`STEEPEST`] times the
+//! flatter one.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | places | m | `places` |
 //! | period | m | `period` |
 //!
-//! **Source.** Fritsch, Carlson, SIAM Journal on Numerical Analysis 17 (1980) 238. **Range.** Growing places. **Verified by** the tests of `measured.rs`.
+//! **Source.** Fritsch, Carlson, SIAM Journal on Numerical Analysis 17 (1980) 238. **Range.** Growing places.
+//! **Verified by** the tests of `measured.rs`.
 
 /// Slopes are at most so many times the flatter secant beside their point.
 const STEEPEST: f64 = 3.0;
@@ -22,7 +25,8 @@ pub(super) struct PointAxis {
     pub(super) period: Option<f64>,
 }
 
-/// What two neighbours have to do with a place between them: for the value and its slope the parts of their values and of their slopes.
+/// What two neighbours have to do with a place between them: for the value and its slope the parts of their values and
+/// of their slopes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CubicParts {
     pub(super) neighbours: [usize; 2],

@@ -44,10 +44,12 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
     /// Adds its thickness [m], slope and rate [m/s] at `positions` [m] (developed surface) in triangle `cell`.
     fn add(&self, journal: &JournalState, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]);
 
-    /// Adds what it changes, to first order, where the journal changes by `change`. Nothing unless it knows the journal.
+    /// Adds what it changes, to first order, where the journal changes by `change`. Nothing unless it knows the
+    /// journal.
     fn vary(&self, _change: &JournalChange, _cell: usize, _positions: &[[f64; 2]], _film: &mut [FilmPoint]) {}
 
-    /// True if the film of circular surfaces stays least where the circles are nearest. Else the least film is searched on the mesh.
+    /// True if the film of circular surfaces stays least where the circles are nearest. Else the least film is searched
+    /// on the mesh.
     fn keeps_circles(&self) -> bool {
         false
     }

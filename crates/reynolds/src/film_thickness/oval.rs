@@ -8,7 +8,8 @@
 //! | a | rad | `angle` |
 //! | R | m | `radius` |
 //!
-//! **Source.** Definition: the second harmonic of a roundness profile (ISO 12181-1). **Range.** `|d_0|` below the clearance. **Verified by** `tests/tests/shapes`.
+//! **Source.** Definition: the second harmonic of a roundness profile (ISO 12181-1). **Range.** `|d_0|` below the
+//! clearance. **Verified by** `tests/tests/shapes`.
 
 use oilwedge_fem::quadrature::MOST_POINTS;
 

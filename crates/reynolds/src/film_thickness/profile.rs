@@ -1,6 +1,7 @@
 //! # Surfaces that are not circles
 //!
-//! **Equation.** `h` grows by `d(phi, z)`, the depth of the bore below its circle or of an axisymmetric shaft below its own; `dh/dx` and `dh/dz` by its slopes.
+//! **Equation.** `h` grows by `d(phi, z)`, the depth of the bore below its circle or of an axisymmetric shaft below its
+//! own; `dh/dx` and `dh/dz` by its slopes.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -8,7 +9,8 @@
 //! | dd/dx, dd/dz | - | `slope` |
 //! | d2d/dx2, d2d/dz2 | 1/m | `bends` |
 //!
-//! **Source.** Definition. **Range.** Slopes far below one, as Reynolds' equation has them; a shaft turns, so that its shape must not depend on the angle.
+//! **Source.** Definition. **Range.** Slopes far below one, as Reynolds' equation has them; a shaft turns, so that its
+//! shape must not depend on the angle.
 //! **Verified by** `slopes_and_variations_match_differences` and `tests/tests/shapes`.
 
 use std::sync::Arc;
@@ -40,7 +42,8 @@ pub trait Profile: Send + Sync + std::fmt::Debug {
     /// Second derivatives of its depth around and along the axis [1/m], by which a mesh is graded.
     fn bends(&self, position: [f64; 2]) -> [f64; 2];
 
-    /// Longest edges [m] of triangles near a place that show where its slope jumps; infinite for a profile without such places.
+    /// Longest edges [m] of triangles near a place that show where its slope jumps; infinite for a profile without such
+    /// places.
     fn finest(&self, _position: [f64; 2]) -> f64 {
         f64::INFINITY
     }

@@ -9,9 +9,9 @@
 //! | g_x', g_y' | rad/s | `journal.tilt_rate` |
 //! | z | m | `positions[k][1]`, 0 at mid-length |
 //!
-//! **Source.** Pinkus, Bupara, Trans. ASME J. Lubr. Tech. 101 (1979) 432. **Range.** |g| B << R: slopes of the surfaces far below one, as
-//! Reynolds' equation has them; no contact, `|e + z g| < c` at both ends. **Verified by** `slopes_and_variations_match_differences` and
-//! `tests/tests/tilt`.
+//! **Source.** Pinkus, Bupara, Trans. ASME J. Lubr. Tech. 101 (1979) 432. **Range.** |g| B << R: slopes of the surfaces
+//! far below one, as Reynolds' equation has them; no contact, `|e + z g| < c` at both ends. **Verified by**
+//! `slopes_and_variations_match_differences` and `tests/tests/tilt`.
 
 use std::sync::Arc;
 

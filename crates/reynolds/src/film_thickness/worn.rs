@@ -8,8 +8,9 @@
 //! | a, w | rad | `angle`, `half_width` |
 //! | R | m | `radius` |
 //!
-//! **Source.** Dufrane, Kannel, McCloskey, Trans. ASME J. Lubr. Tech. 105 (1983) 402: a journal wears its bearing to a shape near its own, here to second order about its
-//! middle. **Range.** `w < pi`; d_0 of the order of the clearance. **Verified by** `tests/tests/shapes`.
+//! **Source.** Dufrane, Kannel, McCloskey, Trans. ASME J. Lubr. Tech. 105 (1983) 402: a journal wears its bearing to a
+//! shape near its own, here to second order about its middle. **Range.** `w < pi`; d_0 of the order of the clearance.
+//! **Verified by** `tests/tests/shapes`.
 
 use super::profile::{Profile, Relief};
 use crate::angles::wrapped;

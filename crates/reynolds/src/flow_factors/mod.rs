@@ -1,4 +1,5 @@
-//! What scales the flows of a film: a product of factors, one a file. A film without factors is computed as if there were no such socket.
+//! What scales the flows of a film: a product of factors, one a file. A film without factors is computed as if there
+//! were no such socket.
 
 mod patir_cheng;
 
@@ -29,8 +30,8 @@ pub trait FlowFactor: Send + Sync + std::fmt::Debug {
     fn scales(&self, gap: f64) -> Scales;
 }
 
-/// Scales the flows of a smooth film at one point: the conductance by its factor; what is dragged along by the mean gap over the gap, its divergence and what is taken
-/// up by the change of the mean gap with the gap.
+/// Scales the flows of a smooth film at one point: the conductance by its factor; what is dragged along by the mean gap
+/// over the gap, its divergence and what is taken up by the change of the mean gap with the gap.
 pub(crate) fn scale(factors: &[Arc<dyn FlowFactor>], film: &FilmPoint, flow: &mut FilmFlow) {
     for factor in factors {
         let Scales { conductance, mean_gap } = factor.scales(film.thickness);

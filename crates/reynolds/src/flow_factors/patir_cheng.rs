@@ -1,9 +1,10 @@
 //! # Flow between rough surfaces
 //!
-//! **Equation.** `J = (U/2) h_T - phi_p h^3/(12 mu) grad p`, storage `dh_T/dt`; isotropic heights: `phi_p = 1 - 0.9 exp(-0.56 h/sigma)`; Gaussian heights:
-//! `h_T = h Phi(h/sigma) + sigma phi(h/sigma)`, the mean of the gap where the surfaces do not overlap, Phi and phi the normal distribution and its density. Both surfaces
-//! are equally rough, so that what one drags along more in its valleys the other drags along less: no shear flow factor. The void fraction of a cavity multiplies all oil
-//! that is carried.
+//! **Equation.** `J = (U/2) h_T - phi_p h^3/(12 mu) grad p`, storage `dh_T/dt`; isotropic heights:
+//! `phi_p = 1 - 0.9 exp(-0.56 h/sigma)`; Gaussian heights: `h_T = h Phi(h/sigma) + sigma phi(h/sigma)`, the mean of the
+//! gap where the surfaces do not overlap, Phi and phi the normal distribution and its density. Both surfaces are
+//! equally rough, so that what one drags along more in its valleys the other drags along less: no shear flow factor.
+//! The void fraction of a cavity multiplies all oil that is carried.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -12,9 +13,10 @@
 //! | phi_p | 1 | `conductance` |
 //! | h_T | m | `mean_gap` |
 //!
-//! **Source.** Patir, Cheng, Trans. ASME J. Lubr. Technol. 100 (1978) 12 (phi_p); 101 (1979) 220 (h_T, equal roughness); Harp, Salant, Trans. ASME J. Tribol. 123 (2001)
-//! 134 (cavities). **Range.** h/sigma above some 0.5, where phi_p was found; it tends to 0.1 where the mean planes meet. **Verified by**
-//! `the_mean_gap_is_the_mean_of_the_gap`, `variations_match_differences` and the second code of `tests/full/tests/contact/mixed.rs`.
+//! **Source.** Patir, Cheng, Trans. ASME J. Lubr. Technol. 100 (1978) 12 (phi_p); 101 (1979) 220 (h_T, equal
+//! roughness); Harp, Salant, Trans. ASME J. Tribol. 123 (2001) 134 (cavities). **Range.** h/sigma above some 0.5, where
+//! phi_p was found; it tends to 0.1 where the mean planes meet. **Verified by** `the_mean_gap_is_the_mean_of_the_gap`,
+//! `variations_match_differences` and the second code of `tests/full/tests/contact/mixed.rs`.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -85,7 +87,8 @@ mod tests {
         let factor = PatirCheng { roughness: 2.0 };
         for gap in [0.2, 1.0, 3.0, 10.0, 17.0, 30.0] {
             let step = 1e-4;
-            // From where the surfaces touch on: the integrand begins there with a slope, which Euler and Maclaurin's term corrects.
+            // From where the surfaces touch on: the integrand begins there with a slope, which Euler and Maclaurin's
+            // term corrects.
             let from = -gap / 2.0;
             let at = |k: i32| {
                 let delta = from + step * f64::from(k);
@@ -97,7 +100,8 @@ mod tests {
         }
     }
 
-    /// Patir and Cheng's factor at `h/sigma` 0.5, 3 and 6 by its formula, to its printed digits; far apart the surfaces are smooth.
+    /// Patir and Cheng's factor at `h/sigma` 0.5, 3 and 6 by its formula, to its printed digits; far apart the surfaces
+    /// are smooth.
     #[test]
     fn the_factor_is_that_of_isotropic_surfaces() {
         let factor = PatirCheng { roughness: 1e-6 };

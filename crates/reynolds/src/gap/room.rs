@@ -1,7 +1,8 @@
 //! Whether surfaces of any shape leave room for the journal.
 //!
-//! **Equation.** `max over e of min over (phi, z) of h`. At the place of the least gap `h` is linear in the offset e, so each journal that was looked at bounds
-//! the least gap of all others by a plane; the highest point below all planes is the next journal (Kelley 1960). **Verified by** `study`'s tests of ovals.
+//! **Equation.** `max over e of min over (phi, z) of h`. At the place of the least gap `h` is linear in the offset e,
+//! so each journal that was looked at bounds the least gap of all others by a plane; the highest point below all planes
+//! is the next journal (Kelley 1960). **Verified by** `study`'s tests of ovals.
 
 use super::Gap;
 use crate::JournalState;
@@ -26,7 +27,8 @@ impl Bound {
 }
 
 impl Gap {
-    /// The greatest least gap [m] that a journal with this tilt may have at any offset, where none leaves a film; `None` where one does.
+    /// The greatest least gap [m] that a journal with this tilt may have at any offset, where none leaves a film;
+    /// `None` where one does.
     pub fn lack_of_room(&self, journal: &JournalState) -> Option<f64> {
         let clearance = self.bearing.clearance;
         let amid = JournalState { offset: [0.0; 2], ..*journal };

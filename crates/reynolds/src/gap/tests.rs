@@ -104,7 +104,8 @@ fn circles_searched_on_the_mesh_have_their_closed_form() {
 
 #[test]
 fn a_pit_with_edges_has_its_least_film_there() {
-    // A journal that sinks into a pit of a parabola 0.4 rad to each side touches its edges first, where the slope jumps.
+    // A journal that sinks into a pit of a parabola 0.4 rad to each side touches its edges first, where the slope
+    // jumps.
     let pit = |phi: f64, _: f64| 3e-5 * (1.0 - ((phi.rem_euclid(TAU) - 1.0) / 0.4).powi(2)).max(0.0);
     let e = 4e-5;
     let journal = JournalState { offset: [e * 1f64.cos(), e * 1f64.sin()], ..JournalState::default() };

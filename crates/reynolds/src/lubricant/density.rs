@@ -8,8 +8,10 @@
 //! | k_v | 1/K | `expansion` |
 //! | T | K | `temperature` |
 //!
-//! **Source.** Textbooks on engine design, k_v = 68.8e-5 1/K for engine oils; ISO 91 (petroleum measurement tables) is finer by some 0.1 %.
-//! **Range.** Liquid oil, some 0 to 150 degrees C; pressure is left out (1 % at 20 MPa). **Verified by** `a_density_at_15_is_given_back`.
+//! **Source.** Textbooks on engine design, k_v = 68.8e-5 1/K for engine oils; ISO 91 (petroleum measurement tables) is
+//! finer by some 0.1 %.
+//! **Range.** Liquid oil, some 0 to 150 degrees C; pressure is left out (1 % at 20 MPa). **Verified by**
+//! `a_density_at_15_is_given_back`.
 
 /// Temperature [K] of the ice point.
 pub const ZERO_CELSIUS: f64 = 273.15;

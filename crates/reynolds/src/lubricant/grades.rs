@@ -1,17 +1,19 @@
 //! # Grades: typical oils of the classes by which oils are sold
 //!
-//! **Equation.** `nu(T)` by [`Walther`] through nu at 40 and at 100 degrees C; `rho(T)` by [`Density`] from that at 15 degrees C.
-//! A class is a window: of nu at 100 degrees C for engine oils, of nu at 40 degrees C within 10 % for ISO VG. **What stands here is one
-//! typical oil of its class**, not the class: another one differs by some 10 %, and its data sheet is better.
+//! **Equation.** `nu(T)` by [`Walther`] through nu at 40 and at 100 degrees C; `rho(T)` by [`Density`] from that at 15
+//! degrees C. A class is a window: of nu at 100 degrees C for engine oils, of nu at 40 degrees C within 10 % for ISO
+//! VG. **What stands here is one typical oil of its class**, not the class: another one differs by some 10 %, and its
+//! data sheet is better.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | nu_40, nu_100 | mm2/s | `nu_40`, `nu_100` |
 //! | rho_15 | kg/m3 | `rho_15` |
 //!
-//! **Source.** Windows: SAE J300 (2021), table 1 (low-shear kinematic viscosity at 100 degrees C); ISO 3448 (1992). Values: typical of data
-//! sheets of mineral (20W-50, 15W-40, monogrades, ISO VG, viscosity index 95 to 100) and synthetic oils (0W, 5W). **Range.** Fresh oils at low
-//! shear: multigrade oils lose some 20 to 30 % at the shear rates of engine bearings, which J300 limits by the viscosity at 150 degrees C.
+//! **Source.** Windows: SAE J300 (2021), table 1 (low-shear kinematic viscosity at 100 degrees C); ISO 3448 (1992).
+//! Values: typical of data sheets of mineral (20W-50, 15W-40, monogrades, ISO VG, viscosity index 95 to 100) and
+//! synthetic oils (0W, 5W). **Range.** Fresh oils at low shear: multigrade oils lose some 20 to 30 % at the shear rates
+//! of engine bearings, which J300 limits by the viscosity at 150 degrees C.
 //! **Verified by** `every_grade_lies_in_the_window_of_its_class` and `indices_are_those_of_such_oils` below.
 
 use super::density::{EXPANSION, ZERO_CELSIUS};
@@ -171,8 +173,8 @@ mod tests {
         assert_eq!(names.len(), GRADES.len());
     }
 
-    /// Viscosity index after ASTM D2270, up to 100: with L and H of oils of index 0 and 100 that are as viscous at 100 degrees C it is
-    /// `100 (L - nu_40)/(L - H)`. Mineral oils of today have some 95 to 105.
+    /// Viscosity index after ASTM D2270, up to 100: with L and H of oils of index 0 and 100 that are as viscous at 100
+    /// degrees C it is `100 (L - nu_40)/(L - H)`. Mineral oils of today have some 95 to 105.
     #[test]
     fn indices_are_those_of_such_oils() {
         for (name, low, high) in

@@ -1,16 +1,19 @@
 //! # Saturating viscosity: that of trial films
 //!
-//! **Equation.** Up to the pressure p_s the viscosity mu of another law; above it `mu = r mu0`, so that `p = p_s + r (q - q_s)`.
+//! **Equation.** Up to the pressure p_s the viscosity mu of another law; above it `mu = r mu0`, so that
+//! `p = p_s + r (q - q_s)`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | r = mu(p_s)/mu0 | - | [`GREATEST_RATIO`] |
 //! | p_s, q_s = q(p_s) | Pa | `pressure`, `reduced` |
 //!
-//! A search for the position of a journal tries films beyond the limit of the viscosity law. Here they have a pressure, by which the search finds back. No oil
-//! is like that: what a search has found counts by the law itself. Below q_s, 1 - 1/r of the limit of Barus' law, both are one.
+//! A search for the position of a journal tries films beyond the limit of the viscosity law. Here they have a pressure,
+//! by which the search finds back. No oil is like that: what a search has found counts by the law itself. Below q_s, 1
+//! - 1/r of the limit of Barus' law, both are one.
 //!
-//! **Source.** A device of this program. **Range.** Films that are tried, not reported. **Verified by** the tests of `lubricant`.
+//! **Source.** A device of this program. **Range.** Films that are tried, not reported. **Verified by** the tests of
+//! `lubricant`.
 
 use super::{PressureLaw, PressureViscosity};
 

@@ -1,7 +1,8 @@
 //! # Oil at a temperature: its viscosity by one law, its density by another
 //!
-//! **Equation.** `mu(T)` by [`Vogel`], or `nu(T)` by [`Walther`], by several such lines between the points of a table; `mu = rho nu`.
-//! At each temperature viscosity may grow with pressure by a [`super::PressureLaw`], whose coefficients do not depend on temperature here.
+//! **Equation.** `mu(T)` by [`Vogel`], or `nu(T)` by [`Walther`], by several such lines between the points of a table;
+//! `mu = rho nu`. At each temperature viscosity may grow with pressure by a [`super::PressureLaw`], whose coefficients
+//! do not depend on temperature here.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -10,8 +11,8 @@
 //! | rho | kg/m3 | `density` |
 //! | T | K | `temperature` |
 //!
-//! **Source.** As of the laws. **Range.** As of the laws; beyond the ends of a table its last line goes on. **Verified by**
-//! `a_table_of_two_points_is_a_line` and `tables_are_monotone` below.
+//! **Source.** As of the laws. **Range.** As of the laws; beyond the ends of a table its last line goes on. **Verified
+//! by** `a_table_of_two_points_is_a_line` and `tables_are_monotone` below.
 
 use super::{Density, Vogel, Walther};
 
@@ -68,8 +69,8 @@ pub struct ViscosityTable {
 }
 
 impl ViscosityTable {
-    /// Through points `(T [K], nu [m2/s])` in any order; none where they are fewer than two, or where between two of them viscosity does
-    /// not fall with temperature.
+    /// Through points `(T [K], nu [m2/s])` in any order; none where they are fewer than two, or where between two of
+    /// them viscosity does not fall with temperature.
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));

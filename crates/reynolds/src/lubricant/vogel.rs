@@ -1,6 +1,7 @@
 //! # Vogel: viscosity falls with temperature by three constants
 //!
-//! **Equation.** `mu = a exp(b/(t + c))`, t in degrees C; with the temperature T in K `mu = a exp(b/(T - T_0))`, `T_0 = 273.15 K - c`.
+//! **Equation.** `mu = a exp(b/(t + c))`, t in degrees C; with the temperature T in K `mu = a exp(b/(T - T_0))`,
+//! `T_0 = 273.15 K - c`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -10,7 +11,8 @@
 //! | b | K | `exponent` |
 //! | T_0 | K | `singular` |
 //!
-//! **Source.** Vogel, Physik. Z. 22 (1921) 645; in this form Cameron, The Principles of Lubrication (1966), c = 95 K for mineral oils.
+//! **Source.** Vogel, Physik. Z. 22 (1921) 645; in this form Cameron, The Principles of Lubrication (1966), c = 95 K
+//! for mineral oils.
 //! **Range.** T well above T_0, where the law has no meaning. **Verified by** `the_law_falls_towards_its_factor` and
 //! `through_three_points` below.
 

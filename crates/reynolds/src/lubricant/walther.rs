@@ -8,8 +8,10 @@
 //! | T | K | `temperature` |
 //! | A, B | - | `intercept`, `slope` |
 //!
-//! **Source.** Walther, Erdoel und Teer 7 (1931) 382; Ubbelohde, Zur Viskosimetrie (1935); ASTM D341, without its terms for nu < 2 mm2/s.
-//! **Range.** nu from 2 mm2/s up, the oil a liquid: above its pour point and below some 200 degrees C. It needs nu > 0.3 mm2/s.
+//! **Source.** Walther, Erdoel und Teer 7 (1931) 382; Ubbelohde, Zur Viskosimetrie (1935); ASTM D341, without its terms
+//! for nu < 2 mm2/s.
+//! **Range.** nu from 2 mm2/s up, the oil a liquid: above its pour point and below some 200 degrees C. It needs nu >
+//! 0.3 mm2/s.
 //! **Verified by** `the_line_runs_through_its_points` and `a_viscosity_between_is_that_of_the_chart` below.
 
 /// A line on the chart.
@@ -28,7 +30,8 @@ fn ordinate(kinematic_viscosity: f64) -> f64 {
 }
 
 impl Walther {
-    /// Through two points `(T [K], nu [m2/s])`; none where they do not make a line on which viscosity falls with temperature.
+    /// Through two points `(T [K], nu [m2/s])`; none where they do not make a line on which viscosity falls with
+    /// temperature.
     pub fn through(one: (f64, f64), other: (f64, f64)) -> Option<Self> {
         let slope = (ordinate(one.1) - ordinate(other.1)) / (other.0.log10() - one.0.log10());
         let line = Self { intercept: ordinate(one.1) + slope * one.0.log10(), slope };
@@ -71,7 +74,8 @@ mod tests {
         }
     }
 
-    /// By hand for 55 and 8.19 mm2/s: `lg lg 55.7 = 0.242008`, `lg lg 8.89 = -0.022779`, at 70 degrees C `nu = 17.923 mm2/s`.
+    /// By hand for 55 and 8.19 mm2/s: `lg lg 55.7 = 0.242008`, `lg lg 8.89 = -0.022779`, at 70 degrees C
+    /// `nu = 17.923 mm2/s`.
     #[test]
     fn a_viscosity_between_is_that_of_the_chart() {
         let line = Walther::through((313.15, 55e-6), (373.15, 8.19e-6)).expect("a line");

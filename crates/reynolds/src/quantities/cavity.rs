@@ -1,16 +1,18 @@
 //! # Extent of the cavity and of tension
 //!
-//! **Equation.** `A_c/A`: area of the film that is in the cavity over the area that is free to be; `theta_min`: least film
-//! fraction. Likewise the share of the area where the pressure lies below a level.
+//! **Equation.** `A_c/A`: area of the film that is in the cavity over the area that is free to be; `theta_min`: least
+//! film fraction. Likewise the share of the area where the pressure lies below a level.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | A_c/A | 1 | `share` |
 //! | theta_min | 1 | `least_fraction` |
 //!
-//! **Source.** Definition: a node of a mass-conserving film stands for a third of each sub-triangle that it bounds, the middle
-//! of an edge (a vertex of linear elements) of Swift-Stieber's for a third of each triangle; nodes of given pressure stand for nothing.
-//! **Range.** First order in the size of the cells. **Verified by** `tests/tests/oil_balance.rs`, a film that breaks on half of a ring.
+//! **Source.** Definition: a node of a mass-conserving film stands for a third of each sub-triangle that it bounds, the
+//! middle of an edge (a vertex of linear elements) of Swift-Stieber's for a third of each triangle; nodes of given
+//! pressure stand for nothing.
+//! **Range.** First order in the size of the cells. **Verified by** `tests/tests/oil_balance.rs`, a film that breaks on
+//! half of a ring.
 
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
@@ -79,8 +81,8 @@ fn share(film: &SolvedFilm) -> f64 {
     if whole > 0.0 { held / whole } else { 0.0 }
 }
 
-/// Share of a triangle of a pressure film [1] that the cavity of Swift and Stieber takes, or where Guembel drops the pressure; zero for
-/// other models.
+/// Share of a triangle of a pressure film [1] that the cavity of Swift and Stieber takes, or where Guembel drops the
+/// pressure; zero for other models.
 pub(super) fn broken_share(film: &SolvedFilm, t: usize) -> f64 {
     let SolvedFilm { problem, system, solution } = film;
     let space = system.space();
@@ -98,8 +100,9 @@ pub(super) fn broken_share(film: &SolvedFilm, t: usize) -> f64 {
     if free > 0.0 { broken / free } else { 0.0 }
 }
 
-/// Share of the area [1] of triangles in which a cavity may hide from the mesh: where none is shown, the film diverges (by thirds, as their corners), and the pressure
-/// is within `margin` [Pa] of that of the cavity. Zero without a model of cavitation.
+/// Share of the area [1] of triangles in which a cavity may hide from the mesh: where none is shown, the film diverges
+/// (by thirds, as their corners), and the pressure is within `margin` [Pa] of that of the cavity. Zero without a model
+/// of cavitation.
 pub fn hidden_share(film: &SolvedFilm, margin: f64) -> f64 {
     let SolvedFilm { problem, system, solution } = film;
     let Some(cavity) = problem.cavitation.pressure() else {

@@ -1,7 +1,8 @@
 //! # Contact: what the asperities of journal and liner carry
 //!
-//! **Equation.** `W_a = Int p_a(h) (cos phi, sin phi) dA`, `m_a = Int p_a z (cos phi, sin phi) dA`, friction `P_a = mu_b |U| Int p_a dA`; over every triangle of the
-//! film, in cavities and at the ends too. Where the journal moves, `dW_a = Int p_a'(h) dh (cos phi, sin phi) dA`.
+//! **Equation.** `W_a = Int p_a(h) (cos phi, sin phi) dA`, `m_a = Int p_a z (cos phi, sin phi) dA`, friction
+//! `P_a = mu_b |U| Int p_a dA`; over every triangle of the film, in cavities and at the ends too. Where the journal
+//! moves, `dW_a = Int p_a'(h) dh (cos phi, sin phi) dA`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -11,7 +12,8 @@
 //!
 //! All integrals are sums over the same points ([`super::contact_points`]).
 //!
-//! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by** `tests/tests/contact`.
+//! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by**
+//! `tests/tests/contact`.
 
 use super::contact_division::Accuracy;
 use super::contact_points::ContactPoints;

@@ -1,19 +1,22 @@
 //! # Division of triangles: where contact is integrated more finely
 //!
-//! **Equation.** `Q = (1 - w) Q_0 + w Sum Q_k`: a part of a triangle by its own rule, `Q_0`, and by those of its quarters, `Q_k`, each of which is divided in the same way;
-//! `w = s^2 (3 - 2 s)`, `s = (r - r_0)/(1 - r_0)` between 0 and 1, r the change of the gap over the part, relative to the greatest that is allowed.
+//! **Equation.** `Q = (1 - w) Q_0 + w Sum Q_k`: a part of a triangle by its own rule, `Q_0`, and by those of its
+//! quarters, `Q_k`, each of which is divided in the same way; `w = s^2 (3 - 2 s)`, `s = (r - r_0)/(1 - r_0)` between 0
+//! and 1, r the change of the gap over the part, relative to the greatest that is allowed.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | r, r_0 | 1 | `steepness`, `STEADY` |
 //! | w | 1 | [`Division::Quarters`] |
 //!
-//! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is quartered, and each part again, until the gap changes little over a part, and
-//! further where the law has a kink in it. Contact depends on the gap alone, so that this quadrature, and not the elements of the film, limits its accuracy. The sums are continuous in the
-//! gap: those that jump where a part is divided may have no balance with a load, or with the wall, on coarse triangles.
+//! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is quartered,
+//! and each part again, until the gap changes little over a part, and further where the law has a kink in it. Contact
+//! depends on the gap alone, so that this quadrature, and not the elements of the film, limits its accuracy. The sums
+//! are continuous in the gap: those that jump where a part is divided may have no balance with a load, or with the
+//! wall, on coarse triangles.
 //!
-//! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by**
-//! `loads_are_balanced_where_coarse_triangles_are_divided`, `tests/tests/contact`.
+//! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.**
+//! Any law of contact. **Verified by** `loads_are_balanced_where_coarse_triangles_are_divided`, `tests/tests/contact`.
 
 use std::sync::LazyLock;
 
@@ -24,12 +27,15 @@ use crate::contact::{ContactLaw, Fineness};
 
 /// Triangles, and their parts again, are quartered at most this often,
 const MOST_QUARTERINGS: usize = 5;
-/// until the gap changes by a part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
-/// is the same for parts that are longer by the tenth root where the pressure is less.
+/// until the gap changes by a part of the scale of the law over each part where the pressure is the hardness: an error
+/// that falls with the tenth power of the parts is the same for parts that are longer by the tenth root where the
+/// pressure is less.
 const ORDER: f64 = 10.0;
-/// Below this part of the least pressure at which triangles are quartered, which is far below what a film or a load is known to, there is no contact.
+/// Below this part of the least pressure at which triangles are quartered, which is far below what a film or a load is
+/// known to, there is no contact.
 const NOTHING: f64 = 1e-4;
-/// Parts in which the law has a kink are quartered at least so often. With two quarterings on the way to a balance what the weights of quarters add to the tangent, which leaves it out, would make Newton's method slow.
+/// Parts in which the law has a kink are quartered at least so often. With two quarterings on the way to a balance what
+/// the weights of quarters add to the tangent, which leaves it out, would make Newton's method slow.
 const KINK_QUARTERINGS: usize = 4;
 /// From this part of the greatest change of the gap on the quarters of a part take over.
 const STEADY: f64 = 0.85;

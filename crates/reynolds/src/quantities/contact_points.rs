@@ -1,17 +1,18 @@
 //! # Points of contact: where rough surfaces touch, once a film
 //!
-//! **Equation.** `Int f(p_a, p_a') dA = Sum a f(p_a(h), p_a'(h))` over points of the developed surface with areas a: what contact carries, what it presses the wall with, and how
-//! both change with the gap, all by the same points.
+//! **Equation.** `Int f(p_a, p_a') dA = Sum a f(p_a(h), p_a'(h))` over points of the developed surface with areas a:
+//! what contact carries, what it presses the wall with, and how both change with the gap, all by the same points.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | a | m2 | `area` |
 //! | p_a, p_a' | Pa, Pa/m | `pressure`, `slope` |
 //!
-//! Triangles are divided as the gap asks for (`contact_division`); for the splines of a wall parts are no wider than its cells, too.
+//! Triangles are divided as the gap asks for (`contact_division`); for the splines of a wall parts are no wider than
+//! its cells, too.
 //!
-//! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by** `tests/tests/contact`,
-//! `tests/full/tests/contact`.
+//! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.**
+//! Any law of contact. **Verified by** `tests/tests/contact`, `tests/full/tests/contact`.
 
 use oilwedge_fem::in_order;
 use oilwedge_fem::integrate::Rule;
@@ -215,7 +216,8 @@ impl ContactPoints {
         Some(Self { points: points.concat(), splines: grid.map_or([0; 2], Grid::numbers) })
     }
 
-    /// These points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is that of their contact.
+    /// These points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is that of
+    /// their contact.
     pub fn bent_further(&self, law: &ContactLaw, more: &[f64]) -> Self {
         let bent = |point: &ContactPoint| {
             let gap = point.gap + point.splines.value(self.splines, more);

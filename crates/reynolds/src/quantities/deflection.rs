@@ -1,12 +1,14 @@
 //! # Greatest deflection of the wall
 //!
-//! **Equation.** `delta_max = max d(phi, z)` over the triangles of the film, between nodes by the polynomial through them.
+//! **Equation.** `delta_max = max d(phi, z)` over the triangles of the film, between nodes by the polynomial through
+//! them.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | d | m | [`crate::film_thickness::Deflection`] |
 //!
-//! **Source.** Definition. **Range.** Walls whose deflection the triangles resolve. **Verified by** `tests/tests/liner`.
+//! **Source.** Definition. **Range.** Walls whose deflection the triangles resolve. **Verified by**
+//! `tests/tests/liner`.
 
 use oilwedge_fem::Field;
 

@@ -1,7 +1,9 @@
 //! # Film of a journal whose axis deviates from that of the bearing: criteria of a crankshaft's bearings
 //!
-//! **Equation.** `Delta_gamma = h_0 - min(h_1, h_2)`, `h* = h_0/(1 + k Delta_gamma^2)`, `k = 1/s^2`; where the film is thicker at both ends, Delta_gamma < 0, `h* = h_0`. For several bearings of one shaft the crown that keeps the thinnest
-//! ends as far off as the thinnest middle is `E = min h_0 - min(h_1, h_2)`, both over all bearings; for one bearing that is its Delta_gamma.
+//! **Equation.** `Delta_gamma = h_0 - min(h_1, h_2)`, `h* = h_0/(1 + k Delta_gamma^2)`, `k = 1/s^2`; where the film is
+//! thicker at both ends, Delta_gamma < 0, `h* = h_0`. For several bearings of one shaft the crown that keeps the
+//! thinnest ends as far off as the thinnest middle is `E = min h_0 - min(h_1, h_2)`, both over all bearings; for one
+//! bearing that is its Delta_gamma.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,8 +11,10 @@
 //! | h_1, h_2 | m | `ends`: least films at both ends, likewise |
 //! | s | m | `scale`: the deviation that halves h* |
 //!
-//! **Source.** Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow, 1996), criteria of serviceability and table 2: k = 0.01/um^2, found from the
-//! wear of main bearings. **Range.** Comparison of bearings of one kind; h* is no thickness anywhere. **Verified by** `tests/tests/literature/zharov_1996.rs`.
+//! **Source.** Zharov, Modelling of the tribosystem crankshaft - bearings - supports (dissertation, VNIIZhT Moscow,
+//! 1996), criteria of serviceability and table 2: k = 0.01/um^2, found from the wear of main bearings. **Range.**
+//! Comparison of bearings of one kind; h* is no thickness anywhere. **Verified by**
+//! `tests/tests/literature/zharov_1996.rs`.
 
 use crate::{FilmProblem, FilmSystem, Gap, JournalState};
 

@@ -1,18 +1,20 @@
 //! # Oil that a cavity makes beside an end
 //!
-//! **Equation.** `Int (div(U h/2) + dh/dt) phi_i dA` over a Swift-Stieber cavity, for the nodes i where pressure is given: the
-//! reaction there counts it, but nothing flows through an end beside a cavity. Where the edge of the cavity runs through a triangle
-//! the integral goes over the part where the pressure is that of the cavity. Where Guembel drops the pressure the reaction also counts
-//! `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure dropped would drive. What is left is the oil that the journal drags. Where the
-//! pressure of the place is above that of the cavity a film thinner than the triangle lies between them, and what is made there is a matter of the mesh: all of it counts as unsure.
+//! **Equation.** `Int (div(U h/2) + dh/dt) phi_i dA` over a Swift-Stieber cavity, for the nodes i where pressure is
+//! given: the reaction there counts it, but nothing flows through an end beside a cavity. Where the edge of the cavity
+//! runs through a triangle the integral goes over the part where the pressure is that of the cavity. Where Guembel
+//! drops the pressure the reaction also counts `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure
+//! dropped would drive. What is left is the oil that the journal drags. Where the pressure of the place is above that
+//! of the cavity a film thinner than the triangle lies between them, and what is made there is a matter of the mesh:
+//! all of it counts as unsure.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | made beside node i | m3/s | `made` |
 //!
-//! **Source.** Definition. **Range.** Swift-Stieber and Guembel films; zero for others. Without it the side flow would be off by the
-//! oil made in a strip of half a triangle along the ends: some hundredths on common meshes. **Verified by** the convergence of side flows in
-//! `docs/validation/accuracy.md`.
+//! **Source.** Definition. **Range.** Swift-Stieber and Guembel films; zero for others. Without it the side flow would
+//! be off by the oil made in a strip of half a triangle along the ends: some hundredths on common meshes. **Verified
+//! by** the convergence of side flows in `docs/validation/accuracy.md`.
 
 use oilwedge_fem::field::evaluate;
 use oilwedge_fem::integrate::{Nodal, Rule};
@@ -79,7 +81,8 @@ pub(super) fn made_beside(film: &SolvedFilm) -> Vec<Beside> {
         for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| is_given(**dof)) {
             beside[dof].made += made;
             beside[dof].unsure += match dropped {
-                // Between the place and what is dropped there is film, thinner than the triangle: how much of it is dropped is a matter of the mesh.
+                // Between the place and what is dropped there is film, thinner than the triangle: how much of it is
+                // dropped is a matter of the mesh.
                 Some(_) if solution.unknown[dof] > floor => made.abs(),
                 // Guembel's edge is a level of the pressure, known as well as that.
                 Some(_) => 0.0,

@@ -1,14 +1,17 @@
 //! # Where the loaded film begins and where it ruptures
 //!
-//! **Equation.** On the line z = 0, from the angle of the greatest pressure against the rotation and with it (at rest, with growing phi): the first place in the
-//! cavity. Before that the film ends at an edge of an arc, at the line of a film start, and at a feed at the pressure of the cavity that is cut out of the liner.
+//! **Equation.** On the line z = 0, from the angle of the greatest pressure against the rotation and with it (at rest,
+//! with growing phi): the first place in the cavity. Before that the film ends at an edge of an arc, at the line of a
+//! film start, and at a feed at the pressure of the cavity that is cut out of the liner.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | x = R phi of both ends | m | `begins`, `ends` |
 //!
-//! **Source.** The film arc of Raimondi, Boyd, Trans. ASLE 1 (1958) 159; rupture and reformation boundaries of Elrod, J. Lubr. Technol. 103 (1981) 350.
-//! **Range.** Models of cavitation; none where the film is full all around, or where the line is cut out of the liner. **Verified by** `tests/full/tests/film_places.rs`.
+//! **Source.** The film arc of Raimondi, Boyd, Trans. ASLE 1 (1958) 159; rupture and reformation boundaries of Elrod,
+//! J. Lubr. Technol. 103 (1981) 350.
+//! **Range.** Models of cavitation; none where the film is full all around, or where the line is cut out of the liner.
+//! **Verified by** `tests/full/tests/film_places.rs`.
 
 use oilwedge_fem::Field;
 use oilwedge_fem::control_volumes::{sub_triangle_at, sub_triangles};
@@ -39,7 +42,8 @@ pub struct FilmEnd {
     pub kind: EndKind,
     /// Triangle that it is in or beside.
     pub triangle: usize,
-    /// Length [m] within which the mesh cannot resolve where it is: that of the triangle for a front that the film finds, zero at a given line.
+    /// Length [m] within which the mesh cannot resolve where it is: that of the triangle for a front that the film
+    /// finds, zero at a given line.
     pub unsure: f64,
 }
 

@@ -10,12 +10,12 @@
 //! | Int theta dh/dt dA | m3/s | `taken_up` |
 //! | Q_c | m3/s | `cavity` |
 //!
-//! Guembel's film is that of the equation with its low pressures dropped. What those would drive through a place of given pressure does not count, and
-//! is made by the cavity; what the journal drags there does.
+//! Guembel's film is that of the equation with its low pressures dropped. What those would drive through a place of
+//! given pressure does not count, and is made by the cavity; what the journal drags there does.
 //!
 //! **Source.** Hughes, Engel, Mazzei, Larson, J. Comput. Phys. 163 (2000) 467.
-//! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance shows. **Verified by** `flows_balance` in the tests of the scenes and
-//! `tests/tests/oil_balance.rs`.
+//! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance shows.
+//! **Verified by** `flows_balance` in the tests of the scenes and `tests/tests/oil_balance.rs`.
 
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::integrate::Rule;
@@ -37,8 +37,8 @@ pub struct RegionFlow {
     pub inward: f64,
     /// The part that leaves [m3/s].
     pub outward: f64,
-    /// What is booked by where the edge of a Swift-Stieber cavity runs within a triangle, and at nodes that another region
-    /// has too [m3/s].
+    /// What is booked by where the edge of a Swift-Stieber cavity runs within a triangle, and at nodes that another
+    /// region has too [m3/s].
     pub unsure: f64,
 }
 
@@ -49,18 +49,20 @@ pub struct Flows {
     pub regions: Vec<RegionFlow>,
     /// Sum of all that enters, that a cavity makes and that a shrinking film sets free [m3/s].
     pub throughput: f64,
-    /// How well the discrete equations are balanced: what the nodes of all regions and the cavity bring, less what the film
-    /// takes up, over the throughput.
+    /// How well the discrete equations are balanced: what the nodes of all regions and the cavity bring, less what the
+    /// film takes up, over the throughput.
     pub imbalance: f64,
     /// Volume that the film takes up as it grows [m3/s]; negative where more is pressed out.
     pub taken_up: f64,
-    /// Oil that a cavity makes which conserves none [m3/s], Swift and Stieber's or Guembel's; negative where it loses some.
+    /// Oil that a cavity makes which conserves none [m3/s], Swift and Stieber's or Guembel's; negative where it loses
+    /// some.
     pub cavity: f64,
 }
 
 /// A throughput below this part of the flow that the film could have is rounding.
 pub(super) const STILL: f64 = 1e-10;
-/// The imbalance is relative to this part of that flow at least: where oil only goes round, next to none comes and leaves.
+/// The imbalance is relative to this part of that flow at least: where oil only goes round, next to none comes and
+/// leaves.
 const HARDLY: f64 = 1e-6;
 
 /// Flow [m3/s] that speed, squeeze or given pressures would drive through the clearance.

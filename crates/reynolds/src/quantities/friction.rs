@@ -1,7 +1,8 @@
 //! # Friction: the torque that turns the journal
 //!
-//! **Equation.** On the journal `T = R Int (theta mu U/h + h/2 dp/dx) dA`, on the bearing `T_b = R Int (theta mu U/h - h/2 dp/dx) dA`; on a
-//! ring of one film `T - T_b = W_y e_x - W_x e_y`, the moment of the load about the bearing's centre. `f = T/(R W)`.
+//! **Equation.** On the journal `T = R Int (theta mu U/h + h/2 dp/dx) dA`, on the bearing
+//! `T_b = R Int (theta mu U/h - h/2 dp/dx) dA`; on a ring of one film `T - T_b = W_y e_x - W_x e_y`, the moment of the
+//! load about the bearing's centre. `f = T/(R W)`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -11,8 +12,8 @@
 //!
 //! Contact adds `R mu_b Int p_a dA` to both ([`super::contact`]).
 //!
-//! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: the drag of the whole film, cavity included. **Range.** A turning journal; the torque
-//! is positive against the rotation. **Verified by** `tests/tests/friction.rs`.
+//! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: the drag of the whole film, cavity included. **Range.** A
+//! turning journal; the torque is positive against the rotation. **Verified by** `tests/tests/friction.rs`.
 
 use super::power::Power;
 use crate::{Bearing, JournalState};

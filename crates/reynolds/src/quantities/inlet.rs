@@ -1,15 +1,18 @@
 //! # Flow into the loaded film
 //!
-//! **Equation.** `Q = Int (theta U h/2 - h^3/(12 mu0) dq/dx) dz`, in the sense of the rotation, along the line at which the loaded film begins:
-//! behind the film start, behind the leading edge of an arc; in a ring without such lines where the film is thickest. Where a feed lies on that line
-//! it is taken just behind the feed, so that the oil which the feed brings counts; a groove all around cuts every line.
+//! **Equation.** `Q = Int (theta U h/2 - h^3/(12 mu0) dq/dx) dz`, in the sense of the rotation, along the line at which
+//! the loaded film begins: behind the film start, behind the leading edge of an arc; in a ring without such lines where
+//! the film is thickest. Where a feed lies on that line it is taken just behind the feed, so that the oil which the
+//! feed brings counts; a groove all around cuts every line.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | Q | m3/s | `inlet_flow` |
 //!
-//! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: their flow Q, of which the part Q_s leaves at the ends and the rest goes round.
-//! **Range.** A turning journal; the film alone, without what grooves all around carry. **Verified by** `tests/tests/friction.rs`.
+//! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: their flow Q, of which the part Q_s leaves at the ends and the
+//! rest goes round.
+//! **Range.** A turning journal; the film alone, without what grooves all around carry. **Verified by**
+//! `tests/tests/friction.rs`.
 
 use oilwedge_fem::Field;
 use oilwedge_fem::control_volumes::sub_triangle_at;
@@ -56,7 +59,8 @@ pub fn inlet_flows(film: &SolvedFilm) -> Option<Vec<f64>> {
     Some((0..is_film.len()).map(part).collect())
 }
 
-/// Position [m] just behind the line at `x`, or behind the feed on it, in the sense of `step` [m]; on the line where feeds leave no other place.
+/// Position [m] just behind the line at `x`, or behind the feed on it, in the sense of `step` [m]; on the line where
+/// feeds leave no other place.
 fn behind_feeds(system: &FilmSystem, x: f64, step: f64) -> f64 {
     let mesh = system.space().mesh();
     let feeds = system.supply.regions().iter().filter(|region| region.kind == BoundaryKind::Feed);
@@ -111,13 +115,7 @@ fn line(problem: &FilmProblem, system: &FilmSystem, sense: f64) -> f64 {
 
 /// Flow [m3/s] towards growing x through the part of the line at `x` [m] that lies in triangle `t`; pressure drives the
 /// part `around` of it. In a cavity flows the oil of the `carriage`.
-fn across(
-    (film, carriage): (&SolvedFilm, Option<&Carriage>),
-    law: &FilmLaw,
-    t: usize,
-    x: f64,
-    around: f64,
-) -> f64 {
+fn across((film, carriage): (&SolvedFilm, Option<&Carriage>), law: &FilmLaw, t: usize, x: f64, around: f64) -> f64 {
     let space = film.system.space();
     let corners = space.mesh().corners(t);
     let x = match space.mesh().period() {

@@ -4,16 +4,17 @@
 //! ```text
 //! Q_c = Q + Int (J_0 . grad phi_c + div J_0 phi_c) dA - what a cavity makes beside c
 //! ```
-//! with the residual Q there and the flow J_0 that no pressure drives: what pressure drives through the node. It is booked
-//! to one of the two, though each takes about half of it: either flow may be off by as much. Where the two pressures differ, the
-//! flow from one to the other grows like a logarithm as the mesh is refined, and so does this share of it.
+//! with the residual Q there and the flow J_0 that no pressure drives: what pressure drives through the node. It is
+//! booked to one of the two, though each takes about half of it: either flow may be off by as much. Where the two
+//! pressures differ, the flow from one to the other grows like a logarithm as the mesh is refined, and so does this
+//! share of it.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | Q_c | m3/s | `unsure` |
 //!
-//! **Source.** Definition. **Range.** Films that conserve no oil in a cavity. **Verified by** the coverage of side flows in
-//! `tests/full/tests/coverage.rs`.
+//! **Source.** Definition. **Range.** Films that conserve no oil in a cavity. **Verified by** the coverage of side
+//! flows in `tests/full/tests/coverage.rs`.
 
 use oilwedge_fem::integrate::Rule;
 

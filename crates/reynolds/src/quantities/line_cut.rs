@@ -7,12 +7,13 @@
 //! | x | m | `at` |
 //! | s | 1 | `part` |
 //!
-//! **Source.** Definition. **Range.** Sides taken straight. **Verified by** `tests/tests/friction.rs` (flows through lines) and `tests/full/tests/film_places.rs`.
+//! **Source.** Definition. **Range.** Sides taken straight. **Verified by** `tests/tests/friction.rs` (flows through
+//! lines) and `tests/full/tests/film_places.rs`.
 
 const REFERENCE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// The two points, in reference coordinates, at which the line on which coordinate `axis` is `at` [m] cuts the sides of a triangle taken straight; `None` where
-/// it passes by. Of two triangles with a side on the line one is cut.
+/// The two points, in reference coordinates, at which the line on which coordinate `axis` is `at` [m] cuts the sides of
+/// a triangle taken straight; `None` where it passes by. Of two triangles with a side on the line one is cut.
 pub(super) fn cut(corners: &[[f64; 2]; 3], axis: usize, at: f64) -> Option<[[f64; 2]; 2]> {
     let cuts = (0..3).filter_map(|k| {
         let (a, b) = (k, (k + 1) % 3);

@@ -1,10 +1,10 @@
 //! # Load and moment: what the film carries
 //!
-//! **Equation.** `W = Int (p - p_e) (cos phi, sin phi) dA` over the whole developed surface: the
-//! film by quadrature, regions cut out of the mesh with their pressure. For a region D
-//! `Int_D cos(x/R) dA = R closed-Int sin(x/R) dz`, `Int_D sin(x/R) dA = -R closed-Int cos(x/R) dz`. The moment about mid-length is
-//! `m = Int (p - p_e) z (cos phi, sin phi) dA`, with z under the integrals of the rims: each part is a force times its arm along the axis, so that
-//! m does work on the slope of the journal's axis as W does on its offset.
+//! **Equation.** `W = Int (p - p_e) (cos phi, sin phi) dA` over the whole developed surface: the film by quadrature,
+//! regions cut out of the mesh with their pressure. For a region D `Int_D cos(x/R) dA = R closed-Int sin(x/R) dz`,
+//! `Int_D sin(x/R) dA = -R closed-Int cos(x/R) dz`. The moment about mid-length is
+//! `m = Int (p - p_e) z (cos phi, sin phi) dA`, with z under the integrals of the rims: each part is a force times its
+//! arm along the axis, so that m does work on the slope of the journal's axis as W does on its offset.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -14,8 +14,8 @@
 //!
 //! With contact the journal carries that too ([`contact`]).
 //!
-//! **Source.** Definition; Green's theorem. **Range.** Any closed rim that does not wind round the ring
-//! alone, and that of a groove from end to end. **Verified by** `disc_and_rim_agree`, meshed against cut-out holes, scikit-fem.
+//! **Source.** Definition; Green's theorem. **Range.** Any closed rim that does not wind round the ring alone, and that
+//! of a groove from end to end. **Verified by** `disc_and_rim_agree`, meshed against cut-out holes, scikit-fem.
 
 use std::f64::consts::TAU;
 
@@ -83,8 +83,8 @@ pub(crate) fn cut_out_shares(problem: &FilmProblem, system: &FilmSystem) -> Vec<
     cut_out.map(|region| (region.name.clone(), cut_out_share(problem, mesh, region))).collect()
 }
 
-/// What loads are small against [N]: what the pressures of a film with this `share` could carry, all on one side. At least what is rounding against
-/// drag and against the pressure of the ends.
+/// What loads are small against [N]: what the pressures of a film with this `share` could carry, all on one side. At
+/// least what is rounding against drag and against the pressure of the ends.
 pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
     const ROUNDING: f64 = 1e-6;
     let bearing = &problem.bearing;
@@ -93,16 +93,16 @@ pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
     share.possible.max(rounding)
 }
 
-/// First-order change of force and moment with `changes` of the journal and the gap, by which the unknown changes at each dof; contact follows the gap, regions cut out
-/// keep their pressure.
+/// First-order change of force and moment with `changes` of the journal and the gap, by which the unknown changes at
+/// each dof; contact follows the gap, regions cut out keep their pressure.
 pub fn load_change(film: &SolvedFilm, changes: &[FilmChange<'_>], unknown: &[f64]) -> Resultant {
     let mut sum = oil_change(film, unknown);
     sum += contact::contact_change(&film.problem, &film.system, changes);
     sum
 }
 
-/// First-order change of force and moment of the oil where the unknown changes by `change` at each dof; regions cut out keep their
-/// pressure.
+/// First-order change of force and moment of the oil where the unknown changes by `change` at each dof; regions cut out
+/// keep their pressure.
 pub fn oil_change(film: &SolvedFilm, change: &[f64]) -> Resultant {
     let excess = |[u, change]: [f64; 2]| film.problem.pressure_slope_at(u) * change;
     let Integral { force, moment, .. } =
@@ -211,8 +211,9 @@ fn disc_moments(disc: &Disc, radius: f64) -> Moments {
     moments
 }
 
-/// Along the quadratic edges of the rim, the film on their left and the region on their right. What closes the rim of a groove of full length lies on
-/// the ends, along which `dz = 0`; the area is counted along the axis, and on a ring it is known up to whole rings.
+/// Along the quadratic edges of the rim, the film on their left and the region on their right. What closes the rim of a
+/// groove of full length lies on the ends, along which `dz = 0`; the area is counted along the axis, and on a ring it
+/// is known up to whole rings.
 fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
     let mut moments = [0.0; 5];
     for at in supply::rim(mesh, region).flat_map(|edge| edge_points(mesh, edge)) {
@@ -232,11 +233,11 @@ fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
     moments
 }
 
-/// What the share of a region that is cut out of the mesh may be off [N], because parabolas stand for the arcs of its rim; zero for a region that is one round
-/// hole, whose shape is given, and along straight sides.
+/// What the share of a region that is cut out of the mesh may be off [N], because parabolas stand for the arcs of its
+/// rim; zero for a region that is one round hole, whose shape is given, and along straight sides.
 ///
-/// Between an arc of half the angle a and the parabola through its ends and its middle lies the area `r^2 a^5/30`. That is `8 s^3/(15 l)` for the height s of the
-/// arc over its chord l.
+/// Between an arc of half the angle a and the parabola through its ends and its middle lies the area `r^2 a^5/30`. That
+/// is `8 s^3/(15 l)` for the height s of the arc over its chord l.
 pub fn rim_error(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> f64 {
     /// An edge whose middle is off its chord by less than this part of its length is straight.
     const STRAIGHT: f64 = 1e-9;

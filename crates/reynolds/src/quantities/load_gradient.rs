@@ -1,7 +1,8 @@
 //! # Change of the load as a linear form: of the unknown at each dof, and of the wall
 //!
-//! **Equation.** `dW = Int p'(u) du (cos phi, sin phi) dA + Int p_a'(h) dd (cos phi, sin phi) dA`, with z under the integrals for the moment: a sum over dofs and over the splines of the wall.
-//! An iteration that asks for many changes at one film integrates once.
+//! **Equation.** `dW = Int p'(u) du (cos phi, sin phi) dA + Int p_a'(h) dd (cos phi, sin phi) dA`, with z under the
+//! integrals for the moment: a sum over dofs and over the splines of the wall. An iteration that asks for many changes
+//! at one film integrates once.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,8 +10,8 @@
 //! | du | Pa | `unknown` |
 //! | dd | m | `wall` |
 //!
-//! **Source.** The first-order change of [`super::load`]. **Range.** Any film; small changes. **Verified by** `the_gradient_of_the_load_is_its_change`: it is
-//! [`super::load::load_change`].
+//! **Source.** The first-order change of [`super::load`]. **Range.** Any film; small changes. **Verified by**
+//! `the_gradient_of_the_load_is_its_change`: it is [`super::load::load_change`].
 
 use std::ops::AddAssign;
 
@@ -50,7 +51,8 @@ impl LoadGradient {
         Self { by_unknown: by_unknown(film), by_wall: contact.map_or_else(Vec::new, ContactPoints::load_by_wall) }
     }
 
-    /// Of one part, force towards x or y or its moment: by the unknown at each dof, and by the coefficient of each spline of the wall; this is empty where surfaces do not touch.
+    /// Of one part, force towards x or y or its moment: by the unknown at each dof, and by the coefficient of each
+    /// spline of the wall; this is empty where surfaces do not touch.
     pub fn of_part(&self, part: usize) -> [Vec<f64>; 2] {
         [&self.by_unknown, &self.by_wall].map(|by| by.iter().map(|parts| parts[part]).collect())
     }

@@ -1,15 +1,16 @@
 //! # Power: what the journal puts in, and where it goes
 //!
-//! **Equation.** With the drag on the journal `tau = mu U/h + h/2 grad p` and the pressure P = p - p_e above that of the ends
+//! **Equation.** With the drag on the journal `tau = mu U/h + h/2 grad p` and the pressure P = p - p_e above that of
+//! the ends
 //! ```text
 //! shear        Int theta mu |U|^2/h dA            pressure   Int h/2 U . grad P dA
 //! motion     -Int theta dh/dt P dA               supplied   sum of Q_i P_i where pressure is given,   cavity likewise
 //! dissipated   Int theta mu |U|^2/h + h^3/(12 mu) |grad p|^2 dA = shear + pressure + motion + supplied + cavity
 //! ```
-//! The last line is the energy integral of the film, and an identity of the discrete equation too: tested with the nodal interpolant of
-//! P, all residuals vanish but those where pressure is given or held, which are the flows Q_i there. So its two sides come by two ways: as
-//! integrals over the film, and as flows times pressures. In a mass-conserving film the scheme's own flows between cells stand for the
-//! integrals of grad p.
+//! The last line is the energy integral of the film, and an identity of the discrete equation too: tested with the
+//! nodal interpolant of P, all residuals vanish but those where pressure is given or held, which are the flows Q_i
+//! there. So its two sides come by two ways: as integrals over the film, and as flows times pressures. In a
+//! mass-conserving film the scheme's own flows between cells stand for the integrals of grad p.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -17,9 +18,11 @@
 //! | Q_i P_i | W | `supplied`, `cavity` |
 //! | h^3/(12 mu) grad p . grad P | W | `driven` |
 //!
-//! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 7.
-//! **Range.** The film, cavities included: full shear there but for a mass-conserving film, whose oil fills theta of the gap. No film, and no
-//! shear, where a feed gives the pressure. The as-printed form makes oil, and its power does not balance. **Verified by** `tests/tests/friction.rs`.
+//! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film
+//! Lubrication (2004), ch. 7.
+//! **Range.** The film, cavities included: full shear there but for a mass-conserving film, whose oil fills theta of
+//! the gap. No film, and no shear, where a feed gives the pressure. The as-printed form makes oil, and its power does
+//! not balance. **Verified by** `tests/tests/friction.rs`.
 
 use oilwedge_fem::control_volumes::{SubTriangleRules, sub_triangles};
 use oilwedge_fem::integrate::{Nodal, Points, Rule};
@@ -40,12 +43,13 @@ use crate::{FilmPoint, FilmProblem, FilmSystem, SolvedFilm, Theory};
 pub struct Power {
     /// Put in by the turning journal against shear; all of it becomes heat.
     pub shear: f64,
-    /// The part of it in the cavity of Swift and Stieber, or where Guembel drops the pressure: these models know no film fraction, and
-    /// shear the whole gap there. Zero for others.
+    /// The part of it in the cavity of Swift and Stieber, or where Guembel drops the pressure: these models know no
+    /// film fraction, and shear the whole gap there. Zero for others.
     pub cavity_shear: f64,
     /// Put in by the turning journal against the pressure on it.
     pub pressure: f64,
-    /// Put in by the turning journal against the friction of contact; all of it becomes heat. Zero where no contact is simulated.
+    /// Put in by the turning journal against the friction of contact; all of it becomes heat. Zero where no contact is
+    /// simulated.
     pub contact: f64,
     /// Put in by the journal's centre as it moves.
     pub motion: f64,
@@ -57,7 +61,8 @@ pub struct Power {
     pub driven: f64,
     /// How well this is balanced: what is put in less what becomes heat, over the sum of all magnitudes.
     pub imbalance: f64,
-    /// How far `Int h/2 U . grad P dA` is from that of the moment of the load, over what the turning journal puts in; zero where they need not agree.
+    /// How far `Int h/2 U . grad P dA` is from that of the moment of the load, over what the turning journal puts in;
+    /// zero where they need not agree.
     pub moment_imbalance: f64,
 }
 
@@ -69,8 +74,8 @@ impl Power {
         Self { contact: friction * x.hypot(z) * thrust, ..self }
     }
 
-    /// Takes the power against the pressure from what the oil `carries`, where it follows from that ([`PressurePower`]): no gradient is in it, and
-    /// regions cut out of the mesh count with their true shape.
+    /// Takes the power against the pressure from what the oil `carries`, where it follows from that
+    /// ([`PressurePower`]): no gradient is in it, and regions cut out of the mesh count with their true shape.
     pub fn with_moment(self, problem: &FilmProblem, carries: Resultant) -> Self {
         let Some(per) = PressurePower::of(problem) else {
             return self;
@@ -117,9 +122,9 @@ impl std::ops::AddAssign for Work {
     }
 }
 
-/// Power that the turning journal puts in against the pressure of a film, for each force and moment that the film carries: by parts
-/// `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half of the torque of the force, at its place along a tilted axis, about the axis of the
-/// bearing: `omega/2 (e_y W_x - e_x W_y + g_y m_x - g_x m_y)`.
+/// Power that the turning journal puts in against the pressure of a film, for each force and moment that the film
+/// carries: by parts `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half of the torque of the force, at
+/// its place along a tilted axis, about the axis of the bearing: `omega/2 (e_y W_x - e_x W_y + g_y m_x - g_x m_y)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PressurePower {
     /// For each force towards x and y [W/N].
@@ -248,7 +253,8 @@ pub(super) fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
     }
 }
 
-/// Power of shear [W] in a triangle that is not full: oil of the thickness `carried` [m] comes into each of its sub-triangles.
+/// Power of shear [W] in a triangle that is not full: oil of the thickness `carried` [m] comes into each of its
+/// sub-triangles.
 fn broken_shear(
     problem: &FilmProblem,
     (system, parts): (&FilmSystem, &SubTriangleRules),

@@ -8,7 +8,8 @@
 //! | p_max, p_min | Pa | `greatest`, `least` |
 //! | mu_max | Pa s | `viscosity` |
 //!
-//! **Source.** Definition. **Range.** Beside the cavity of a mass-conserving film p_max is that of the nodes. Pressure grows with the unknown, so their extremes lie together.
+//! **Source.** Definition. **Range.** Beside the cavity of a mass-conserving film p_max is that of the nodes. Pressure
+//! grows with the unknown, so their extremes lie together.
 //! **Verified by** the reference of the FlexPDE study and the closed forms.
 
 use oilwedge_fem::Field;

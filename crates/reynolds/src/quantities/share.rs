@@ -1,7 +1,8 @@
 //! # Shares of force and moment
 //!
-//! **Equation.** Of a density p over a part of the developed surface `Int p (cos phi, sin phi) dA`, `Int p z (cos phi, sin phi) dA` and `Int p dA`; the film, the regions
-//! cut out of it and contact each have such a share, and the journal carries their sum.
+//! **Equation.** Of a density p over a part of the developed surface `Int p (cos phi, sin phi) dA`,
+//! `Int p z (cos phi, sin phi) dA` and `Int p dA`; the film, the regions cut out of it and contact each have such a
+//! share, and the journal carries their sum.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,7 +10,8 @@
 //! | Int p z n dA | N m | `moment` |
 //! | Int p dA | N | `pressure` |
 //!
-//! **Source.** Definition. **Range.** Any density. **Verified by** `disc_and_rim_agree` and `tests/tests/tilt/moment.rs`.
+//! **Source.** Definition. **Range.** Any density. **Verified by** `disc_and_rim_agree` and
+//! `tests/tests/tilt/moment.rs`.
 
 /// Integrals over a part of the developed surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -34,7 +36,8 @@ pub struct Resultant {
 }
 
 impl Resultant {
-    /// Magnitudes [N] of the two forces at `z = -half` and `z = half` [m] that stand for it, in all: no less than that of its force, and more where these are against each other.
+    /// Magnitudes [N] of the two forces at `z = -half` and `z = half` [m] that stand for it, in all: no less than that
+    /// of its force, and more where these are against each other.
     pub fn at_ends(&self, half: f64) -> f64 {
         let size = |sign: f64| {
             let [x, y] = [0, 1].map(|d| 0.5 * (self.force[d] + sign * self.moment[d] / half));

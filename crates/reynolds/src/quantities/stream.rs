@@ -1,6 +1,7 @@
 //! # Flow per width and shear stress on the walls
 //!
-//! **Equation.** Across the film the velocity is `u(y) = U y/h + y (y - h)/(2 mu) grad p`, y from the bearing to the journal. So
+//! **Equation.** Across the film the velocity is `u(y) = U y/h + y (y - h)/(2 mu) grad p`, y from the bearing to the
+//! journal. So
 //! ```text
 //! flow per width         J     = theta U h/2 - h^3/(12 mu) grad p
 //! stress on the bearing  tau_b = theta mu U/h - h/2 grad p
@@ -14,9 +15,9 @@
 //! | tau_j, tau_b | Pa | `on_journal`, `on_bearing` |
 //! | theta | 1 | the film fraction of `jfo`, 1 for other models |
 //!
-//! **Source.** Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 7. **Range.** No pressure drives oil in a cavity; models without
-//! a film fraction shear the whole gap there. No film where a feed gives the pressure. **Verified by** `tests/tests/fields.rs`: torques and flows are
-//! integrals of these fields.
+//! **Source.** Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 7. **Range.** No pressure
+//! drives oil in a cavity; models without a film fraction shear the whole gap there. No film where a feed gives the
+//! pressure. **Verified by** `tests/tests/fields.rs`: torques and flows are integrals of these fields.
 
 use oilwedge_fem::lagrange::nodes;
 use oilwedge_fem::{Field, in_order};
@@ -44,8 +45,8 @@ pub const PICTURED: usize = 6;
 /// Triangles that are worked on together: their streams fit into the cache.
 const BLOCK: usize = 1024;
 
-/// What flows at the nodes of each triangle of a quadratic film, with the area [m2] of the triangle; `None` in triangles that a feed covers. Gradients jump
-/// between triangles, so that a node has a value in each of its triangles.
+/// What flows at the nodes of each triangle of a quadratic film, with the area [m2] of the triangle; `None` in
+/// triangles that a feed covers. Gradients jump between triangles, so that a node has a value in each of its triangles.
 pub fn streams<'a>(film: &'a SolvedFilm) -> impl Iterator<Item = Option<(f64, [Stream; PICTURED])>> + 'a {
     let mesh = film.system.space().mesh();
     let is_film = film.system.supply.film(mesh);

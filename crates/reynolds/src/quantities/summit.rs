@@ -1,14 +1,16 @@
 //! # Where the pressure is greatest
 //!
-//! **Equation.** `grad p = 0` at `(R phi, z)`, or the vertex or edge at which the piecewise polynomial is greatest. A field that is off by `delta grad p` has its
-//! maximum at a distance of `H^-1 delta grad p`, H the matrix of second derivatives.
+//! **Equation.** `grad p = 0` at `(R phi, z)`, or the vertex or edge at which the piecewise polynomial is greatest. A
+//! field that is off by `delta grad p` has its maximum at a distance of `H^-1 delta grad p`, H the matrix of second
+//! derivatives.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | (R phi, z) | m | `position` |
 //!
-//! **Source.** Definition. **Range.** Not where the greatest pressure is a given one: that of a feed or an edge is not at one place. Beside the cavity of a
-//! mass-conserving film the place is a node. **Verified by** `tests/full/tests/film_places.rs`.
+//! **Source.** Definition. **Range.** Not where the greatest pressure is a given one: that of a feed or an edge is not
+//! at one place. Beside the cavity of a mass-conserving film the place is a node. **Verified by**
+//! `tests/full/tests/film_places.rs`.
 
 use oilwedge_fem::field::Extremum;
 use oilwedge_fem::mapping::Mapping;
@@ -33,8 +35,9 @@ pub struct Summit {
     pub point: [f64; 2],
     /// True where the greatest pressure is a given one, so that it has no place of its own.
     pub is_given: bool,
-    /// How far the pressure at the node nearest to the mirror image of the place, beyond the middle of the width, is below that at the node nearest to it [Pa]:
-    /// a symmetric bearing with two equal summits leaves open which one is the greatest.
+    /// How far the pressure at the node nearest to the mirror image of the place, beyond the middle of the width, is
+    /// below that at the node nearest to it [Pa]: a symmetric bearing with two equal summits leaves open which one is
+    /// the greatest.
     pub below_here: f64,
     /// The greatest pressure [Pa], and what is rounding of it.
     greatest: f64,

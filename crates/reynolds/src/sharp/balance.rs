@@ -1,12 +1,14 @@
-//! The balance of the hill: what pressure drives and the journal drags, with a source that fills up where the film forms again.
+//! The balance of the hill: what pressure drives and the journal drags, with a source that fills up where the film
+//! forms again.
 //!
 //! ```text
 //! R_i(v) = Int k grad v . grad phi_i - F T/h . grad phi_i dA,      F = U h/2,  v = q - q(p_cav)
 //! T = h                    on the side of rupture
 //! T = g + (h - g) chi      on the side of reformation while g < h,      chi = clip(v/e0, 0, 1),  e0 = |F| (1 - g/h) n_x l/k
 //! ```
-//! l is the size of a triangle over the degree, n_x how far the gradient of the pressure lies along the flow. In a film of thickness h that takes the place
-//! of oil g the pressure rises by `|F| (1 - g/h)/k` a length: the front is as wide as a triangle.
+//! l is the size of a triangle over the degree, n_x how far the gradient of the pressure lies along the flow. In a film
+//! of thickness h that takes the place of oil g the pressure rises by `|F| (1 - g/h)/k` a length: the front is as wide
+//! as a triangle.
 
 use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::lagrange::MOST_SHAPES;
@@ -193,7 +195,8 @@ impl<'a> Balance<'a> {
         (missing > 0.0).then_some(Front { width: point.rise * missing * along })
     }
 
-    /// chi at every quadrature point of a triangle, in the order of the points of [`Rule::for_degree`]; none where it is one everywhere.
+    /// chi at every quadrature point of a triangle, in the order of the points of [`Rule::for_degree`]; none where it
+    /// is one everywhere.
     pub(super) fn filled(&self, v: &[f64]) -> std::collections::HashMap<usize, Vec<f64>> {
         let of = |(cell, _, nodal, along): (&FrontCell, _, Nodal, [f64; 3])| {
             let filled = |(q, point): (usize, &FrontPoint)| match self.front(q, point, &along) {

@@ -60,7 +60,8 @@ pub(super) struct Hill<'a> {
 }
 
 impl Hill<'_> {
-    /// Finds rupture and reformation for the oil that arrives, until the residual is this part of the greatest share of a node.
+    /// Finds rupture and reformation for the oil that arrives, until the residual is this part of the greatest share of
+    /// a node.
     pub(super) fn solve(&mut self, enough: f64) -> Result<(), Failure> {
         let mut fixed = self.fixed();
         fixed.impose(&mut self.v);
@@ -139,13 +140,15 @@ impl Hill<'_> {
         fixed
     }
 
-    /// Oil [m3/s] made in the cavities where the balances are `residual`: none is where the oil that arrives is that which left.
+    /// Oil [m3/s] made in the cavities where the balances are `residual`: none is where the oil that arrives is that
+    /// which left.
     fn made(&self, residual: &[f64]) -> f64 {
         let is_cavity = |&dof: &usize| self.nodes.pinned[dof] || self.held[dof] || self.nodes.closed[dof];
         (0..residual.len()).filter(is_cavity).map(|dof| residual[dof]).sum()
     }
 
-    /// The hill, to first order, for as much oil as makes up for what is lost, and how much more that is as a part; none where more oil makes no difference.
+    /// The hill, to first order, for as much oil as makes up for what is lost, and how much more that is as a part;
+    /// none where more oil makes no difference.
     pub(super) fn replenished(&self) -> Result<(Vec<f64>, f64), Error> {
         let Some(linearisation) = &self.linearisation else {
             return Ok((self.v.clone(), 0.0));

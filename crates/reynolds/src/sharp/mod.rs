@@ -6,9 +6,10 @@
 //! T = h                     on the side of rupture, where v >= 0 is an obstacle
 //! T = g + (h - g) chi       on the side of reformation while g < h,    chi = clip(v/e0, 0, 1)
 //! ```
-//! The finite volumes of the film tell where cavities are and the oil `g(z) = h theta` that they carry. Rays along the flow carry it on (`rays`); rupture and reformation are
-//! found anew (`balance`, `hill`). The front is smeared over a triangle: where coefficients are
-//! constant its full side is exact, and `chi v` has the area of the sharp one, so that loads are integrals of it (`numbers`).
+//! The finite volumes of the film tell where cavities are and the oil `g(z) = h theta` that they carry. Rays along the
+//! flow carry it on (`rays`); rupture and reformation are found anew (`balance`, `hill`). The front is smeared over a
+//! triangle: where coefficients are constant its full side is exact, and `chi v` has the area of the sharp one, so that
+//! loads are integrals of it (`numbers`).
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -16,9 +17,10 @@
 //! | g | m | `oil` |
 //! | e0 | Pa | `width` |
 //!
-//! **Source.** The free boundary and its condition: Jakobsson and Floberg, Chalmers Report 190 (1957); the contact of quadratic elements: Brezzi, Hager, Raviart, Numer.
-//! Math. 28 (1977) 431. **Range.** Steady films without pockets, starved edges or axial sliding. Flows, film fraction and cavity are those of the
-//! finite volumes. **Verified by** `cavitation/sharp`: Swift-Stieber films, finer meshes.
+//! **Source.** The free boundary and its condition: Jakobsson and Floberg, Chalmers Report 190 (1957); the contact of
+//! quadratic elements: Brezzi, Hager, Raviart, Numer. Math. 28 (1977) 431. **Range.** Steady films without pockets,
+//! starved edges or axial sliding. Flows, film fraction and cavity are those of the finite volumes. **Verified by**
+//! `cavitation/sharp`: Swift-Stieber films, finer meshes.
 
 mod balance;
 mod hill;
@@ -66,10 +68,11 @@ pub struct SharpFilm {
 pub enum HillStart {
     /// The film: in quadratic elements, then in cubic ones.
     Film,
-    /// The hill of a position nearby on the same system: in cubic elements alone. What degree and oil change is that which they change there.
+    /// The hill of a position nearby on the same system: in cubic elements alone. What degree and oil change is that
+    /// which they change there.
     Near(SharpFilm),
-    /// The hill of a position nearby, in cubic elements alone, over the cavities found there and with the oil that arrives at them here. The force is
-    /// then a smooth function of the position.
+    /// The hill of a position nearby, in cubic elements alone, over the cavities found there and with the oil that
+    /// arrives at them here. The force is then a smooth function of the position.
     SameCavities(SharpFilm),
 }
 
@@ -236,7 +239,8 @@ impl SolvedFilm {
         Frame { nodes: self.nodes(&self.system.cubic().system, &rays), cavity: self.solution.cavity.clone(), rays }
     }
 
-    /// What the nodes of `system`, that of quadratic or of cubic elements, are on both sides of the rays, over the cavity of this film.
+    /// What the nodes of `system`, that of quadratic or of cubic elements, are on both sides of the rays, over the
+    /// cavity of this film.
     fn nodes(&self, system: &FilmSystem, rays: &Rays) -> Nodes {
         let Self { problem, system: quadratic, solution } = self;
         let (space, floor) = (system.space(), problem.cavity_unknown());

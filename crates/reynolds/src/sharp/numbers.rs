@@ -1,4 +1,5 @@
-//! What is measured on a hill: integrals of `chi p`, whose area is that of the sharp front, and of the polynomial itself.
+//! What is measured on a hill: integrals of `chi p`, whose area is that of the sharp front, and of the polynomial
+//! itself.
 
 use std::collections::HashMap;
 
@@ -27,7 +28,8 @@ impl HillNumbers {
     }
 }
 
-/// Measures the reduced pressure v [Pa] above that of the cavity, of which a part is `filled` at the quadrature points of some triangles.
+/// Measures the reduced pressure v [Pa] above that of the cavity, of which a part is `filled` at the quadrature points
+/// of some triangles.
 pub(super) fn measure(
     problem: &FilmProblem,
     system: &FilmSystem,

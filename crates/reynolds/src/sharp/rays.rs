@@ -1,8 +1,9 @@
 //! Rays along the flow: where the film is full on each, where cavities begin and end, and the oil that they carry on.
 //!
-//! A ray z = const cuts the sub-triangles of the mass-conserving film in intervals on which the pressure is linear: full where
-//! one end has a pressure, else part of a cavity. Along the flow `h theta` does not change within a cavity, so that one value is carried over
-//! each: that in its middle, the **switch**, which is as far from both of its ends as a place can be.
+//! A ray z = const cuts the sub-triangles of the mass-conserving film in intervals on which the pressure is linear:
+//! full where one end has a pressure, else part of a cavity. Along the flow `h theta` does not change within a cavity,
+//! so that one value is carried over each: that in its middle, the **switch**, which is as far from both of its ends as
+//! a place can be.
 
 use oilwedge_fem::Space;
 use oilwedge_fem::control_volumes::sub_triangles;
@@ -199,7 +200,8 @@ impl Rays {
         place(low) as usize..(place(high) as usize + 2).min(RAYS)
     }
 
-    /// Where a ray enters and leaves a triangle, with the barycentric coordinates there. A corner on the ray counts as above it.
+    /// Where a ray enters and leaves a triangle, with the barycentric coordinates there. A corner on the ray counts as
+    /// above it.
     fn crossing(&self, ray: usize, corners: [[f64; 2]; 3]) -> Option<[(f64, [f64; 3]); 2]> {
         let z = self.z(ray);
         let mut found = [None; 2];

@@ -1,6 +1,7 @@
 //! # Couette flow: oil dragged along by the journal
 //!
-//! **Equation.** `J = U h / 2` [m2/s], `div J = (U/2) . grad h`; U = (omega R, 0) unless the journal slides along its axis.
+//! **Equation.** `J = U h / 2` [m2/s], `div J = (U/2) . grad h`; U = (omega R, 0) unless the journal slides along its
+//! axis.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

@@ -6,7 +6,8 @@
 //! |---|---|---|
 //! | dh/dt | m/s | `film.rate` |
 //!
-//! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157, eq. 16. **Range.** Inertialess: c^2 omega rho/mu well below one.
+//! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157, eq. 16. **Range.** Inertialess: c^2 omega rho/mu well
+//! below one.
 //! **Verified by** the closed form in `tests/tests/literature/ocvirk_1952.rs` and Butenschoen's table of radial motion.
 
 use super::Term;

@@ -1,4 +1,5 @@
-//! A sparse matrix of the dofs of a mesh and the functions of a gap, the splines of a grid among them, triangle by triangle.
+//! A sparse matrix of the dofs of a mesh and the functions of a gap, the splines of a grid among them, triangle by
+//! triangle.
 
 use std::ops::AddAssign;
 
@@ -16,7 +17,8 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// Adds, at a point of a triangle, the `value` of a function there times the shares of the point in the first `shapes` dofs of the triangle.
+    /// Adds, at a point of a triangle, the `value` of a function there times the shares of the point in the first
+    /// `shapes` dofs of the triangle.
     #[inline]
     pub(super) fn add(&mut self, function: usize, value: f64, shares: &Nodal, shapes: usize) {
         // A triangle knows few functions.

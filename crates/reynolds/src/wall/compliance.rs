@@ -1,11 +1,14 @@
 //! # Compliance of the wall: from forces on splines to the coefficients of its deflection
 //!
-//! **Equation.** The pressure acts on the grid by the forces `f_i = Int p B_i dA`, and the wall moves by `d = Sum d_i B_i`, `d = C f`, C symmetric.
-//! * A wall whose slices across the axis move by themselves, `C_n` for each wave `cos(n phi)`, is projected on the splines: with the Fourier transform b of a
-//!   spline, sums over the waves n + l N that the grid does not tell apart, and the mass matrices R m(n) around and M_z along,
-//!   `C = g(n)/(R m(n)^2) (x) M_z^-1`, `m = Sum b^2/w`, `g = Sum C_n b^2/w`, w the width of a cell. A Winkler layer, C_n = k, is the projection of k p.
-//! * A matrix of displacements for unit forces at points of a grid: splines that interpolate there carry both, `C = E^-1 A E^-T`, E their values at the
-//!   points. Forces are then those equivalent to the pressure, and the displacements at the points are those of the matrix.
+//! **Equation.** The pressure acts on the grid by the forces `f_i = Int p B_i dA`, and the wall moves by
+//! `d = Sum d_i B_i`, `d = C f`, C symmetric.
+//! * A wall whose slices across the axis move by themselves, `C_n` for each wave `cos(n phi)`, is projected on the
+//!   splines: with the Fourier transform b of a spline, sums over the waves n + l N that the grid does not tell apart,
+//!   and the mass matrices R m(n) around and M_z along, `C = g(n)/(R m(n)^2) (x) M_z^-1`, `m = Sum b^2/w`,
+//!   `g = Sum C_n b^2/w`, w the width of a cell. A Winkler layer, C_n = k, is the projection of k p.
+//! * A matrix of displacements for unit forces at points of a grid: splines that interpolate there carry both,
+//!   `C = E^-1 A E^-T`, E their values at the points. Forces are then those equivalent to the pressure, and the
+//!   displacements at the points are those of the matrix.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -13,8 +16,8 @@
 //! | C_n | m/Pa | `by_wave` |
 //! | A | m/N | `displacements` |
 //!
-//! **Source.** Projection on splines: de Boor, A Practical Guide to Splines (1978). **Range.** Linear elasticity. **Verified by** `waves_are_deflected_by_their_compliance`,
-//! `a_matrix_of_a_layer_is_that_layer`.
+//! **Source.** Projection on splines: de Boor, A Practical Guide to Splines (1978). **Range.** Linear elasticity.
+//! **Verified by** `waves_are_deflected_by_their_compliance`, `a_matrix_of_a_layer_is_that_layer`.
 
 use nalgebra::{DMatrixView, DVectorView};
 
@@ -24,7 +27,8 @@ use super::spline::{Along, Around};
 /// Waves that the grid does not tell apart are summed to this number of times its own.
 const ALIASES: i64 = 6;
 
-/// A circulant, symmetric matrix around times one along: numbers of the grid, those of one angle a column, are multiplied by the one from the right and by the other from the left.
+/// A circulant, symmetric matrix around times one along: numbers of the grid, those of one angle a column, are
+/// multiplied by the one from the right and by the other from the left.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Product {
     around: Dense,
@@ -65,8 +69,8 @@ impl Compliance {
         })))
     }
 
-    /// A matrix of displacements [m] for unit forces [N] at the `points` [m] along the liner of each angle of the grid, angle by angle; none where it does
-    /// not fit the grid.
+    /// A matrix of displacements [m] for unit forces [N] at the `points` [m] along the liner of each angle of the grid,
+    /// angle by angle; none where it does not fit the grid.
     pub fn of_matrix((around, along): (&Around, &Along), points: &[f64], displacements: Dense) -> Option<Self> {
         if displacements.nrows() != around.number * along.number() || points.len() != along.number() {
             return None;
@@ -124,7 +128,8 @@ impl Compliance {
 }
 
 impl Product {
-    /// What makes coefficients of values at the middles of splines around, and by the inverse `along` of their values along.
+    /// What makes coefficients of values at the middles of splines around, and by the inverse `along` of their values
+    /// along.
     pub(super) fn interpolation(around: &Around, along: Dense) -> Self {
         // Values at the middles: 1/8, 3/4, 1/8.
         let value = |wave: i64| 0.75 + 0.25 * (wave as f64 * around.width()).cos();

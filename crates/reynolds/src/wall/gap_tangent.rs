@@ -1,8 +1,10 @@
-//! How the residual of a film changes with the deflection of its wall and with the place of the journal: a sparse matrix of a mesh and a grid, and one column a coordinate.
+//! How the residual of a film changes with the deflection of its wall and with the place of the journal: a sparse
+//! matrix of a mesh and a grid, and one column a coordinate.
 //!
-//! At a point the law changes linearly with the gap and its slopes there. Where the wall moves by `Sum x_j B_j` the residual of dof i changes by
-//! `Sum_j x_j Sum_p (G_ip B_j(p) + G'_ip . grad B_j(p))`: G is found once a film, from unit changes at the points p of each triangle. Slopes count in the as-printed form alone. A journal that
-//! moves by dx_k changes the gap by `dx_k dh/dx_k`, and the residual by the same G times that.
+//! At a point the law changes linearly with the gap and its slopes there. Where the wall moves by `Sum x_j B_j` the
+//! residual of dof i changes by `Sum_j x_j Sum_p (G_ip B_j(p) + G'_ip . grad B_j(p))`: G is found once a film, from
+//! unit changes at the points p of each triangle. Slopes count in the as-printed form alone. A journal that moves by
+//! dx_k changes the gap by `dx_k dh/dx_k`, and the residual by the same G times that.
 
 use std::ops::AddAssign;
 use std::sync::Arc;
@@ -19,7 +21,8 @@ use crate::film_thickness::{Deflection, FilmContribution};
 use crate::journal_state::{COORDINATES, JournalChange};
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem, Form, JournalState, SolvedFilm};
 
-/// How the residual of a solved film changes with the coefficients of the deflection, and with the coordinates of the journal.
+/// How the residual of a solved film changes with the coefficients of the deflection, and with the coordinates of the
+/// journal.
 #[derive(Debug)]
 pub struct GapTangent {
     columns: Columns,
@@ -29,7 +32,8 @@ pub struct GapTangent {
     on_boundary_by_place: Vec<(usize, [f64; COORDINATES])>,
     /// How many splines there are.
     splines: usize,
-    /// By what the rate of a wall in a stage grows with its deflection [1/s]; zero in no stage. In one it is not known what a place of the journal changes.
+    /// By what the rate of a wall in a stage grows with its deflection [1/s]; zero in no stage. In one it is not known
+    /// what a place of the journal changes.
     per_time: f64,
 }
 
@@ -41,7 +45,8 @@ struct Columns {
 }
 
 impl Columns {
-    /// Adds, at each of some `positions` [m] of triangle `cell`, what a part of the gap shares out among the first `shapes` dofs.
+    /// Adds, at each of some `positions` [m] of triangle `cell`, what a part of the gap shares out among the first
+    /// `shapes` dofs.
     fn add(
         &mut self,
         (problem, grid, part): (&FilmProblem, &Grid, Part),
@@ -162,7 +167,8 @@ impl GapTangent {
         change
     }
 
-    /// The transposed product: change with the coefficient of each spline of a sum over residuals with these weights of the dofs: by metre, in the unit of that sum.
+    /// The transposed product: change with the coefficient of each spline of a sum over residuals with these weights of
+    /// the dofs: by metre, in the unit of that sum.
     pub fn times_transposed(&self, system: &FilmSystem, weights: &[f64]) -> Vec<f64> {
         let mut change = (self.columns.of_splines).transposed(system.space(), weights, self.splines);
         for &(dof, spline, entry) in &self.on_boundary {
@@ -171,7 +177,8 @@ impl GapTangent {
         change
     }
 
-    /// First-order change of the residual at each dof, in its unit, with a `change` of the journal [m, rad], the wall held; none where the journal changes its velocity, or the wall is in a stage.
+    /// First-order change of the residual at each dof, in its unit, with a `change` of the journal [m, rad], the wall
+    /// held; none where the journal changes its velocity, or the wall is in a stage.
     pub fn by_journal(&self, system: &FilmSystem, change: &JournalChange) -> Option<Vec<f64>> {
         let place = change.of_place().filter(|_| self.per_time == 0.0)?;
         let mut residual = self.columns.of_place.times(system.space(), &place);

@@ -15,7 +15,8 @@ pub(super) enum Part {
     SlopeAlong,
 }
 
-/// Splines on the developed surface; number `j along.number() + k` is the product of number j around and number k along.
+/// Splines on the developed surface; number `j along.number() + k` is the product of number j around and number k
+/// along.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// Radius R of the liner [m].
@@ -99,7 +100,8 @@ impl Grid {
         point[0].thickness
     }
 
-    /// Coefficients of the function that interpolates another one in the middle of each spline; none where the splines are no grid.
+    /// Coefficients of the function that interpolates another one in the middle of each spline; none where the splines
+    /// are no grid.
     pub fn interpolated(&self, function: impl Fn([f64; 2]) -> f64) -> Option<Vec<f64>> {
         let points = self.along.middles();
         let middle = |j: usize| self.radius * self.around.middle(j);
@@ -149,7 +151,8 @@ impl Grid {
         system.pressing(self).forces(system.space(), &changes.collect::<Vec<f64>>())
     }
 
-    /// The transposed product of [`Self::forces_change`] with a number for each spline: how the sum of these times the forces changes with the unknown at each dof.
+    /// The transposed product of [`Self::forces_change`] with a number for each spline: how the sum of these times the
+    /// forces changes with the unknown at each dof.
     pub fn weights(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64], of_splines: &[f64]) -> Vec<f64> {
         let integrals = system.pressing(self).integrals(system.space(), of_splines);
         let weights = unknown.iter().zip(integrals);

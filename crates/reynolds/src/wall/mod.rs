@@ -1,8 +1,9 @@
 //! The wall of the liner: how it gives way to the pressure of the film.
 //!
-//! Reading order: `spline.rs` and [`grid`] (where forces and deflections live), `pressing.rs` and `touching.rs` (forces of the film and of contact), [`compliance`] (what makes one
-//! of the other), `gap_tangent.rs` (how a film answers to a deflection), [`Wall`];
-//! [`crate::film_thickness::Deflection`] adds the deflection to the gap. What closes around film and wall is in the crate `bearing`.
+//! Reading order: `spline.rs` and [`grid`] (where forces and deflections live), `pressing.rs` and `touching.rs` (forces
+//! of the film and of contact), [`compliance`] (what makes one of the other), `gap_tangent.rs` (how a film answers to a
+//! deflection), [`Wall`]; [`crate::film_thickness::Deflection`] adds the deflection to the gap. What closes around film
+//! and wall is in the crate `bearing`.
 
 mod blocks;
 pub mod compliance;
@@ -30,8 +31,8 @@ use crate::{Bearing, FilmProblem, FilmSystem};
 /// Splines around the liner, and cells along it, of walls without a grid of their own.
 const AROUND: usize = 180;
 const ALONG: usize = 20;
-/// Part of the difference between grids of the whole and of twice the width of cells by which the finer one is off: splines gain a factor of eight or, where the
-/// pressure has a kink, four.
+/// Part of the difference between grids of the whole and of twice the width of cells by which the finer one is off:
+/// splines gain a factor of eight or, where the pressure has a kink, four.
 const OF_COARSER: f64 = 0.25;
 
 /// A wall that gives way.
@@ -46,7 +47,8 @@ pub struct Wall {
 }
 
 impl Wall {
-    /// Slices of the liner of a bearing that move by `by_wave(n)` [m/Pa] under a pressure `cos(n phi)`; none in a bearing without length.
+    /// Slices of the liner of a bearing that move by `by_wave(n)` [m/Pa] under a pressure `cos(n phi)`; none in a
+    /// bearing without length.
     pub fn of_slices(bearing: &Bearing, by_wave: impl Fn(usize) -> f64) -> Option<Self> {
         let on = |parts: usize| {
             let cells = ALONG / parts;
@@ -70,8 +72,8 @@ impl Wall {
         })
     }
 
-    /// A matrix of displacements for unit forces at `points` [m] along the liner of a bearing for each of `angles` equally spaced ones from `first` [rad] on; none
-    /// where it does not fit.
+    /// A matrix of displacements for unit forces at `points` [m] along the liner of a bearing for each of `angles`
+    /// equally spaced ones from `first` [rad] on; none where it does not fit.
     pub fn of_matrix(
         bearing: &Bearing,
         (first, angles): (f64, usize),
@@ -87,7 +89,8 @@ impl Wall {
         Some(Self { grid, compliance, coarser: None })
     }
 
-    /// Coefficients of the deflection [m] by the pressure of a film with this unknown, and by that of `contact` on its grid.
+    /// Coefficients of the deflection [m] by the pressure of a film with this unknown, and by that of `contact` on its
+    /// grid.
     pub fn deflection(
         &self,
         (problem, system): (&FilmProblem, &FilmSystem),
@@ -101,12 +104,14 @@ impl Wall {
         self.compliance.deflection(&forces)
     }
 
-    /// Coefficients of the deflection [m] of this wall by the pressure that bends `other` so, a wall of slices on the same grid; none where there is no such pressure.
+    /// Coefficients of the deflection [m] of this wall by the pressure that bends `other` so, a wall of slices on the
+    /// same grid; none where there is no such pressure.
     pub fn deflected_as(&self, other: &Self, coefficients: &[f64]) -> Option<Vec<f64>> {
         Some(self.compliance.deflection(&other.compliance.forces(coefficients)?))
     }
 
-    /// By what [m] its grid may put the deflection by the pressure of a film off, as coefficients; none where the grid is given with the wall.
+    /// By what [m] its grid may put the deflection by the pressure of a film off, as coefficients; none where the grid
+    /// is given with the wall.
     pub fn grid_error(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Option<Vec<f64>> {
         let coarser = self.coarser.as_ref()?;
         let by = |wall: &Self| {
@@ -120,8 +125,9 @@ impl Wall {
         Some(difference.collect())
     }
 
-    /// How much more [m] the ends are bent than by this deflection of a film, as coefficients: slices there are bent by the pressure of the ends and by contact alone (where a feed reaches
-    /// an end, by its own: too much is counted). None where the grid is given with the wall, or an end is sealed.
+    /// How much more [m] the ends are bent than by this deflection of a film, as coefficients: slices there are bent by
+    /// the pressure of the ends and by contact alone (where a feed reaches an end, by its own: too much is counted).
+    /// None where the grid is given with the wall, or an end is sealed.
     pub fn error_at_ends(&self, problem: &FilmProblem, system: &FilmSystem, deflection: &[f64]) -> Option<Vec<f64>> {
         let is_sealed = |region: &SupplyRegion| region.kind == BoundaryKind::Sealed;
         if self.coarser.is_none() || system.supply.regions().iter().any(is_sealed) {

@@ -1,7 +1,7 @@
 //! What a pressure of finite elements exerts on the splines of the wall: a sparse matrix of a mesh and a grid.
 //!
-//! The pressure is interpolated at the nodes, `p = Sum p_i N_i`, so that `f_j = Sum_i p_i Int N_i B_j dA`, linear in the pressures, and to first order in the
-//! unknown too.
+//! The pressure is interpolated at the nodes, `p = Sum p_i N_i`, so that `f_j = Sum_i p_i Int N_i B_j dA`, linear in
+//! the pressures, and to first order in the unknown too.
 
 use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::mapping::Mapping;
@@ -70,7 +70,8 @@ type Part = [[f64; 2]; 3];
 /// All of it.
 const WHOLE: Part = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// Calls `visit` with the parts of a part of a triangle, which was halved so often, that are no wider than the cells that they lie on: each is halved at the edge that is longest, in cells.
+/// Calls `visit` with the parts of a part of a triangle, which was halved so often, that are no wider than the cells
+/// that they lie on: each is halved at the edge that is longest, in cells.
 fn each_part(grid: &Grid, mapping: &Mapping, (part, halvings): (Part, usize), visit: &mut impl FnMut(Part)) {
     let corners = part.map(|corner| mapping.at(corner).position);
     if halvings == MOST_HALVINGS || ratio(grid, &corners) <= 1.0 {

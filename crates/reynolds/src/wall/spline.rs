@@ -1,7 +1,8 @@
 //! Quadratic B-splines on a line: values, slopes and mass matrices.
 //!
-//! Around the liner they are uniform and periodic; along it they have knots of their own. Both are continuously differentiable, so that the slope of a
-//! deflection has no jumps inside of triangles. Source: de Boor, A Practical Guide to Splines (1978), ch. IX and X.
+//! Around the liner they are uniform and periodic; along it they have knots of their own. Both are continuously
+//! differentiable, so that the slope of a deflection has no jumps inside of triangles. Source: de Boor, A Practical
+//! Guide to Splines (1978), ch. IX and X.
 
 use super::dense::Dense;
 
@@ -74,7 +75,8 @@ pub struct Along {
     cells: Vec<usize>,
     /// Parts by metre.
     per_part: f64,
-    /// For each cell one over its length, and one over those of the two pairs of cells that it is in [1/m]; it is numbered as the knot before it.
+    /// For each cell one over its length, and one over those of the two pairs of cells that it is in [1/m]; it is
+    /// numbered as the knot before it.
     inverse: Vec<[f64; SUPPORT]>,
 }
 

@@ -1,17 +1,20 @@
 //! What the contact of rough surfaces exerts on the splines of the wall, and how that changes with the gap.
 //!
-//! The asperities press with `p_a(h)` on the wall beside the film: `f_j = Int p_a(h) B_j dA`, by the points of [`crate::quantities::contact_points`]. Where the wall moves by
-//! `Sum x_i B_i` the forces change by `A x`, `A_ij = Int p_a'(h) B_i B_j dA`: symmetric, of no positive entry.
+//! The asperities press with `p_a(h)` on the wall beside the film: `f_j = Int p_a(h) B_j dA`, by the points of
+//! [`crate::quantities::contact_points`]. Where the wall moves by `Sum x_i B_i` the forces change by `A x`,
+//! `A_ij = Int p_a'(h) B_i B_j dA`: symmetric, of no positive entry.
 
 use super::grid::{SplinesAt, once_around};
 use super::spline::SUPPORT;
 use crate::quantities::contact_points::{ContactPoint, ContactPoints};
 use crate::quantities::load::Resultant;
 
-/// Entries of a row of A from its diagonal on: with splines 0 to 2 further around, and 0 to 2, or -2 to 2, further along.
+/// Entries of a row of A from its diagonal on: with splines 0 to 2 further around, and 0 to 2, or -2 to 2, further
+/// along.
 const HALF: usize = 13;
 
-/// How the forces of contact on the splines change with the deflection: the matrix A, whose splines meet their next two each way.
+/// How the forces of contact on the splines change with the deflection: the matrix A, whose splines meet their next two
+/// each way.
 #[derive(Debug, Clone)]
 pub struct ContactTangent {
     /// How many splines there are around and along.
@@ -42,7 +45,8 @@ impl ContactPoints {
         forces
     }
 
-    /// How what contact carries changes with the coefficient of each spline: force towards x and y [N/m], and its moments [N].
+    /// How what contact carries changes with the coefficient of each spline: force towards x and y [N/m], and its
+    /// moments [N].
     pub(crate) fn load_by_wall(&self) -> Vec<[f64; 4]> {
         let numbers = self.splines();
         let mut load = vec![[0.0; 4]; numbers[0] * numbers[1]];

@@ -39,7 +39,8 @@ pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
     Squeeze { radial: velocity("radial"), tangential: velocity("tangential") }
 }
 
-/// A centred journal has a line of centres only where the scene gives its angle; under a load over a cycle the velocity is found.
+/// A centred journal has a line of centres only where the scene gives its angle; under a load over a cycle the velocity
+/// is found.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
     super::refuse_beside_a_cycle("journal.squeeze", scene, complaints);

@@ -1,4 +1,5 @@
-//! `density` of `[oil]`: `density = "885 kg/m3"` at 20 degrees C, or a table with the temperature at which it was measured.
+//! `density` of `[oil]`: `density = "885 kg/m3"` at 20 degrees C, or a table with the temperature at which it was
+//! measured.
 
 use crate::reader::{Number, TableReader};
 use crate::unit::{Dimension, ZERO_CELSIUS};

@@ -1,4 +1,5 @@
-//! `high_shear` of `[oil]`: what is left of the viscosity at the shear rates of a film, as the viscosity at 150 degrees C and 1e6 1/s of a data sheet, or as a factor.
+//! `high_shear` of `[oil]`: what is left of the viscosity at the shear rates of a film, as the viscosity at 150 degrees
+//! C and 1e6 1/s of a data sheet, or as a factor.
 
 use crate::reader::TableReader;
 use crate::unit::Dimension;

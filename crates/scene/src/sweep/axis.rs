@@ -24,7 +24,8 @@ pub const BEARING: (&str, &str) = ("bearing", "crankshaft.bearing.name");
 /// A key of the scene and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// The key as it is written below `[sweep]`, tables before it: `speed`, `oil.barus.alpha`, `feed.feed_hole.pressure`.
+    /// The key as it is written below `[sweep]`, tables before it: `speed`, `oil.barus.alpha`,
+    /// `feed.feed_hole.pressure`.
     pub name: String,
     /// Where it stands in the scene, `journal.speed`; a feed by its group.
     pub path: String,

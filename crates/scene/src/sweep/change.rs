@@ -18,8 +18,8 @@ use crate::{Complaint, Complaints, SceneError};
 /// The table of a sweep.
 const SWEEP: &str = "sweep";
 
-/// The text of the scene `text` with keys set to other values; comments are lost. `changes` is TOML: keys as the axes of a sweep have them, each
-/// with a list of one value.
+/// The text of the scene `text` with keys set to other values; comments are lost. `changes` is TOML: keys as the axes
+/// of a sweep have them, each with a list of one value.
 ///
 /// # Errors
 /// A key is none of a scene, or has no value that an axis may have.
@@ -45,7 +45,8 @@ pub fn changed(text: &str, path: &Path, changes: &str) -> Result<String, SceneEr
     written(document).map_err(refused)
 }
 
-/// The text of the scene `text` with other axes; `sweep` is TOML, the table `[sweep]`. Comments are kept where the scene has no axes of its own.
+/// The text of the scene `text` with other axes; `sweep` is TOML, the table `[sweep]`. Comments are kept where the
+/// scene has no axes of its own.
 ///
 /// # Errors
 /// The text has a value that TOML cannot write.

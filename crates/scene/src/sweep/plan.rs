@@ -58,7 +58,8 @@ impl Plan {
         indices
     }
 
-    /// The scene of every case: the text of the scene with the keys of the axes replaced, read and checked as any other.
+    /// The scene of every case: the text of the scene with the keys of the axes replaced, read and checked as any
+    /// other.
     ///
     /// # Errors
     /// Everything that is wrong with a case, with its axis and value.
@@ -150,7 +151,8 @@ impl Plan {
         of_case(document).map_err(|complaints| complaints.into_iter().map(|it| self.named(it, indices)).collect())
     }
 
-    /// A complaint about a case as one about the axis it comes from, or about all of them where it comes from none alone.
+    /// A complaint about a case as one about the axis it comes from, or about all of them where it comes from none
+    /// alone.
     fn named(&self, complaint: Complaint, indices: &[usize]) -> Complaint {
         let axis = (self.axes.iter().zip(indices)).find(|(axis, _)| Some(&axis.span) == complaint.span.as_ref());
         let told = |(axis, &index): (&Axis, &usize)| format!("{} = {}", axis.name, axis.told(index));

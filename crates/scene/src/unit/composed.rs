@@ -1,7 +1,7 @@
 //! Units that no table lists are composed of symbols: `daN`, `kgf/cm2`, `lbf.s/in2`.
 //!
-//! A unit is a product of symbols with powers, some behind a slash; a symbol of the SI may have a prefix. Symbols that mean more than one
-//! size (`ton`, `hp`) or that are no multiple of one (`SUS`) are told with their conversion instead.
+//! A unit is a product of symbols with powers, some behind a slash; a symbol of the SI may have a prefix. Symbols that
+//! mean more than one size (`ton`, `hp`) or that are no multiple of one (`SUS`) are told with their conversion instead.
 
 use std::f64::consts::{PI, TAU};
 

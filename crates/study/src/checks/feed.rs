@@ -1,4 +1,5 @@
-//! Feeds that overlap: at one pressure they are one region, else one of them is wrong. A pocket may touch any other feed.
+//! Feeds that overlap: at one pressure they are one region, else one of them is wrong. A pocket may touch any other
+//! feed.
 
 use oilwedge_mesh::generate::{Meeting, meeting};
 use oilwedge_scene::wording::bars;

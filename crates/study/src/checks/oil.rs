@@ -124,7 +124,8 @@ fn at_given_temperature(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
     complaints.add(key, message, help);
 }
 
-/// The equation is one of reduced pressures, all of which lie below the limit of the law; a pressure that round-off puts there is lost.
+/// The equation is one of reduced pressures, all of which lie below the limit of the law; a pressure that round-off
+/// puts there is lost.
 fn pressures(scene: &Scene, complaints: &mut Complaints) {
     let Sockets { form: Form::Conservative, pressure_law: law, .. } = Sockets::of(scene) else {
         return;

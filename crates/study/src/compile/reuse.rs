@@ -40,8 +40,9 @@ pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
 }
 
 impl Film {
-    /// The film of `scene` at `position` on the system of this one, whose scene [`has_same_system`]; `None` where given pressures of regions
-    /// that touch would differ, a measured surface cannot be read, or another film shares the system.
+    /// The film of `scene` at `position` on the system of this one, whose scene [`has_same_system`]; `None` where given
+    /// pressures of regions that touch would differ, a measured surface cannot be read, or another film shares the
+    /// system.
     pub fn reused(self, scene: &Scene, position: Position) -> Option<Self> {
         let sockets = Sockets::of(scene);
         let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);

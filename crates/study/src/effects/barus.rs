@@ -1,4 +1,5 @@
-//! Barus' law: viscosity grows exponentially with pressure; where mass balance has it, or as the FlexPDE study prints it.
+//! Barus' law: viscosity grows exponentially with pressure; where mass balance has it, or as the FlexPDE study prints
+//! it.
 
 use oilwedge_reynolds::Form;
 use oilwedge_reynolds::lubricant::PressureLaw as Law;

@@ -30,7 +30,8 @@ pub(super) fn pressure(scene: &Scene) -> f64 {
     scene.cavitation.map_or(0.0, |cavitation| cavitation.pressure)
 }
 
-/// The cavitation pressure [Pa], nowhere above a given pressure. Equal pressures in other units may differ in the last digit.
+/// The cavitation pressure [Pa], nowhere above a given pressure. Equal pressures in other units may differ in the last
+/// digit.
 pub(super) fn least_pressure(scene: &Scene) -> f64 {
     let fed = scene.feeds.iter().filter_map(|feed| feed.pressure);
     fed.fold(pressure(scene).min(scene.ends.pressure), f64::min)

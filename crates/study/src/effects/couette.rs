@@ -21,8 +21,8 @@ pub(super) const ROW: Effect = Effect {
     ..BLANK
 };
 
-/// The scene with a journal at rest, where feeds drive the oil too. Nothing heats the oil then, and there is no Sommerfeld number, and so no
-/// tolerance of it.
+/// The scene with a journal at rest, where feeds drive the oil too. Nothing heats the oil then, and there is no
+/// Sommerfeld number, and so no tolerance of it.
 fn at_rest(scene: &Scene) -> Option<Scene> {
     scene.feeds.iter().find(|feed| feed.pressure.is_some())?;
     let balances = present(scene).filter(|effect| effect.socket.is_balance());

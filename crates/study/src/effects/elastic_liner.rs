@@ -59,7 +59,8 @@ fn no_layer(material: &Material, deflection: &Deflection, film: &Film) -> Option
     let ring_wall = wall(&of_ring, bearing).ok()?;
     let per_pressure = ring(material, OuterSurface::Clamped, bearing).thin_layer();
     let layer = Wall::of_slices(bearing, |_| per_pressure)?;
-    // The pressure that bends the layer, from its deflection: the ring makes of it what it is in proportion wave by wave.
+    // The pressure that bends the layer, from its deflection: the ring makes of it what it is in proportion wave by
+    // wave.
     let as_ring = ring_wall.deflected_as(&layer, &deflection.coefficients)?;
     let greatest = |values: &[f64]| values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
     let off: Vec<f64> = as_ring.iter().zip(&*deflection.coefficients).map(|(ring, layer)| ring - layer).collect();

@@ -1,7 +1,7 @@
 //! The table of effects: one row each, in a file of its own, that knows everything about its effect but the physics.
 //!
-//! An effect fills a socket of the film ([`Sockets`]). Compilation, the list of what is simulated, the cost of effects, and warnings about
-//! limits of validity are loops over [`EFFECTS`]; no other code knows an effect by name.
+//! An effect fills a socket of the film ([`Sockets`]). Compilation, the list of what is simulated, the cost of effects,
+//! and warnings about limits of validity are loops over [`EFFECTS`]; no other code knows an effect by name.
 
 mod barus;
 pub mod bearing_theory;
@@ -104,8 +104,8 @@ pub struct Effect {
     pub instead: &'static str,
     /// The scene without it; `None` where leaving it out asks another question.
     pub remove: fn(&Scene) -> Option<Scene>,
-    /// Why forces are not in proportion to the rates of the journal's motions with it: a key of the scene, what is wrong with it, the way out; `None` where
-    /// they may be.
+    /// Why forces are not in proportion to the rates of the journal's motions with it: a key of the scene, what is
+    /// wrong with it, the way out; `None` where they may be.
     pub no_proportion: Option<[&'static str; 3]>,
     /// Warnings, in sentences, about films outside its limits of validity.
     warnings: fn(&Film, &Measured) -> Vec<Warning>,

@@ -1,4 +1,5 @@
-//! Balance of moment: the tilt in which the film carries the moment of the load. It is what the scene asks for; leaving out tilt leaves it out too.
+//! Balance of moment: the tilt in which the film carries the moment of the load. It is what the scene asks for; leaving
+//! out tilt leaves it out too.
 
 use oilwedge_bearing::Tilting;
 

@@ -94,7 +94,8 @@ impl Surface {
     }
 }
 
-/// Measured surfaces of a film with their points; a file that cannot be read any more has been told when the film was compiled.
+/// Measured surfaces of a film with their points; a file that cannot be read any more has been told when the film was
+/// compiled.
 fn measurements(scene: &Scene) -> impl Iterator<Item = (&Path, SurfacePoints)> {
     let covered = covered(scene);
     let bores = scene.bores.iter().filter_map(move |bore| match bore {

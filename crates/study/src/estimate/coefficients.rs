@@ -1,9 +1,10 @@
-//! Errors of stiffness and damping, as parts that are independent of each other: what a number is off by that follows from all coefficients is the root of the sum of the squares of what
-//! each part changes it by.
+//! Errors of stiffness and damping, as parts that are independent of each other: what a number is off by that follows
+//! from all coefficients is the root of the sum of the squares of what each part changes it by.
 //!
-//! Where the edge of a cavity runs through triangles, each of them is a part, whose entries belong together; so is what two films differ by. Elsewhere each entry is a part of its own: the
-//! difference of one entry may be small by chance, so that the greatest difference of all entries, each over the geometric mean of the greatest entries of its row and its column,
-//! counts for every one.
+//! Where the edge of a cavity runs through triangles, each of them is a part, whose entries belong together; so is what
+//! two films differ by. Elsewhere each entry is a part of its own: the difference of one entry may be small by chance,
+//! so that the greatest difference of all entries, each over the geometric mean of the greatest entries of its row and
+//! its column, counts for every one.
 
 use oilwedge_bearing::Coefficients;
 use oilwedge_bearing::dynamics::Square;
@@ -15,7 +16,8 @@ pub struct CoefficientErrors {
 }
 
 impl CoefficientErrors {
-    /// What a `film` and another one differ by, each entry by itself: what `part` makes of the greatest difference over the sizes of entries [1].
+    /// What a `film` and another one differ by, each entry by itself: what `part` makes of the greatest difference over
+    /// the sizes of entries [1].
     pub(super) fn entry_by_entry(film: &Coefficients, other: &Coefficients, part: impl Fn(f64) -> f64) -> Self {
         let differences = [(&film.stiffness, &other.stiffness), (&film.damping, &other.damping)]
             .map(|(of, other)| bars(of, part(greatest_difference(of, other))));
@@ -37,7 +39,8 @@ impl CoefficientErrors {
         Self { parts: parts.into_iter().map(scaled).collect() }
     }
 
-    /// Half widths of the bars of what follows from the coefficients: `change` is what it changes by with each part, none where the part takes it away.
+    /// Half widths of the bars of what follows from the coefficients: `change` is what it changes by with each part,
+    /// none where the part takes it away.
     pub fn bar(&self, change: impl Fn(&Coefficients) -> Option<f64>) -> Option<f64> {
         let squares = self.parts.iter().map(|part| Some(change(part)?.powi(2)));
         Some(squares.sum::<Option<f64>>()?.sqrt())
@@ -56,7 +59,8 @@ fn single([stiffness, damping]: [Square; 2], order: usize) -> Vec<Coefficients> 
     places.flat_map(part).collect()
 }
 
-/// The geometric mean of the greatest entries of row and column; of a block that vanishes by symmetry only the size of its neighbours is known.
+/// The geometric mean of the greatest entries of row and column; of a block that vanishes by symmetry only the size of
+/// its neighbours is known.
 fn size(of: &Square, i: usize, j: usize) -> f64 {
     let greatest = |entries: [f64; 2]| entries.into_iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     // Offsets and slopes have units of their own.

@@ -27,18 +27,21 @@ pub(super) struct CubicPair<'a> {
     pub(super) measured: [&'a Measured; 2],
     /// Which film is judged.
     pub(super) value: Value,
-    /// What the edge of the cavity of the cubic film leaves open of stiffness and damping, triangle by triangle; none where they are not asked for, or could not be computed.
+    /// What the edge of the cavity of the cubic film leaves open of stiffness and damping, triangle by triangle; none
+    /// where they are not asked for, or could not be computed.
     pub(super) edge: Option<Vec<Coefficients>>,
 }
 
-/// Parts of the difference of the tangents of both films that each of them is off by: of the quadratic one, of the cubic one where the edge of a cavity is found, and elsewhere; measured.
+/// Parts of the difference of the tangents of both films that each of them is off by: of the quadratic one, of the
+/// cubic one where the edge of a cavity is found, and elsewhere; measured.
 const OF_QUADRATIC_TANGENTS: f64 = 2.0;
 const OF_CUBIC_TANGENTS: f64 = 1.0;
 const OF_TANGENTS_WITHOUT_EDGE: f64 = 0.8;
-/// Where the film is smooth the cubic tangent is off by this times the 3/2 power of the difference, over the sizes of entries, if that is less; measured: up to 1.05.
+/// Where the film is smooth the cubic tangent is off by this times the 3/2 power of the difference, over the sizes of
+/// entries, if that is less; measured: up to 1.05.
 const OF_SMOOTH_TANGENTS: f64 = 1.5;
-/// Part of the products of response and dual in a triangle through which the edge of the cavity runs by which a tangent is off, where those of all triangles are added without regard to
-/// their signs; measured.
+/// Part of the products of response and dual in a triangle through which the edge of the cavity runs by which a tangent
+/// is off, where those of all triangles are added without regard to their signs; measured.
 const PER_EDGE: f64 = 0.4;
 /// Where the mesh shows no edge: part of the share of the triangles in which one may hide.
 const PER_HIDDEN: f64 = 0.08;
@@ -102,7 +105,8 @@ impl Estimate for CubicPair<'_> {
         let (size, unsure) = self.booked(goal);
         let size = self.has_smooth_flows().then_some(size);
         let bar = self.error.flow(error, size, unsure, self.value);
-        // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another amount.
+        // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another
+        // amount.
         let discretisation = match size {
             Some(_) => bar.discretisation,
             None => bar.discretisation.max(change.abs() * unit),
@@ -207,8 +211,8 @@ impl CubicPair<'_> {
         [self.error.load(self.value), self.error.across(self.value)].map(|bar| bar + self.unseen())
     }
 
-    /// What neither film sees of a load [N]: rounding of the film thickness, as much as for the drag through the whole clearance; and rims that are no
-    /// single circle, whose arcs are parabolas of the mesh.
+    /// What neither film sees of a load [N]: rounding of the film thickness, as much as for the drag through the whole
+    /// clearance; and rims that are no single circle, whose arcs are parabolas of the mesh.
     fn unseen(&self) -> Bar {
         let Film { problem, system, .. } = self.film;
         let load = drag(problem) * 2.0 * problem.bearing.radius * problem.bearing.length;
@@ -253,8 +257,9 @@ impl CubicPair<'_> {
         }
     }
 
-    /// Bar [Pa] of an extreme of a smooth pressure whose two films are `furthest` [Pa] apart in these triangles: locally the error of the quadratic film decreases
-    /// like h^3 and that of the cubic one like h^4, and what comes from elsewhere is in the load as well. None where the pressure is not smooth there.
+    /// Bar [Pa] of an extreme of a smooth pressure whose two films are `furthest` [Pa] apart in these triangles:
+    /// locally the error of the quadratic film decreases like h^3 and that of the cubic one like h^4, and what comes
+    /// from elsewhere is in the load as well. None where the pressure is not smooth there.
     fn of_smooth_extreme(&self, furthest: f64, triangles: &[usize]) -> Option<f64> {
         let is_smooth = self.error.is_smooth && !triangles.iter().any(|&t| self.error.corner[t]);
         let extremes = self.judged().extremes;
@@ -264,8 +269,8 @@ impl CubicPair<'_> {
         (is_smooth && !self.vanishes()).then(|| PER_EXTREME * furthest * (furthest / size).cbrt() + elsewhere)
     }
 
-    /// Whether the law of smooth films holds for flows too: there is no round rim, whose shape is not known to act on them, and no sharp corner, at which the
-    /// flow has no bound.
+    /// Whether the law of smooth films holds for flows too: there is no round rim, whose shape is not known to act on
+    /// them, and no sharp corner, at which the flow has no bound.
     fn has_smooth_flows(&self) -> bool {
         let is_round = |region: &SupplyRegion| region.disc.is_some();
         let is_plain = !self.error.corner.contains(&true);

@@ -1,7 +1,8 @@
 //! Bars of a film whose place a shaft decides: errors of all films of the shaft move its journal.
 //!
-//! Each error moves all journals, and changes what the film that makes it carries in its place as well. So what a film carries changes by the sum of both, which cancel where statics
-//! alone decides the load. The changes of a number by errors that are independent of each other are added without their signs.
+//! Each error moves all journals, and changes what the film that makes it carries in its place as well. So what a film
+//! carries changes by the sum of both, which cancel where statics alone decides the load. The changes of a number by
+//! errors that are independent of each other are added without their signs.
 
 use oilwedge_bearing::coordinates::{Coordinates, Vector, unit};
 use oilwedge_bearing::deflection::displaced;
@@ -23,7 +24,8 @@ pub struct Displacement {
 }
 
 impl Estimated {
-    /// With the bars of a film that independent `errors` displace; none where they are not known, but of numbers that follow from given ones.
+    /// With the bars of a film that independent `errors` displace; none where they are not known, but of numbers that
+    /// follow from given ones.
     #[must_use]
     pub fn displaced(mut self, solved: &Solved, coordinates: Coordinates, errors: Option<&[Displacement]>) -> Self {
         let changes = errors.map(|errors| changes(solved, coordinates, &self.quantities, errors));

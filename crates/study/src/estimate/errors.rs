@@ -1,7 +1,7 @@
 //! The error bars of all quantities of a solved film.
 //!
-//! Under a load what is uncertain is the position: its bar comes from that of the load through the stiffness, and the bars of all other
-//! numbers from the film moved that far along its tangent.
+//! Under a load what is uncertain is the position: its bar comes from that of the load through the stiffness, and the
+//! bars of all other numbers from the film moved that far along its tangent.
 
 use std::time::Instant;
 
@@ -39,9 +39,11 @@ pub struct Estimated {
     pub is_local: bool,
     /// Part of every bar, over its number, for oil that triangles spread across the flow; zero on rows along it.
     pub spread: f64,
-    /// Names of the quantities that are those of the sharp hill of a mass-conserving film, and all that follows from them; of the others none is.
+    /// Names of the quantities that are those of the sharp hill of a mass-conserving film, and all that follows from
+    /// them; of the others none is.
     pub of_hill: Vec<&'static str>,
-    /// Half widths [N] of what the film carries in its place, in independent directions of force and moment; none without bars, or where the mesh does not resolve the film.
+    /// Half widths [N] of what the film carries in its place, in independent directions of force and moment; none
+    /// without bars, or where the mesh does not resolve the film.
     pub carried: Option<Vec<(Vector, f64)>>,
     /// The bar that the load would have without its hill over that which it has; one where there is none.
     pub narrowed: f64,
@@ -213,7 +215,8 @@ fn numbers(film: &Film, of: &Measured) -> Vec<Quantity> {
     measured(&View::new(film, &film.problem, of))
 }
 
-/// Bars of what a balance fixes [N], in directions of force and moment: along the load and across it and, where the journal can tilt, of the `moment` [N m] towards x and y.
+/// Bars of what a balance fixes [N], in directions of force and moment: along the load and across it and, where the
+/// journal can tilt, of the `moment` [N m] towards x and y.
 fn bars_of_balance(
     film: &Film,
     measured: &Measured,
@@ -231,8 +234,8 @@ fn bars_of_balance(
     bars.map(|(direction, bar)| (direction, of_few(film, bar))).collect()
 }
 
-/// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves; `load` bars [N] of what a balance
-/// fixes, by direction.
+/// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves;
+/// `load` bars [N] of what a balance fixes, by direction.
 fn with_bars(
     solved: &Solved,
     estimate: &dyn Estimate,

@@ -1,7 +1,8 @@
 //! Bars of numbers that follow from one another: where a relation is exact, so is that between the bars.
 //!
 //! * Under a load that is balanced W is given, so that `f = T/(R W)` is off by as much as the torque, in proportion.
-//! * What one feed brings leaves at the ends: `Q_f = Q_s` in a film that conserves oil and has no other source. The narrower bar holds for both.
+//! * What one feed brings leaves at the ends: `Q_f = Q_s` in a film that conserves oil and has no other source. The
+//!   narrower bar holds for both.
 //! * Where oil leaves at the ends alone, and none enters there, that is all that cools the film: `Q_out = Q_s`.
 
 use oilwedge_reynolds::supply::BoundaryKind;

@@ -1,11 +1,12 @@
 //! Bars of places, by the film in cubic elements: of the greatest pressure, and of the ends of the loaded film.
 //!
-//! * The greatest pressure is where `grad p = 0`. A field whose gradient is off by g has it `H^-1 g` away, H the second derivatives of the cubic film; g is the
-//!   greatest difference of the two gradients in the triangles in which the greatest pressure may be: where the cubic film comes
-//!   nearer to it at a node than d, twice its bar and four times what the highest node is below it. On a flat ridge H is that of a ripple; so the curvature is
-//!   no greater than `2 d/r^2`, r how far away the film comes as near; the place is no farther than r.
-//! * An end of the film is off by the difference of the two films, half of the triangle in which a free boundary is found, and where the pressure is only cut off
-//!   by the difference of the two pressures over the slope.
+//! * The greatest pressure is where `grad p = 0`. A field whose gradient is off by g has it `H^-1 g` away, H the second
+//!   derivatives of the cubic film; g is the greatest difference of the two gradients in the triangles in which the
+//!   greatest pressure may be: where the cubic film comes nearer to it at a node than d, twice its bar and four times
+//!   what the highest node is below it. On a flat ridge H is that of a ripple; so the curvature is no greater than
+//!   `2 d/r^2`, r how far away the film comes as near; the place is no farther than r.
+//! * An end of the film is off by the difference of the two films, half of the triangle in which a free boundary is
+//!   found, and where the pressure is only cut off by the difference of the two pressures over the slope.
 
 use oilwedge_fem::Field;
 use oilwedge_fem::lagrange;
@@ -34,7 +35,8 @@ const PER_BAR: f64 = 2.0;
 const PER_NODE: f64 = 4.0;
 /// Share of the triangle in which a free boundary is found.
 const OF_TRIANGLE: f64 = 0.5;
-/// Step in reference coordinates for second derivatives: gradients of cubics are quadratic, so that differences are exact.
+/// Step in reference coordinates for second derivatives: gradients of cubics are quadratic, so that differences are
+/// exact.
 const STEP: f64 = 0.125;
 
 /// Bars [m] of the place of the greatest pressure, around and along the axis; `bar` [Pa] is that of this pressure.

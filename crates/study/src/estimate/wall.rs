@@ -1,8 +1,10 @@
 //! What an uncertain deflection of the wall makes uncertain.
 //!
-//! Both films of a pair run under one wall, bent by the film that is reported. The wall would be bent otherwise by the pressure of the other film, and on a finer grid:
-//! as far as the wall would move, film and wall answer along their common tangent, and the film is measured again. For forces and moments the dual of film and wall
-//! ([`oilwedge_reynolds::error_bar::following`]) has the part of the other film, with its sign; the grid's is added here.
+//! Both films of a pair run under one wall, bent by the film that is reported. The wall would be bent otherwise by the
+//! pressure of the other film, and on a finer grid: as far as the wall would move, film and wall answer along their
+//! common tangent, and the film is measured again. For forces and moments the dual of film and wall
+//! ([`oilwedge_reynolds::error_bar::following`]) has the part of the other film, with its sign; the grid's is added
+//! here.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -25,7 +27,8 @@ use crate::solved::Solved;
 pub(super) struct WallBars {
     /// Quantities by name; not finite where the film has no tangent.
     by_name: HashMap<Cow<'static, str>, f64>,
-    /// Forces towards x and y [N], and moments [N m], at a fixed position: what the grid changes, for the dual of the wall has the rest.
+    /// Forces towards x and y [N], and moments [N m], at a fixed position: what the grid changes, for the dual of the
+    /// wall has the rest.
     forces: [f64; 4],
 }
 

@@ -4,8 +4,8 @@
 //! mean of T omega + work of the load on the path, over the time = mean heat - what feeds put in
 //! ```
 //!
-//! The work of the load is an integral along the path between the steps, all else is measured on films: so the balance shows the error of the steps in
-//! time. A support and a mass give back over a closed cycle what they take.
+//! The work of the load is an integral along the path between the steps, all else is measured on films: so the balance
+//! shows the error of the steps in time. A support and a mass give back over a closed cycle what they take.
 
 use oilwedge_bearing::ThermalFlows;
 use oilwedge_bearing::duty_cycle::PeriodicSpline;
@@ -24,7 +24,8 @@ const PLACES: u32 = 4096;
 pub(crate) struct CycleBalances {
     /// Greatest imbalance of the oil of a film [1].
     pub(crate) mass: f64,
-    /// What turns the journal and the work of the load, less the heat, over that [1]; none where the films cannot be joined to a curve.
+    /// What turns the journal and the work of the load, less the heat, over that [1]; none where the films cannot be
+    /// joined to a curve.
     pub(crate) energy: Option<f64>,
 }
 

@@ -1,8 +1,9 @@
 //! Error bars of an orbit whose film conserves its oil: by two more orbits on the vertices of the mesh alone.
 //!
-//! What such a film is off by is handed on from one time to the next with its oil, so that no single film shows it. An orbit on the vertices has edges of
-//! twice the length; the scheme is of first order in space at least, so that a number is off by no more than it differs between both, to leading order.
-//! One more orbit there with a wider tolerance shows what the steps in time do.
+//! What such a film is off by is handed on from one time to the next with its oil, so that no single film shows it. An
+//! orbit on the vertices has edges of twice the length; the scheme is of first order in space at least, so that a
+//! number is off by no more than it differs between both, to leading order. One more orbit there with a wider tolerance
+//! shows what the steps in time do.
 //!
 //! ```text
 //! mesh: |J - J_vertices|        time: |J_vertices(tolerance) - J_vertices(4 tolerance)|
@@ -22,7 +23,8 @@ use crate::run_options::RunOptions;
 /// Tolerance of the last orbit, over that of the others.
 const WIDER: f64 = 4.0;
 
-/// Gives the numbers of an orbit their bars; none where an orbit of the comparison does not come to its end. Whether the deadline has ended one.
+/// Gives the numbers of an orbit their bars; none where an orbit of the comparison does not come to its end. Whether
+/// the deadline has ended one.
 pub(super) fn judge(
     motion: &Motion,
     (film, model): (&Film, &oilwedge_scene::Orbit),

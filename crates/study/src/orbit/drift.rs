@@ -5,18 +5,21 @@
 //! C d' + K d = 0,  d -> d + e_n         off by the steps in time; e_n: estimate of the error of each step
 //! ```
 //!
-//! Both are solved by implicit Euler steps from film to film, twice around a closed orbit, and each step's part by itself: `d = sum d_n`. The estimate e_n is that of the embedded
-//! method: its size is right, its sign is not that of the error, so parts that cancel are not trusted to do so. The estimate D has the sign of the error, and is itself off by some
-//! [`UNSURE`] of it. For a number with the derivatives `s` by d and d':
+//! Both are solved by implicit Euler steps from film to film, twice around a closed orbit, and each step's part by
+//! itself: `d = sum d_n`. The estimate e_n is that of the embedded method: its size is right, its sign is not that of
+//! the error, so parts that cancel are not trusted to do so. The estimate D has the sign of the error, and is itself
+//! off by some [`UNSURE`] of it. For a number with the derivatives `s` by d and d':
 //! ```text
 //! time: sum_n |s.d_n|           mesh: |sum_n s.d_n| + 1/4 sum_n |s.d_n|
 //! ```
 //!
-//! Between two steps the path is a cubic, which is off by `k s^2 (1 - s)^2` to first order, s from 0 to 1. The film at s = 1/4 shows k: its velocity, by which it carries
-//! the load, differs from that of the path by v, and `C d' + K d = -C v` there. In a wall that gives way that film is led on to by a step, and shows k by its place.
+//! Between two steps the path is a cubic, which is off by `k s^2 (1 - s)^2` to first order, s from 0 to 1. The film at
+//! s = 1/4 shows k: its velocity, by which it carries the load, differs from that of the path by v, and
+//! `C d' + K d = -C v` there. In a wall that gives way that film is led on to by a step, and shows k by its place.
 //!
-//! An orbit that closes is still off by what further cycles would move it: by `distance/(1 - rho)` at the beginning of the last cycle and `rho` times that at its end, where
-//! `rho` is the contraction from cycle to cycle. Its direction is not known: unit deviations `u_k` of all coordinates are carried along the orbit, and a number is off by
+//! An orbit that closes is still off by what further cycles would move it: by `distance/(1 - rho)` at the beginning of
+//! the last cycle and `rho` times that at its end, where `rho` is the contraction from cycle to cycle. Its direction is
+//! not known: unit deviations `u_k` of all coordinates are carried along the orbit, and a number is off by
 //! `distance/(1 - rho) sqrt(sum_k (s.u_k)^2)`.
 //!
 //! K and C of such a wall are those of slow motions, which it follows; its deflection has no deviation of its own.
@@ -65,7 +68,8 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
     }
 }
 
-/// Adds what the closure of the last cycle leaves of the distance to the limit of all cycles; an orbit that does not contract has no bars.
+/// Adds what the closure of the last cycle leaves of the distance to the limit of all cycles; an orbit that does not
+/// contract has no bars.
 pub(super) fn add_closure(cycles: &[Cycle], samples: &mut [Sampled], order: usize) {
     let Some(last) = cycles.last() else { return };
     let mut deviations = Parts((0..order).map(unit).collect());
@@ -145,7 +149,8 @@ impl Parts {
     }
 }
 
-/// How far the path between two steps is off at a time [m], estimated; nothing where the path decides how the journal moves: the film carries another load than that of the motion.
+/// How far the path between two steps is off at a time [m], estimated; nothing where the path decides how the journal
+/// moves: the film carries another load than that of the motion.
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film between the steps.

@@ -4,9 +4,9 @@
 //! seconds = cycles (films a cycle) (seconds a film)         films a cycle = 600 (1e-2/tolerance)^(1/4)
 //! ```
 //!
-//! A film takes some four linear solves of a sparse symmetric matrix, which grow a little faster than its unknowns: 0.5 ms
-//! with 160 unknowns, 30 ms with 7700. Error bars take about as long as the cycles; with a balance of heat several orbits
-//! are followed.
+//! A film takes some four linear solves of a sparse symmetric matrix, which grow a little faster than its unknowns: 0.5
+//! ms with 160 unknowns, 30 ms with 7700. Error bars take about as long as the cycles; with a balance of heat several
+//! orbits are followed.
 
 use crate::film::Film;
 

@@ -1,4 +1,5 @@
-//! The films along an orbit: solved once more at the places and velocities of its steps, measured, and judged as films at given positions are.
+//! The films along an orbit: solved once more at the places and velocities of its steps, measured, and judged as films
+//! at given positions are.
 
 use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::deflection::{displaced, hastened};
@@ -23,7 +24,8 @@ use crate::thermal::flows::thermal_flows;
 
 /// Films that are solved one after the other, each started from the one before; groups of them run side by side.
 const GROUP: usize = 8;
-/// The journal is moved by this part of the least gap, and its velocity changed by as much of the drag's, to see what a number depends on.
+/// The journal is moved by this part of the least gap, and its velocity changed by as much of the drag's, to see what a
+/// number depends on.
 const SMALL: f64 = 1e-4;
 /// Films that are solved between steps to find the greatest pressure.
 const PEAKS: usize = 3;
@@ -111,7 +113,8 @@ pub(super) fn refine_peak(
     Ok(())
 }
 
-/// Time [s] at which the parabola through the greatest pressure and its neighbours is greatest; none at the ends of the cycle, or near a film.
+/// Time [s] at which the parabola through the greatest pressure and its neighbours is greatest; none at the ends of the
+/// cycle, or near a film.
 fn peak(samples: &[Sampled]) -> Option<f64> {
     const NEAR: f64 = 0.02;
     let pressure = |sampled: &Sampled| sampled.sample.value(&PRESSURE_MAX);
@@ -189,7 +192,8 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
     Ok((sampled, followed))
 }
 
-/// These numbers, but what the film carries is that of the film by which the orbit was followed: it balances the load. Its bar is that of the path.
+/// These numbers, but what the film carries is that of the film by which the orbit was followed: it balances the load.
+/// Its bar is that of the path.
 fn with_forces_of_path(film: &Film, followed: &SolvedFilm, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
     let of_path = measure(followed);
     let of_path = measured(&View::new(film, &film.problem, &of_path));

@@ -14,8 +14,8 @@ use crate::film::Film;
 use crate::observer::Watch;
 use crate::position::Position;
 
-/// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads elsewhere, another one is drawn if
-/// its edges differ by this factor.
+/// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads
+/// elsewhere, another one is drawn if its edges differ by this factor.
 pub(crate) const USUAL: f64 = 0.93;
 const ELSEWHERE: f64 = 1.3;
 /// Greatest eccentricity for which a mesh is drawn.

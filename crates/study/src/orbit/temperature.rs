@@ -1,7 +1,7 @@
 //! One temperature for a cycle: films take up the mean power of the cycle, and its mean flow carries the heat off.
 //!
-//! The temperature is first found on a coarser mesh; the mesh of the result is made for the viscosity at that temperature. On it the balance is
-//! solved again, each orbit begun where the one before had closed.
+//! The temperature is first found on a coarser mesh; the mesh of the result is made for the viscosity at that
+//! temperature. On it the balance is solved again, each orbit begun where the one before had closed.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -29,7 +29,8 @@ use crate::run_options::RunOptions;
 use crate::thermal::{Left, none};
 use crate::thermal_model::ThermalModel;
 
-/// The heat of a cycle is balanced where what is left over is this part of the tolerance of the orbit, of the mean power;
+/// The heat of a cycle is balanced where what is left over is this part of the tolerance of the orbit, of the mean
+/// power;
 const BALANCED: f64 = 0.1;
 /// on the coarser mesh, where it is this part of the power, by orbits of this tolerance.
 const ROUGHLY: f64 = 1e-2;
@@ -199,7 +200,8 @@ impl Search<'_> {
         Some([first, second])
     }
 
-    /// Gives the numbers of the balance their bars, and adds to all others what the bar of the temperature makes of them. None where that bar is not known.
+    /// Gives the numbers of the balance their bars, and adds to all others what the bar of the temperature makes of
+    /// them. None where that bar is not known.
     fn widen(
         &self,
         quantities: &mut [Quantity],

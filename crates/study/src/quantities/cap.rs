@@ -9,8 +9,9 @@ use super::view::View;
 use crate::cap_joint::cap_joint;
 
 rows! {
-    /// `P_c = omega^2 r (m_j (1 + r/l) + m_r - m_c)`: pull of inertia at the cap, the piston at the top dead centre before intake; m_j,
-    /// m_r, m_c the reciprocating and rotating masses and that of the cap, r the crank radius, l the length of the rod
+    /// `P_c = omega^2 r (m_j (1 + r/l) + m_r - m_c)`: pull of inertia at the cap, the piston at the top dead centre
+    /// before intake; m_j, m_r, m_c the reciprocating and rotating masses and that of the cap, r the crank radius, l
+    /// the length of the rod
     CAP_FORCE = "cap_force", "P_c", Newton, "inertia that pulls at the cap":
         One(|film| Some(joint(film)?.forces.cap_force)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
@@ -18,15 +19,15 @@ rows! {
     CAP_OPENING_FORCE = "cap_opening_force", "P_o", Newton, "pull at the cap that opens the joint":
         One(|film| Some(joint(film)?.forces.opening)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-    /// `W_c/P_o`, W_c the part of the film's load that points to the cap; 1 opens the joint, below 0 nothing pulls at it. The cap's own
-    /// inertia is left out, which takes some of it; none at rest
+    /// `W_c/P_o`, W_c the part of the film's load that points to the cap; 1 opens the joint, below 0 nothing pulls at
+    /// it. The cap's own inertia is left out, which takes some of it; none at rest
     CAP_FILM_SHARE = "cap_film_share", "W_c/P_o", One, "pull of this film at the cap / P_o (< 0: none)":
         One(film_share),
         ErrorRule::Component(share_per_force),
         in_table(Table::Cap) only(opens);
 
-    /// `R_s = Delta E F/(pi rho)`: force that presses one side of the shell to the length of its seat; Delta its protrusion, E modulus, F
-    /// section, rho mean radius; none without `shell`
+    /// `R_s = Delta E F/(pi rho)`: force that presses one side of the shell to the length of its seat; Delta its
+    /// protrusion, E modulus, F section, rho mean radius; none without `shell`
     SHELL_FORCE = "shell_force", "R_s", Newton, "presses one side of the shell into its seat":
         One(|film| joint(film).filter(|it| it.cap.shell.is_some()).map(|it| it.forces.shell_force)),
         ErrorRule::Exact, only(|scene| scene.cap.is_some_and(|cap| cap.shell.is_some())) in_table(Table::Cap);
@@ -35,8 +36,8 @@ rows! {
     BOLT_FORCE = "bolt_force", "P_b", Newton, "pull on one bolt":
         One(|film| Some(joint(film)?.forces.bolt_force)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-    /// `Q = nu (1 - chi) P_b + 2 R_s/i`: preload, the least force that a bolt bears in use; chi the share of a pull at the joint that its
-    /// bolts take
+    /// `Q = nu (1 - chi) P_b + 2 R_s/i`: preload, the least force that a bolt bears in use; chi the share of a pull at
+    /// the joint that its bolts take
     BOLT_PRELOAD = "bolt_preload", "Q", Newton, "preload of a bolt, its least force":
         One(|film| Some(joint(film)?.forces.preload)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
@@ -99,8 +100,8 @@ fn joint(film: &View) -> Option<Joint> {
     Some(Joint::new(&film.base.scene.cap?, film.journal().speed))
 }
 
-/// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at rest,
-/// where the joint is tightened for no force.
+/// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at
+/// rest, where the joint is tightened for no force.
 fn share_per_force(film: &View) -> Option<[f64; 2]> {
     let Joint { cap, forces, .. } = joint(film)?;
     (forces.opening > 0.0).then(|| [cap.angle.cos(), cap.angle.sin()].map(|part| part / forces.opening))

@@ -11,8 +11,8 @@ use crate::estimate::Estimate;
 use crate::measure::Touching;
 
 rows! {
-    /// `W_a . W/W^2`, `W_a = Int p_a (cos phi, sin phi) dA`: the part of the load, along it, that contact carries; the rest is that of the oil; of scenes with
-    /// `[contact]`, none without a load
+    /// `W_a . W/W^2`, `W_a = Int p_a (cos phi, sin phi) dA`: the part of the load, along it, that contact carries; the
+    /// rest is that of the oil; of scenes with `[contact]`, none without a load
     CONTACT_SHARE = "contact_share", "W_a/W", One, "part of the load that contact carries":
         One(share), ErrorRule::Of("that of the load, in proportion, and the error of integration; under a load that of the position", of_share),
         tolerance only(touches) headline(Headline::Always(6));

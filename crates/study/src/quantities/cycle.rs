@@ -40,8 +40,8 @@ rows! {
         OverCycle(|cycle| Some((cycle.peak_load, Some(Bar::default())))),
         ErrorRule::Exact, headline(Headline::Always(6));
 
-    /// Mean over the cycle of `P + P_e`: what turns the journal (nothing where it stands still) and what the load does on its centre, all of which the film turns into heat where no
-    /// pressure is fed
+    /// Mean over the cycle of `P + P_e`: what turns the journal (nothing where it stands still) and what the load does
+    /// on its centre, all of which the film turns into heat where no pressure is fed
     CYCLE_POWER_LOSS = "cycle_power_loss", "P_m", Watt, "mean power that the film turns into heat":
         OverCycle(|cycle| {
             let moving = mean(cycle, &MOTION_POWER)?;
@@ -70,7 +70,8 @@ rows! {
         OverCycle(|cycle| mean(cycle, &SIDE_FLOW)),
         ErrorRule::OverCycle(MEAN), headline(Headline::Always(9));
 
-    /// `t_m`: one temperature for all films of the cycle, at which the mean flow carries off the mean of `P + P_e`; none without `[heat]`
+    /// `t_m`: one temperature for all films of the cycle, at which the mean flow carries off the mean of `P + P_e`;
+    /// none without `[heat]`
     CYCLE_TEMPERATURE = "cycle_temperature", "t_m", Celsius, "temperature of the films, one for the cycle":
         OverCycle(|_| None),
         ErrorRule::OverCycle(BALANCED), only(is_balanced) headline(Headline::Always(10));

@@ -18,7 +18,8 @@ pub struct Sample {
     pub journal: JournalState,
     /// What was measured on the film; its bars are those at this place and velocity of the journal.
     pub quantities: Vec<Quantity>,
-    /// How far off each number may be because the journal is elsewhere: by the mesh, and by the steps in time; empty where errors are not estimated.
+    /// How far off each number may be because the journal is elsewhere: by the mesh, and by the steps in time; empty
+    /// where errors are not estimated.
     pub drift: Vec<[f64; 2]>,
 }
 
@@ -189,7 +190,8 @@ impl CycleView<'_> {
         best
     }
 
-    /// Half of the time [s] around `time` in which a value is within twice its `bar` of an extreme: where that may be in truth.
+    /// Half of the time [s] around `time` in which a value is within twice its `bar` of an extreme: where that may be
+    /// in truth.
     pub fn doubt(&self, time: f64, bar: f64, off: impl Fn(f64) -> f64) -> f64 {
         let step = self.period() / f64::from(PLACES);
         let reach = |way: f64| {
@@ -199,7 +201,8 @@ impl CycleView<'_> {
         step * reach(1.0).max(reach(-1.0))
     }
 
-    /// The bar of the thinnest film of the cycle, at its time [s]: that of the films around it, and what the path is off between them.
+    /// The bar of the thinnest film of the cycle, at its time [s]: that of the films around it, and what the path is
+    /// off between them.
     pub fn bar_of_thinnest(&self, time: f64) -> Option<Bar> {
         let bar = self.bar_at(&FILM_THICKNESS_MIN, time)?;
         Some(Bar { time: bar.time + self.between, ..bar })
@@ -259,7 +262,8 @@ impl CycleView<'_> {
         all.reduce(|a, b| if b.value > a.value { b } else { a })
     }
 
-    /// The part of the cycle [1] in which a row is above a level, on the spline through its values; its bar is the part in which it is within its bar of the level.
+    /// The part of the cycle [1] in which a row is above a level, on the spline through its values; its bar is the part
+    /// in which it is within its bar of the level.
     pub fn part_above(&self, row: &Row, level: f64) -> Option<Judged> {
         let spline = self.spline(row)?;
         let places = (0..PLACES).map(|k| self.period() * f64::from(k) / f64::from(PLACES));

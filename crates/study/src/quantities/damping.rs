@@ -9,7 +9,8 @@ use super::view::View;
 use crate::estimate::Estimate;
 
 rows! {
-    /// `C_xx = dW_x/de_x'`: how the film answers to a journal that moves a little, `-C (e', g')` on the journal; likewise, and with `jfo` with what the cavity takes up
+    /// `C_xx = dW_x/de_x'`: how the film answers to a journal that moves a little, `-C (e', g')` on the journal;
+    /// likewise, and with `jfo` with what the cavity takes up
     DAMPING_XX = "damping_xx", "C_xx", NewtonSecondPerMetre, "change of W_x with e_x'":
         One(|film| entry(film, 0, 0)), ErrorRule::Of(RULE, |estimate, _| bar(estimate, 0, 0)),
         in_table(Table::Dynamics) only(is_asked);

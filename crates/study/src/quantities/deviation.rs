@@ -10,7 +10,8 @@ use super::rule::ErrorRule;
 use super::view::View;
 
 rows! {
-    /// `h_0`: least film thickness at mid-length, z = 0; of scenes whose `[criteria]` ask for it, for the deviation or the equivalent film
+    /// `h_0`: least film thickness at mid-length, z = 0; of scenes whose `[criteria]` ask for it, for the deviation or
+    /// the equivalent film
     MIDDLE_FILM_MIN = "middle_film_min", "h_0", Metre, "least film thickness at mid-length":
         One(|film| Some(sections(film)?.middle)), ErrorRule::Position, only(is_asked);
 
@@ -18,7 +19,8 @@ rows! {
     DEVIATION = "deviation", "Delta_gamma", Metre, "film at mid-length less that at the thinner end":
         One(|film| Some(sections(film)?.deviation())), ErrorRule::Position, only(is_asked);
 
-    /// `h* = h_0/(1 + (Delta_gamma/s)^2)`, s being `criteria.deviation_scale`, and h_0 where the film is thicker at both ends; likewise
+    /// `h* = h_0/(1 + (Delta_gamma/s)^2)`, s being `criteria.deviation_scale`, and h_0 where the film is thicker at
+    /// both ends; likewise
     EQUIVALENT_FILM = "equivalent_film", "h*", Metre, "equivalent film: that at mid-length, made less by the deviation":
         One(|film| Some(sections(film)?.equivalent_film(film.base.scene.deviation_scale()?))), ErrorRule::Position, only(is_asked);
 

@@ -10,8 +10,8 @@ use super::view::View;
 use crate::estimate::Estimate;
 
 rows! {
-    /// `Q_s`: oil that leaves at both ends, less what enters there; with `guembel` where its pressure was not dropped; none with sealed
-    /// ends
+    /// `Q_s`: oil that leaves at both ends, less what enters there; with `guembel` where its pressure was not dropped;
+    /// none with sealed ends
     SIDE_FLOW = "side_flow", "Q_s", CubicMetrePerSecond, "oil that leaves at the ends (< 0: enters)":
         One(|film| film.side_flow()), OF_ENDS, tolerance headline(Headline::Always(12));
 
@@ -23,9 +23,10 @@ rows! {
     SIDE_FLOW_HIGH = "side_flow_high", "Q_s", CubicMetrePerSecond, "the part at the end z = +B/2":
         One(|film| out_of(film, HIGH)), ErrorRule::Of(DUAL, |estimate, at| of_end(estimate, at, HIGH));
 
-    /// `Q = Int (theta U h/2 - h^3/(12 mu) dp/dx) dz` along the line where the loaded film begins: just behind the film start or the
-    /// leading edge of an arc, in a ring without them where the film is thickest; behind the feed where one lies there, so that its oil counts. Of it
-    /// Q_s leaves at the ends, the rest goes round; none at rest. With `[roughness]` h_T stands for h in the first term, and phi_p before the second
+    /// `Q = Int (theta U h/2 - h^3/(12 mu) dp/dx) dz` along the line where the loaded film begins: just behind the film
+    /// start or the leading edge of an arc, in a ring without them where the film is thickest; behind the feed where
+    /// one lies there, so that its oil counts. Of it Q_s leaves at the ends, the rest goes round; none at rest. With
+    /// `[roughness]` h_T stands for h in the first term, and phi_p before the second
     INLET_FLOW = "inlet_flow", "Q", CubicMetrePerSecond, "oil carried into the loaded film":
         One(|film| film.measured.inlet_flow), OF_INLET, tolerance;
 
@@ -41,9 +42,10 @@ rows! {
         ErrorRule::Of("that of `inlet_flow`, in proportion",
             |estimate, at| Some(Bar::of(estimate.inlet_flow(at.per(at.view.flow_unit()?)))));
 
-    /// `Q_f`: oil that enters the film across the rim of the feed of that name; below 0 the feed drains the film. Feeds that overlap are one
-    /// region, `feed_flow.A+B`. Under squeeze the gap over a feed that is cut out changes too, and is not counted: the supply gives
-    /// `Int dh/dt dA` over the feed more; over a meshed feed (a groove all around, a surface of a mesh file) this is counted. None without feeds
+    /// `Q_f`: oil that enters the film across the rim of the feed of that name; below 0 the feed drains the film. Feeds
+    /// that overlap are one region, `feed_flow.A+B`. Under squeeze the gap over a feed that is cut out changes too, and
+    /// is not counted: the supply gives `Int dh/dt dA` over the feed more; over a meshed feed (a groove all around, a
+    /// surface of a mesh file) this is counted. None without feeds
     FEED_FLOW = "feed_flow.", "Q_f", CubicMetrePerSecond, "oil that enters there (< 0: leaves)":
         Each(|film| film.regions(BoundaryKind::Feed).map(|(region, flow)| (region.name.clone(), flow.net)).collect()),
         ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Region(at.region.to_owned()), at.per(1.0))),

@@ -10,8 +10,9 @@ use super::view::View;
 use crate::estimate::Estimate;
 
 rows! {
-    /// `T = R Int (mu U/h + (h/2) dp/dx) dA` over the film, mu that at the pressure of the place; the journal is turned with it; positive
-    /// against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the film fraction; `[contact]` adds `R mu_b Int p_a dA`
+    /// `T = R Int (mu U/h + (h/2) dp/dx) dA` over the film, mu that at the pressure of the place; the journal is turned
+    /// with it; positive against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the
+    /// film fraction; `[contact]` adds `R mu_b Int p_a dA`
     FRICTION_TORQUE = "friction_torque", "T", NewtonMetre, "torque on the journal, against the rotation":
         One(|film| Some(film.friction()?.on_journal)),
         ErrorRule::Of(OF_PARTS, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(10));
@@ -37,13 +38,14 @@ rows! {
         One(|film| turning(film, film.measured.power.shear)),
         ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 0.0]));
 
-    /// `P_p = Int (h/2) U dp/dx dA`; without pockets it is taken as omega times half of the moment of W about the bearing's centre; none at rest
+    /// `P_p = Int (h/2) U dp/dx dA`; without pockets it is taken as omega times half of the moment of W about the
+    /// bearing's centre; none at rest
     FRICTION_PRESSURE_POWER = "friction_pressure_power", "P_p", Watt, "part of P against pressure":
         One(|film| turning(film, film.measured.power.pressure)),
         ErrorRule::Of("that of the load across the eccentricity, in proportion; with pockets dual-weighted", |estimate, at| of_power(estimate, at, [0.0, 1.0]));
 
-    /// `P_sc`: the part of P_s in the cavity, where models that keep no film fraction shear the whole gap; P without it is what a dry
-    /// cavity would leave; none at rest
+    /// `P_sc`: the part of P_s in the cavity, where models that keep no film fraction shear the whole gap; P without it
+    /// is what a dry cavity would leave; none at rest
     FRICTION_CAVITY_POWER = "friction_cavity_power", "P_sc", Watt, "part of P_s in the cavity, its whole gap sheared":
         One(|film| turning(film, film.measured.power.cavity_shear).filter(|_| drops(film))),
         ErrorRule::Of("difference of the two films, and the shear on the part of the mesh that the edge of the cavity takes up",
@@ -59,8 +61,8 @@ fn turning(film: &View, power: f64) -> Option<f64> {
     (film.journal().speed.abs() > 0.0).then_some(power)
 }
 
-/// Bar [W] of `shear` times the power of shear and `pressure` times that of pressure. The latter goes with the force and the moment of the film where it follows
-/// from them.
+/// Bar [W] of `shear` times the power of shear and `pressure` times that of pressure. The latter goes with the force
+/// and the moment of the film where it follows from them.
 fn of_power(estimate: &dyn Estimate, at: &Subject, [shear, pressure]: [f64; 2]) -> Option<Bar> {
     let Some(per) = PressurePower::of(at.view.problem) else {
         return Some(estimate.power([shear, pressure]));

@@ -19,8 +19,8 @@ use crate::thermal::flows::thermal_flows;
 use crate::thermal_model::ThermalModel;
 
 rows! {
-    /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none where the oil has
-    /// one viscosity
+    /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none
+    /// where the oil has one viscosity
     TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "mean temperature of the film":
         One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
         ErrorRule::Temperature(|_| Some(1.0)), only(is_by_temperature) headline(Headline::Always(8));
@@ -31,20 +31,22 @@ rows! {
         ErrorRule::Temperature(|warming| warming.slope(VISCOSITY_EFFECTIVE.name)),
         only(is_by_temperature);
 
-    /// `Q_out`: oil that leaves the film: `Q_s` where oil only leaves at the ends, and what feeds drain; none without `[heat]`
+    /// `Q_out`: oil that leaves the film: `Q_s` where oil only leaves at the ends, and what feeds drain; none without
+    /// `[heat]`
     COOLING_FLOW = "cooling_flow", "Q_out", CubicMetrePerSecond, "oil that leaves the film and carries heat off":
         One(|film| Some(found(film)?.2.flow)),
         ErrorRule::Of("those of the flows at the ends, and where else oil leaves", of_leaving),
         in_table(Table::Temperature) only(is_balanced);
 
-    /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without `heat.mixing`
+    /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without
+    /// `heat.mixing`
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
         One(|film| film.base.thermal?.mixing.and_then(|_| end(film, 0))),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[0])),
         in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.mixing.is_some()));
 
-    /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m the hot oil carried
-    /// over for each part of fresh oil; none without `[heat]`
+    /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m
+    /// the hot oil carried over for each part of fresh oil; none without `[heat]`
     TEMPERATURE_OUTLET = "temperature_outlet", "t_out", Celsius, "of the oil that leaves it":
         One(|film| end(film, 1)),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[1])),
@@ -56,7 +58,8 @@ rows! {
         ErrorRule::Balance(|warming| warming.power, carried_per_kelvin),
         in_table(Table::Temperature) only(is_balanced);
 
-    /// `P_h = G (t_m - t_a)`: G the conductance of the housing, t_a the temperature around it; none without `heat.housing`
+    /// `P_h = G (t_m - t_a)`: G the conductance of the housing, t_a the temperature around it; none without
+    /// `heat.housing`
     HEAT_HOUSING = "heat_housing", "P_h", Watt, "heat that the housing gives off":
         One(|film| found(film).and_then(|(balance, temperature, _)| balance.housing.map(|_| balance.given_off(temperature)))),
         ErrorRule::Temperature(|warming| warming.conductance()),
@@ -81,7 +84,8 @@ fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
     Some((model.balance, temperature, thermal_flows(&model, film.base, film.measured)))
 }
 
-/// Bar of the oil that leaves the film: those of the flows through the ends, and through all other regions as far as oil may leave there.
+/// Bar of the oil that leaves the film: those of the flows through the ends, and through all other regions as far as
+/// oil may leave there.
 fn of_leaving(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
     if at.value == 0.0 {
         return Some(Bar::default());

@@ -9,12 +9,13 @@ use super::rule::ErrorRule;
 use super::view::{View, degrees};
 
 rows! {
-    /// `W = sqrt(W_x^2 + W_y^2)`: the external force on the journal that the film carries; the film pushes the journal with -W
+    /// `W = sqrt(W_x^2 + W_y^2)`: the external force on the journal that the film carries; the film pushes the journal
+    /// with -W
     LOAD = "load", "W", Newton, "force on the journal that the film carries":
         One(|film| Some(film.force)), ErrorRule::Load, tolerance headline(Headline::AtPosition(1));
 
-    /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends; with `[contact]` and
-    /// the part that contact carries
+    /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the
+    /// ends; with `[contact]` and the part that contact carries
     LOAD_X = "load_x", "W_x", Newton, "part of W along x (angle 0)":
         One(|film| Some(force(film)[0])), TOWARDS_X, tolerance;
 
@@ -30,7 +31,8 @@ rows! {
     SPECIFIC_LOAD = "specific_load", "p_m", Pascal, "specific load, W / (D B)":
         One(|film| Some(film.force / projected_area(film))), ErrorRule::PerLoad, headline(Headline::Always(7));
 
-    /// `C_w = W/(D B (p_s - p_e))`, p_s the pressure of the feeds; none without feeds, or with feeds of different pressures
+    /// `C_w = W/(D B (p_s - p_e))`, p_s the pressure of the feeds; none without feeds, or with feeds of different
+    /// pressures
     LOAD_COEFFICIENT = "load_coefficient", "C_w", One, "W / (D B (p_feed - p_ends))":
         One(load_coefficient), ErrorRule::PerLoad, tolerance only(is_fed);
 

@@ -1,8 +1,9 @@
 //! The catalogue of quantities: what is reported of a film, one row each, in the order of the report.
 //!
-//! A row (`row.rs`) has name, symbol, unit and definition, how the quantity is measured on a film (`view.rs`), and how its error is
-//! estimated (`rule.rs`). Results, tables, columns of sweeps, tolerances and `docs/reference/quantities.md` are made of the rows. A new
-//! quantity is a new row in the file of its group, and its place in [`CATALOGUE`].
+//! A row (`row.rs`) has name, symbol, unit and definition, how the quantity is measured on a film (`view.rs`), and how
+//! its error is estimated (`rule.rs`). Results, tables, columns of sweeps, tolerances and
+//! `docs/reference/quantities.md` are made of the rows. A new quantity is a new row in the file of its group, and its
+//! place in [`CATALOGUE`].
 
 use std::borrow::Cow;
 
@@ -208,7 +209,8 @@ pub fn row(name: &str) -> Option<&'static Row> {
     CATALOGUE.into_iter().find(|row| row.has(name))
 }
 
-/// The quantity by which a scene is judged where nothing else is asked: the load, or the eccentricity that a given load leads to.
+/// The quantity by which a scene is judged where nothing else is asked: the load, or the eccentricity that a given load
+/// leads to.
 pub fn main_quantity(scene: &Scene) -> &'static Row {
     match scene.journal.load() {
         _ if scene.orbit.is_some() => &CYCLE_FILM_THICKNESS_MIN,

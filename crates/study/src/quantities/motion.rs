@@ -7,8 +7,8 @@ use crate::estimate::Estimate;
 use oilwedge_reynolds::error_bar::Bar;
 
 rows! {
-    /// `P_e = W . de/dt + m . dg/dt`: the load times the velocity of the journal's centre, and the moment times the rate of the slope of its axis; with P
-    /// the whole power of a film that is fed no pressure; none where both rest
+    /// `P_e = W . de/dt + m . dg/dt`: the load times the velocity of the journal's centre, and the moment times the
+    /// rate of the slope of its axis; with P the whole power of a film that is fed no pressure; none where both rest
     MOTION_POWER = "squeeze_power", "P_e", Watt, "power of the load as the journal's centre moves":
         One(|film| { let moves = !film.journal().is_still(); moves.then(|| film.measured.motion_power(film.journal())) }),
         ErrorRule::Of("dual-weighted, along and across the load", bar),

@@ -18,28 +18,31 @@ rows! {
         ErrorRule::Of("difference of the two films, and of their slopes over the curvature of the pressure",
             |estimate, at| Some(Bar::of(estimate.summit()[0]).scaled(per_metre(at))));
 
-    /// `z_p`: axial place of the greatest pressure, 0 midway between the ends; none where that is a given pressure, as of a feed,
-    /// and in the theory of long bearings
+    /// `z_p`: axial place of the greatest pressure, 0 midway between the ends; none where that is a given pressure, as
+    /// of a feed, and in the theory of long bearings
     PRESSURE_MAX_Z = "pressure_max_z", "z_p", Metre, "where the pressure is greatest, along the axis":
         One(|film| (film.problem.theory != Theory::Long).then_some(summit(film)?[1])),
         ErrorRule::Of("difference of the two films, and of their slopes over the curvature of the pressure",
             |estimate, at| Some(Bar::of(axial(estimate, at))));
 
-    /// `phi_h` in [0, 360): angle of the thinnest film on the liner, `phi_min` where the liner covers it, else that of an edge; of a tilted journal that at
-    /// the end where the film is thinnest, between other surfaces one of the places that are as thin; none for a centred parallel journal between circles
+    /// `phi_h` in [0, 360): angle of the thinnest film on the liner, `phi_min` where the liner covers it, else that of
+    /// an edge; of a tilted journal that at the end where the film is thinnest, between other surfaces one of the
+    /// places that are as thin; none for a centred parallel journal between circles
     FILM_THICKNESS_MIN_ANGLE = "film_thickness_min_angle", "phi_h", Degree, "where the film on the liner is thinnest":
         One(|film| is_thinnest_somewhere(film).then(|| degrees(film.measured.thinnest.angle))),
         ErrorRule::LeastFilmPlace(|_| ROUNDING_OF_ANGLE);
 
-    /// `phi_1` in [0, 360): upstream end of the loaded film on the mid-plane z = 0: from the greatest pressure against the rotation the first place in the cavity,
-    /// at the film start or at the edge of an arc; of models with a cavity, none where the film is full all around
+    /// `phi_1` in [0, 360): upstream end of the loaded film on the mid-plane z = 0: from the greatest pressure against
+    /// the rotation the first place in the cavity, at the film start or at the edge of an arc; of models with a cavity,
+    /// none where the film is full all around
     FILM_START_ANGLE = "film_start_angle", "phi_1", Degree, "where the loaded film begins, at z = 0":
         One(|film| end(film, ExtentEnd::Begins)),
         ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Begins)),
         only(has_cavity);
 
-    /// `phi_2` in [0, 360): downstream end of the loaded film on the mid-plane z = 0, where it ruptures: from the greatest pressure with the rotation the first
-    /// place in the cavity, at the film start or at the edge of an arc; of models with a cavity, none where the film is full all around
+    /// `phi_2` in [0, 360): downstream end of the loaded film on the mid-plane z = 0, where it ruptures: from the
+    /// greatest pressure with the rotation the first place in the cavity, at the film start or at the edge of an arc;
+    /// of models with a cavity, none where the film is full all around
     FILM_END_ANGLE = "film_end_angle", "phi_2", Degree, "where the loaded film ruptures, at z = 0":
         One(|film| end(film, ExtentEnd::Ends)),
         ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Ends)),

@@ -7,8 +7,9 @@ use super::rule::{ErrorRule, direction};
 use super::view::{View, degrees};
 
 rows! {
-    /// `beta = (phi_min - phi_W) sgn omega` (+1 at rest) in (-180, 180]: from the load to the line of centres, which between circles points to the thinnest film; positive for an ordinary
-    /// bearing; none for a centred journal or without a load
+    /// `beta = (phi_min - phi_W) sgn omega` (+1 at rest) in (-180, 180]: from the load to the line of centres, which
+    /// between circles points to the thinnest film; positive for an ordinary bearing; none for a centred journal or
+    /// without a load
     ATTITUDE_ANGLE = "attitude_angle", "beta", Degree, "from the load to the journal's offset":
         One(attitude_angle), ATTITUDE, tolerance headline(Headline::Always(3));
 
@@ -16,12 +17,14 @@ rows! {
     ECCENTRICITY = "eccentricity", "eps", One, "offset of the journal / clearance":
         One(eccentricity), ErrorRule::Position, tolerance headline(Headline::Always(2));
 
-    /// `phi_min = atan2(e_y, e_x)` in [0, 360): direction of the journal's offset, where the film between circles is thinnest; between other surfaces that is `film_thickness_min_angle`; of a
-    /// tilted journal at mid-length; none for a centred one
+    /// `phi_min = atan2(e_y, e_x)` in [0, 360): direction of the journal's offset, where the film between circles is
+    /// thinnest; between other surfaces that is `film_thickness_min_angle`; of a tilted journal at mid-length; none for
+    /// a centred one
     MIN_FILM_ANGLE = "min_film_angle", "phi_min", Degree, "direction of the journal's offset":
         One(min_film_angle), ErrorRule::Position, tolerance headline(Headline::Always(4));
 
-    /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min, of a tilted journal at the end where it is least
+    /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min, of a tilted journal at
+    /// the end where it is least
     FILM_THICKNESS_MIN = "film_thickness_min", "h_min", Metre, "thinnest film on the liner":
         One(|film| Some(film.measured.thinnest.thickness)), ErrorRule::Position, tolerance headline(Headline::Always(5));
 }

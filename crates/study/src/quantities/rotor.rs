@@ -11,8 +11,9 @@ use super::view::View;
 use crate::estimate::Estimate;
 
 rows! {
-    /// `M_crit = k/omega_w^2`: the greatest mass for each bearing of a rigid rotor that is stable, its journals parallel to themselves; with `jfo` by K and C
-    /// at the frequency of its own whirl; none where the rotor is stable, or unstable, with any mass
+    /// `M_crit = k/omega_w^2`: the greatest mass for each bearing of a rigid rotor that is stable, its journals
+    /// parallel to themselves; with `jfo` by K and C at the frequency of its own whirl; none where the rotor is stable,
+    /// or unstable, with any mass
     CRITICAL_MASS = "critical_mass", "M_crit", Kilogram, "greatest mass of a stable rigid rotor, for this bearing":
         One(|film| Some(threshold(judged(film)?)?.mass)),
         ErrorRule::Of(RULE, |estimate, at| bar(estimate, |of| Some(threshold(of)?.mass), at)), in_table(Table::Dynamics) only(is_asked);
@@ -22,8 +23,8 @@ rows! {
         One(|film| ratio(judged(film)?, film)),
         ErrorRule::Of(RULE, |estimate, at| bar(estimate, |of| ratio(of, at.view), at)), in_table(Table::Dynamics) only(is_asked);
 
-    /// `delta = -2 pi Re s/|Im s|` of the least damped whirl, root s of a rigid rotor of the mass `dynamics.mass`; negative: the whirl grows; with `jfo` by the same
-    /// K and C as M_crit; none where all motions creep
+    /// `delta = -2 pi Re s/|Im s|` of the least damped whirl, root s of a rigid rotor of the mass `dynamics.mass`;
+    /// negative: the whirl grows; with `jfo` by the same K and C as M_crit; none where all motions creep
     LOGARITHMIC_DECREMENT = "logarithmic_decrement", "delta", One, "logarithmic decrement of the rotor of the given mass":
         One(|film| decrement(judged(film)?, film)),
         ErrorRule::Of(RULE, |estimate, at| bar(estimate, |of| decrement(of, at.view), at)),

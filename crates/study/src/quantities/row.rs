@@ -10,8 +10,8 @@ use super::rule::ErrorRule;
 use super::unit::Unit;
 use super::view::View;
 
-/// Rows as statics: the comment is the definition, then `NAME = "name", "symbol", Unit, "what it is":`, how it is measured, and its error
-/// rule; last what else it is, if anything.
+/// Rows as statics: the comment is the definition, then `NAME = "name", "symbol", Unit, "what it is":`, how it is
+/// measured, and its error rule; last what else it is, if anything.
 macro_rules! rows {
     ($($(#[doc = $definition:literal])+ $id:ident = $name:literal, $symbol:literal, $unit:ident, $what:literal:
         $measure:expr, $error:expr $(, $($also:ident $(($with:expr))?)+)?;)+) => {
@@ -49,7 +49,8 @@ pub enum Table {
     Dynamics,
 }
 
-/// Whether a quantity stands in the first table of a run and in the columns of a short one: its place there, smallest first.
+/// Whether a quantity stands in the first table of a run and in the columns of a short one: its place there, smallest
+/// first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Headline {
     /// It does not.

@@ -34,11 +34,13 @@ impl Subject<'_> {
 pub enum ErrorRule {
     /// It follows from given numbers: no error.
     Exact,
-    /// It follows from given numbers and from the shape of the rim of a region, which the mesh has roughly unless it is one hole or has straight sides.
+    /// It follows from given numbers and from the shape of the rim of a region, which the mesh has roughly unless it is
+    /// one hole or has straight sides.
     Rim,
     /// It follows from the journal's position: no error where that is given.
     Position,
-    /// It is the place of the least film, which follows from the position likewise; between surfaces that are no circles it is found by values, which leave open this much.
+    /// It is the place of the least film, which follows from the position likewise; between surfaces that are no
+    /// circles it is found by values, which leave open this much.
     LeastFilmPlace(fn(&View) -> f64),
     /// Magnitude of the load.
     Load,

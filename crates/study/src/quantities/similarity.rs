@@ -7,7 +7,8 @@ use super::rule::ErrorRule;
 use super::view::View;
 
 rows! {
-    /// `So = W (c/R)^2/(D B mu0 omega)`, mu0 the viscosity at no pressure; that of Raimondi and Boyd is `S = 1/(2 pi So)`; none at rest
+    /// `So = W (c/R)^2/(D B mu0 omega)`, mu0 the viscosity at no pressure; that of Raimondi and Boyd is
+    /// `S = 1/(2 pi So)`; none at rest
     SOMMERFELD_NUMBER = "sommerfeld_number", "So", One, "W (c/R)^2 / (D B mu0 omega)":
         One(sommerfeld_number), ErrorRule::PerLoad, tolerance;
 }

@@ -9,7 +9,9 @@ use super::view::View;
 use crate::estimate::Estimate;
 
 rows! {
-    /// `K_xx = dW_x/de_x`: how the film answers to a journal that stands off its place a little, in bearing axes; the film pushes it back with `-K (e, g)`. At the temperature of the film, its cavity held; with `jfo` at the first frequency of `dynamics.whirl`, by default in the limit of slow motions
+    /// `K_xx = dW_x/de_x`: how the film answers to a journal that stands off its place a little, in bearing axes; the
+    /// film pushes it back with `-K (e, g)`. At the temperature of the film, its cavity held; with `jfo` at the first
+    /// frequency of `dynamics.whirl`, by default in the limit of slow motions
     STIFFNESS_XX = "stiffness_xx", "K_xx", NewtonPerMetre, "change of W_x with e_x":
         One(|film| entry(film, 0, 0)), ErrorRule::Of(RULE, |estimate, _| bar(estimate, 0, 0)),
         in_table(Table::Dynamics) only(is_asked);

@@ -10,7 +10,8 @@ use oilwedge_reynolds::{FilmProblem, JournalState};
 use crate::film::Film;
 use crate::measure::{Measured, drag};
 
-/// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no direction.
+/// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no
+/// direction.
 const NO_LOAD: f64 = 1e-12;
 
 /// A measured film.

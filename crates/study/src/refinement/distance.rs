@@ -6,8 +6,9 @@ use crate::measure::{drag, possible_load};
 use crate::quantities::{ECCENTRICITY, MOMENT_X, MOMENT_Y, Quantity, SIDE_FLOW, Unit};
 use oilwedge_scene::{Target, Tolerance};
 
-/// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
-/// could carry, pressures against that of drag, the eccentricity against the clearance, and where bars are judged side flows against what the journal drags.
+/// Tolerances of what is less than this part of what it could be count against that part: loads against those that the
+/// pressures could carry, pressures against that of drag, the eccentricity against the clearance, and where bars are
+/// judged side flows against what the journal drags.
 const LEAST: f64 = 1e-3;
 /// Least side flow against which meshes are refined, over the flow that the journal drags through the clearance.
 const LEAST_FLOW: f64 = 0.05;
@@ -53,7 +54,8 @@ impl Possible {
         }
     }
 
-    /// The bar of a target over what it may be; infinite where it is missing. A quantity that this film does not have is met.
+    /// The bar of a target over what it may be; infinite where it is missing. A quantity that this film does not have
+    /// is met.
     fn ratio(&self, quantities: &[Quantity], target: &Target) -> f64 {
         let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
             return 0.0;
@@ -66,7 +68,8 @@ impl Possible {
     }
 }
 
-/// Where the program chooses the tolerance the load of a tilted journal that bears a moment and next to no force counts by the forces [N] at the two ends that stand for both.
+/// Where the program chooses the tolerance the load of a tilted journal that bears a moment and next to no force counts
+/// by the forces [N] at the two ends that stand for both.
 fn least_load(film: &Film, estimated: &Estimated) -> f64 {
     let has_usual_tolerance = film.scene.tolerance == Some(Tolerance::Usual);
     match has_usual_tolerance && film.problem.can_tilt() {

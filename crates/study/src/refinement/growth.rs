@@ -41,8 +41,8 @@ pub(super) struct Growth {
 }
 
 impl Growth {
-    /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller step is better
-    /// than none. The last mesh would take so many `seconds` [s] again.
+    /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller
+    /// step is better than none. The last mesh would take so many `seconds` [s] again.
     pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], [left, seconds]: [f64; 2]) -> Self {
         let FilmProblem { cavitation, lubricant, .. } = &level.solved.film.problem;
         let order = cavitation.bar_order(&lubricant.pressure_law);

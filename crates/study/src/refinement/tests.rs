@@ -24,7 +24,8 @@ fn number(reason: &str, after: &str) -> f64 {
     number.and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("{reason}"))
 }
 
-/// The film of a journal in contact at one end carries a finite force, far below that of one in contact all along: more is refused, less is balanced.
+/// The film of a journal in contact at one end carries a finite force, far below that of one in contact all along: more
+/// is refused, less is balanced.
 #[test]
 fn the_best_contact_bounds_the_load() {
     let at = |force: f64| solved(0.045, [8.8e-4, 1.2e-4], (force, 1.9));

@@ -95,8 +95,8 @@ pub struct Criterion {
 }
 
 impl Criterion {
-    /// `value` must lie between `least` and `most`; a limit of the scene is not met by itself. Without bars the value alone decides; a value whose error is not known leaves it
-    /// open.
+    /// `value` must lie between `least` and `most`; a limit of the scene is not met by itself. Without bars the value
+    /// alone decides; a value whose error is not known leaves it open.
     pub fn new(
         what: &str,
         unit: &str,

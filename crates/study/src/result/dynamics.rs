@@ -1,4 +1,5 @@
-//! Stiffness and damping as scripts and rotor programs read them: whole matrices in two frames, and the stability of a rotor.
+//! Stiffness and damping as scripts and rotor programs read them: whole matrices in two frames, and the stability of a
+//! rotor.
 
 use oilwedge_bearing::dynamics::{AtWhirl, Square, Whirling, depends_on_frequency, whirling};
 use oilwedge_bearing::{Coefficients, Stability};

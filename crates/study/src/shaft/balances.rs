@@ -1,12 +1,15 @@
 //! # What must vanish at each step of a shaft: force, moment, and power
 //!
-//! **Equation.** The films carry all loads, with their moment about z = 0; and with the rate e' of the offsets in the films at that step
+//! **Equation.** The films carry all loads, with their moment about z = 0; and with the rate e' of the offsets in the
+//! films at that step
 //! ```text
 //! F . e' + sum (T omega + supplied + cavity) = sum (dissipated + W_a . e') + (K u) . e'
 //! ```
-//! The loads F on the journals and what turns them put power in; it is dissipated in the films, or is stored in the shaft and in the asperities that bear the force W_a. The rate is that of the last stage of the step, so all of this
-//! holds for the films of the steps but for the residual of their equations and the round-off of the integrals: the dissipation is an integral of flows over the films, while F and K u know
-//! nothing of pressures. How a yielding shell stores and returns its own energy is not in it, nor how the loads bend the shaft between its journals.
+//! The loads F on the journals and what turns them put power in; it is dissipated in the films, or is stored in the
+//! shaft and in the asperities that bear the force W_a. The rate is that of the last stage of the step, so all of this
+//! holds for the films of the steps but for the residual of their equations and the round-off of the integrals: the
+//! dissipation is an integral of flows over the films, while F and K u know nothing of pressures. How a yielding shell
+//! stores and returns its own energy is not in it, nor how the loads bend the shaft between its journals.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -15,8 +18,9 @@
 //! | W_a | N | `by_asperities` |
 //! | T omega, dissipated | W | [`oilwedge_reynolds::quantities::power::Power`] |
 //!
-//! **Source.** The balance of the journals (`bearing::shaft::films`) times e', and the energy integral of each film (`reynolds::quantities::power`). **Range.** Steps of a shaft that is not
-//! cut. **Verified by** `tests/full/tests/shaft_cycle.rs`.
+//! **Source.** The balance of the journals (`bearing::shaft::films`) times e', and the energy integral of each film
+//! (`reynolds::quantities::power`). **Range.** Steps of a shaft that is not cut. **Verified by**
+//! `tests/full/tests/shaft_cycle.rs`.
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::Instant;

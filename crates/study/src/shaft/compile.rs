@@ -169,7 +169,8 @@ fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
     }
 }
 
-/// The scenes of all bearings of a shaft as far as the numbers of each film depend on them: with what the shaft gives it.
+/// The scenes of all bearings of a shaft as far as the numbers of each film depend on them: with what the shaft gives
+/// it.
 ///
 /// # Errors
 /// [`ShaftError`]: the scene of a bearing cannot be used.

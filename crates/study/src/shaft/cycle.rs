@@ -121,7 +121,8 @@ fn drive<T>(
     then(&Drive { films, loads: &loads, period: scene.crankshaft.period, speed: scene.crankshaft.speed })
 }
 
-/// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1]; `None` where there is none.
+/// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1]; `None`
+/// where there is none.
 fn rough(
     scene: &ShaftScene,
     engine: &Engine,

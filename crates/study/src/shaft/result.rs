@@ -92,7 +92,8 @@ pub struct ShaftBalances {
     pub moment: f64,
     /// What is left of the equations of all journals, over the loads [1].
     pub journals: f64,
-    /// Over a cycle: power of the loads and of what turns the journals, less what the films dissipate and the shaft stores, over the greatest dissipation [1]; zero at rest.
+    /// Over a cycle: power of the loads and of what turns the journals, less what the films dissipate and the shaft
+    /// stores, over the greatest dissipation [1]; zero at rest.
     pub power: f64,
 }
 
@@ -132,12 +133,13 @@ pub struct BearingReport {
     pub tilt_max: f64,
     /// Its error bar [rad], of a shaft at rest with bars; `null` where there is none.
     pub tilt_max_error: Option<f64>,
-    /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft at rest.
+    /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft
+    /// at rest.
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
-    /// Its numbers. At rest their error bars hold the errors of all films of the shaft, over a cycle they are those of its orbit under the load that it carries; what only the
-    /// shaft decides has none there.
+    /// Its numbers. At rest their error bars hold the errors of all films of the shaft, over a cycle they are those of
+    /// its orbit under the load that it carries; what only the shaft decides has none there.
     #[serde(serialize_with = "named")]
     pub quantities: Vec<Quantity>,
 }
@@ -179,8 +181,9 @@ impl BearingReport {
     }
 }
 
-/// The numbers of a film whose place and load are found with the shaft. A bar of zero is that of a number that the scene of a single bearing gives, as its position or its
-/// load; over a cycle of a shaft both have errors, which are not estimated.
+/// The numbers of a film whose place and load are found with the shaft. A bar of zero is that of a number that the
+/// scene of a single bearing gives, as its position or its load; over a cycle of a shaft both have errors, which are
+/// not estimated.
 pub(super) fn found_with_shaft(quantities: Vec<Quantity>) -> Vec<Quantity> {
     let bar = |quantity: &Quantity| quantity.bar.filter(|_| quantity.error() != Some(0.0));
     quantities.into_iter().map(|quantity| Quantity { bar: bar(&quantity), ..quantity }).collect()

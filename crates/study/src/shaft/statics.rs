@@ -98,8 +98,8 @@ struct Reported {
     carried: Vec<Resultant>,
 }
 
-/// The films that are reported, and their balance: the more accurate films carry somewhat else than those by which the balance was `found`, so that the shaft is balanced again, until what
-/// they carry balances its loads.
+/// The films that are reported, and their balance: the more accurate films carry somewhat else than those by which the
+/// balance was `found`, so that the shaft is balanced again, until what they carry balances its loads.
 fn reported(
     compiled: &Compiled,
     films: &mut Films,

@@ -1,8 +1,9 @@
-//! Counterweights of a crankshaft: how to move them between the webs that have one, so that the least film of all bearings is greatest, and the force and the moment of
-//! the whole shaft stay.
+//! Counterweights of a crankshaft: how to move them between the webs that have one, so that the least film of all
+//! bearings is greatest, and the force and the moment of the whole shaft stay.
 //!
-//! The search asks for orbits by the maps of the films, where the shaft is cut at its bearings. That shaft is not the one of the scene, which decides: the counterweights are moved the whole way to
-//! those that the search has found, or half of it and so on, until the films of the scene fare better, and stay where no part of the way serves them.
+//! The search asks for orbits by the maps of the films, where the shaft is cut at its bearings. That shaft is not the
+//! one of the scene, which decides: the counterweights are moved the whole way to those that the search has found, or
+//! half of it and so on, until the films of the scene fare better, and stay where no part of the way serves them.
 
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{FiniteMap, Travel};
@@ -35,12 +36,13 @@ const STEP: f64 = 0.3;
 pub struct CounterweightReport {
     /// The webs with a counterweight.
     pub webs: Vec<WebReport>,
-    /// Part of the way [1] to the counterweights that serve the shaft best where it is cut: the first of 1, 1/2, 1/4, 1/8 on which the shaft of the scene fares better; 0 where it does on none, and its
-    /// counterweights stay.
+    /// Part of the way [1] to the counterweights that serve the shaft best where it is cut: the first of 1, 1/2, 1/4,
+    /// 1/8 on which the shaft of the scene fares better; 0 where it does on none, and its counterweights stay.
     pub part: f64,
     /// Least film of all bearings by maps of the films, the shaft cut at its bearings: before, and the whole way [m].
     pub film_by_maps: [f64; 2],
-    /// Least film of all bearings on the films of the scene: before and after [m]; `null` where the films after were not found.
+    /// Least film of all bearings on the films of the scene: before and after [m]; `null` where the films after were
+    /// not found.
     pub film: Option<[f64; 2]>,
     /// How far the force of the whole shaft has changed, over the sum of all counterweights [1].
     pub force_change: f64,
@@ -128,7 +130,8 @@ pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, Counterwei
     Ok((changed_scene, report))
 }
 
-/// The scene with its counterweights moved a part of the way to those of another one, which has them on the same webs, and what `found` says of that.
+/// The scene with its counterweights moved a part of the way to those of another one, which has them on the same webs,
+/// and what `found` says of that.
 pub(super) fn part_of_way(
     [from, to]: [&ShaftScene; 2],
     part: f64,
@@ -215,7 +218,8 @@ fn least_film(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)])
     Some(films?.into_iter().fold(f64::INFINITY, f64::min))
 }
 
-/// The scene with one counterweight on each of these webs: those that it had, and the changes [kg m] in the axes of the shaft.
+/// The scene with one counterweight on each of these webs: those that it had, and the changes [kg m] in the axes of the
+/// shaft.
 fn with_weights(scene: &ShaftScene, webs: &[(usize, usize)], changes: &[[f64; 2]], engine: &Engine) -> ShaftScene {
     let weight = |(&(throw, web), change): (&(usize, usize), &[f64; 2])| {
         let [x, y] = sum(scene, throw, web);

@@ -12,7 +12,8 @@ use crate::quantities::{
 use crate::solved::TemperatureFound;
 
 impl TemperatureFound {
-    /// Bar [K] of the temperature: those of friction, flow and mixing, over the slope of their balance. None where they have none.
+    /// Bar [K] of the temperature: those of friction, flow and mixing, over the slope of their balance. None where they
+    /// have none.
     fn bar(&self, warming: &Warming) -> Option<f64> {
         let film = &self.balanced.film;
         let carried = warming.balance.carried(self.balanced.temperature, film);
@@ -27,7 +28,8 @@ impl TemperatureFound {
         bar.is_finite().then_some(bar)
     }
 
-    /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of them.
+    /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of
+    /// them.
     pub fn widen(&self, film: &Film, measured: &Measured, quantities: &mut [Quantity]) {
         let Some(model) = film.thermal.filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some())) else {
             return;

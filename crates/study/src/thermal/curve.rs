@@ -40,7 +40,8 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], options: &Ru
     fitness(film, &model, (quantities, options.bars), curve)
 }
 
-/// Whether the bearing will do over a cycle whose heat is balanced by `model`. Without curves: each of their points would be an orbit.
+/// Whether the bearing will do over a cycle whose heat is balanced by `model`. Without curves: each of their points
+/// would be an orbit.
 pub fn cycle_temperature_report(
     film: &Film,
     model: &ThermalModel,
@@ -72,7 +73,8 @@ fn fitness(
     })
 }
 
-/// Films on one side of the temperature found, `step` [K] apart, as far as there are any: each started from the one before.
+/// Films on one side of the temperature found, `step` [K] apart, as far as there are any: each started from the one
+/// before.
 fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: Deadline) -> Vec<TemperaturePoint> {
     let mut positions = vec![visited(&found.film)];
     let (mut points, mut last): (_, Option<Solved>) = (Vec::new(), None);

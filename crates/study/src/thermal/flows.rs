@@ -9,8 +9,8 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::thermal_model::ThermalModel;
 
-/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
-/// sealed ends of a long bearing, where it goes round.
+/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it;
+/// none from between the sealed ends of a long bearing, where it goes round.
 pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) -> f64 {
     if problem.theory == Theory::Long {
         return 0.0;

@@ -30,7 +30,8 @@ pub(super) const ROUGHLY: f64 = 1e-4;
 pub(super) const LEADING_ACCURACY: f64 = 1e-6;
 /// Those of films that show how numbers change near the balance, by this part.
 const BESIDE_ACCURACY: f64 = 1e-9;
-/// Friction under a load falls with temperature like this power of the viscosity: the slope of a first step, which later ones correct.
+/// Friction under a load falls with temperature like this power of the viscosity: the slope of a first step, which
+/// later ones correct.
 const FRICTION_EXPONENT: f64 = 0.6;
 /// Films nearer to one another than this [K] do not show how numbers change with temperature;
 const APART: f64 = 0.02;
@@ -180,7 +181,8 @@ impl<'a> Search<'a> {
         Ok(Tried { temperature, flows, surplus, kind, solved, seconds: clock.elapsed().as_secs_f64() })
     }
 
-    /// The balance of films whose numbers are reported: with error estimate those of cubic ones, but for mass-conserving films.
+    /// The balance of films whose numbers are reported: with error estimate those of cubic ones, but for
+    /// mass-conserving films.
     fn balanced(&mut self, first: Start) -> Result<Balanced, NoBalance<Left>> {
         let rough = self.find(first, ROUGHLY, Kind::Leading)?;
         self.find(again(&rough), BALANCED, Kind::Last)
@@ -195,7 +197,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Solves what an error estimate needs beside the balance, which stays the answer. Without that film numbers have no bars; nothing else fails.
+    /// Solves what an error estimate needs beside the balance, which stays the answer. Without that film numbers have
+    /// no bars; nothing else fails.
     fn prepare_estimate(&mut self, found: &Balanced) {
         if self.nearest(found.temperature).is_some() || self.options.deadline.is_over() {
             return;
@@ -239,7 +242,8 @@ impl<'a> Search<'a> {
 }
 
 impl Tried {
-    /// Whether less heat is left over than of another one; a film whose numbers can be reported is better than one that leads to it.
+    /// Whether less heat is left over than of another one; a film whose numbers can be reported is better than one that
+    /// leads to it.
     fn is_better(&self, other: &Self) -> bool {
         let is_last = |tried: &Self| tried.kind == Kind::Last;
         match is_last(self) == is_last(other) {
@@ -284,7 +288,8 @@ pub(super) fn from_near_or_cold(film: &Film, options: &SolveOptions) -> Result<S
     }
 }
 
-/// Solves a film at the temperature at which its heat is balanced. Where the deadline comes before, the film reached is the answer.
+/// Solves a film at the temperature at which its heat is balanced. Where the deadline comes before, the film reached is
+/// the answer.
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.

@@ -1,5 +1,5 @@
-//! Blocks of code between fences. The word behind the opening fence is their language; behind a comma stands how a block is tested, behind a space
-//! the reason where it is not.
+//! Blocks of code between fences. The word behind the opening fence is their language; behind a comma stands how a
+//! block is tested, behind a space the reason where it is not.
 
 use super::Page;
 

@@ -1,6 +1,6 @@
-//! `orbits [FROM] [TO]`: bars of random orbits against references with more unknowns and shorter steps: a line an orbit, and the share that holds.
-//! `orbits --any [FROM] [TO]`: orbits of bearings of any kind: whether each closes or says why not, with a journal that stays inside.
-//! `orbits --scene N` prints the scene of one of them.
+//! `orbits [FROM] [TO]`: bars of random orbits against references with more unknowns and shorter steps: a line an
+//! orbit, and the share that holds. `orbits --any [FROM] [TO]`: orbits of bearings of any kind: whether each closes or
+//! says why not, with a journal that stays inside. `orbits --scene N` prints the scene of one of them.
 
 use std::collections::BTreeMap;
 use std::time::Instant;

@@ -1,5 +1,6 @@
-//! `shafts [FROM] [TO]`: random shafts and firing orders: whether each closes or says why not, with its films inside and its balances kept: a line a shaft.
-//! `shafts --scene N` prints the scene of one of them. `shafts --rest [FROM] [TO]`: at which crank angles the films of each have no balance under loads that last.
+//! `shafts [FROM] [TO]`: random shafts and firing orders: whether each closes or says why not, with its films inside
+//! and its balances kept: a line a shaft. `shafts --scene N` prints the scene of one of them.
+//! `shafts --rest [FROM] [TO]`: at which crank angles the films of each have no balance under loads that last.
 
 use std::time::Instant;
 

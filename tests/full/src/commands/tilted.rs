@@ -1,7 +1,9 @@
-//! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, one on each processor at a time, and prints each that has not converged, with its reason and time, and the slowest;
-//! `tilted --page` solves 300 and writes `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one, `tilted --outcome N` how it ends, as JSON;
-//! `tilted --walls`, with the same arguments, has rough surfaces that touch, walls that give way, bores out of round, and the page `elastic_bearings.md`;
-//! `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt hold.
+//! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, one on each processor at a time, and prints each
+//! that has not converged, with its reason and time, and the slowest; `tilted --page` solves 300 and writes
+//! `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one, `tilted --outcome N` how it
+//! ends, as JSON; `tilted --walls`, with the same arguments, has rough surfaces that touch, walls that give way, bores
+//! out of round, and the page `elastic_bearings.md`; `tilted --bars [FROM] [TO]` counts how often the bars of moment
+//! and tilt hold.
 
 use std::io;
 use std::process::Command;
@@ -138,7 +140,8 @@ fn solved(bearings: Bearings, number: u64) -> io::Result<Outcome> {
 /// Most unknowns of a reference.
 const MOST: usize = 12_000;
 
-/// How often the bars of load, moment and tilt hold, and how much wider than the errors they are, by model of cavitation.
+/// How often the bars of load, moment and tilt hold, and how much wider than the errors they are, by model of
+/// cavitation.
 fn bars(bearings: impl Iterator<Item = TiltedBearing>, from: u64) {
     let list: Vec<Bearing> = bearings.map(|bearing| bearing.counted()).collect();
     let tally = tally(&list, from, MOST, |_, _| {});

@@ -1,4 +1,5 @@
-//! `validation [PART..]`: writes the computed tables and figures of the pages in `docs` anew; or those of pages in whose names a part is.
+//! `validation [PART..]`: writes the computed tables and figures of the pages in `docs` anew; or those of pages in
+//! whose names a part is.
 
 use oilwedge_full::{
     cavitation_page, crankshafts_page, docs_images, engine_page, flexpde_page, gallery, mesh_page, notation_page,

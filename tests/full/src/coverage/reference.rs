@@ -1,8 +1,8 @@
 //! The numbers of a bearing on a mesh refined for all of them: what its bars are compared with.
 //!
 //! Refined where any goal's error is (components of the load, flows): at the edge of a cavity and at corners that is
-//! much better than everywhere. How well a number is known is told by its own bar or, where that is less, by what the last
-//! refinement changed.
+//! much better than everywhere. How well a number is known is told by its own bar or, where that is less, by what the
+//! last refinement changed.
 
 use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;

@@ -93,7 +93,8 @@ pub struct Tally {
     pub unresolved: usize,
     /// Meshes without an answer, and bearings without a reference, in words.
     pub without: Vec<String>,
-    /// `(J(p3) - J(p2))` over the true error of `J(p2)`: loads of smooth films on fine meshes, with family and unknowns.
+    /// `(J(p3) - J(p2))` over the true error of `J(p2)`: loads of smooth films on fine meshes, with family and
+    /// unknowns.
     pub effectivity: Vec<(Family, usize, f64)>,
 }
 
@@ -212,8 +213,8 @@ pub fn quantile(sorted: &[f64], share: f64) -> f64 {
     sorted.get(place).copied().unwrap_or(f64::NAN)
 }
 
-/// Solves all bearings on their meshes, on all processors, and counts; references have at most some `most` unknowns. `told`
-/// hears of each bearing done.
+/// Solves all bearings on their meshes, on all processors, and counts; references have at most some `most` unknowns.
+/// `told` hears of each bearing done.
 pub fn tally(bearings: &[Bearing], seed: u64, most: usize, told: impl Fn(usize, &Bearing) + Sync) -> Tally {
     let done = AtomicUsize::new(0);
     let parts = each(bearings, |bearing| {

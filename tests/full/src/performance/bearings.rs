@@ -1,4 +1,5 @@
-//! Bearings as engineers ask for them: a crankshaft main bearing that conserves its oil, under load, at a given temperature and at its own.
+//! Bearings as engineers ask for them: a crankshaft main bearing that conserves its oil, under load, at a given
+//! temperature and at its own.
 
 use std::path::Path;
 

@@ -104,7 +104,8 @@ impl Films {
         self.folder.path()
     }
 
-    /// The ring on about so many `unknowns`, from a binary gmsh file of straight triangles in an order without locality.
+    /// The ring on about so many `unknowns`, from a binary gmsh file of straight triangles in an order without
+    /// locality.
     pub fn ring(&self, kind: Kind, unknowns: usize) -> PathBuf {
         let mesh = self.folder().join(format!("{unknowns}.msh"));
         if !mesh.exists() {

@@ -1,5 +1,5 @@
-//! What a path must do at least: bytes that must be moved over the measured bandwidth, or operations over the measured rate,
-//! whichever takes longer.
+//! What a path must do at least: bytes that must be moved over the measured bandwidth, or operations over the measured
+//! rate, whichever takes longer.
 //!
 //! | path | bytes | operations |
 //! |---|---|---|

@@ -1,8 +1,8 @@
 //! The gate: what the plain scene costs may not grow when effects are added to the program.
 //!
-//! Counted are instructions (callgrind), for they are the same on a busy machine. They depend on the compiler and on the
-//! libraries of the system, so the number recorded in the page holds for those that it names; on another machine two
-//! programs are compared.
+//! Counted are instructions (callgrind), for they are the same on a busy machine. They depend on the compiler and on
+//! the libraries of the system, so the number recorded in the page holds for those that it names; on another machine
+//! two programs are compared.
 
 use std::path::Path;
 use std::process::Command;

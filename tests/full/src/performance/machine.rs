@@ -1,4 +1,5 @@
-//! What this machine can do: how fast it moves bytes and multiplies, measured in the same run as what is compared with it.
+//! What this machine can do: how fast it moves bytes and multiplies, measured in the same run as what is compared with
+//! it.
 
 use std::hint::black_box;
 
@@ -69,7 +70,8 @@ fn flops() -> f64 {
     2.0 * (ROWS as f64).powi(3) / quickest(1, product)
 }
 
-/// How many threads wanted to run in the last minute, as the operating system tells it: on a quiet machine at most those of this run.
+/// How many threads wanted to run in the last minute, as the operating system tells it: on a quiet machine at most
+/// those of this run.
 pub fn busy() -> String {
     let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
     load.split(' ').next().unwrap_or_default().to_owned()

@@ -126,7 +126,8 @@ pub fn milliseconds(seconds: f64) -> String {
     format!("{ms:.digits$}")
 }
 
-/// The exponent t of `seconds ~ unknowns^t` from file to load, by least squares from 1e4 unknowns on; none from one column.
+/// The exponent t of `seconds ~ unknowns^t` from file to load, by least squares from 1e4 unknowns on; none from one
+/// column.
 pub fn exponent(columns: &[Column], threads: usize) -> Option<f64> {
     let points: Vec<[f64; 2]> = (columns.iter().filter(|column| column.unknowns > 7000))
         .filter_map(|column| {

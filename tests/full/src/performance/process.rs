@@ -17,7 +17,8 @@ pub struct Process {
     pub peak: u64,
 }
 
-/// `oilwedge solve SCENE` on so many threads, output included, with error bars or without; results go to a folder beside the scene.
+/// `oilwedge solve SCENE` on so many threads, output included, with error bars or without; results go to a folder
+/// beside the scene.
 ///
 /// # Panics
 /// If it fails.
@@ -66,8 +67,8 @@ pub fn command(program: &Path, scene: &Path, threads: usize, bars: bool) -> Comm
 /// First argument by which the program `performance` is asked to run [`run`] for [`apart`].
 pub const APART: &str = "apart";
 
-/// [`run`] from a small process of its own: what a process held at most counts from before its program was loaded, when it
-/// still shares the memory of the one that started it.
+/// [`run`] from a small process of its own: what a process held at most counts from before its program was loaded, when
+/// it still shares the memory of the one that started it.
 ///
 /// # Panics
 /// If it fails.

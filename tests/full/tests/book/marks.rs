@@ -8,7 +8,8 @@ use oilwedge_full::notation_page;
 
 use crate::reference::parse_fragment;
 
-/// Languages of blocks that are run or read here. A block without a language is a formula or a drawing; `geo` is meshed by the cross-check.
+/// Languages of blocks that are run or read here. A block without a language is a formula or a drawing; `geo` is meshed
+/// by the cross-check.
 const LANGUAGES: [&str; 7] = ["", "sh", "toml", "python", "json", "text", "geo"];
 /// Blocks that are not run, by page, so that none is marked by the way.
 const NOT_RUN: [(&str, usize); 9] = [

@@ -1,4 +1,5 @@
-//! The book does what it says: its blocks run, its links lead somewhere, its list of chapters is whole, and it needs no network.
+//! The book does what it says: its blocks run, its links lead somewhere, its list of chapters is whole, and it needs no
+//! network.
 
 mod built;
 mod gallery;

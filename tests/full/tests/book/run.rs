@@ -14,8 +14,8 @@ use rayon::prelude::*;
 
 use oilwedge_tests::python_environment::python;
 
-/// A folder as a reader has it: the shipped scenes and meshes, and the program on PATH. A browser is not opened, and `cargo run --release --` is the program that
-/// is built.
+/// A folder as a reader has it: the shipped scenes and meshes, and the program on PATH. A browser is not opened, and
+/// `cargo run --release --` is the program that is built.
 struct Desk {
     bench: Bench,
 }
@@ -91,7 +91,8 @@ struct Session {
     answers: BufReader<ChildStdout>,
 }
 
-/// Reads a block a line, as JSON, and answers with what it printed and how it failed. What libraries print by themselves goes to stderr.
+/// Reads a block a line, as JSON, and answers with what it printed and how it failed. What libraries print by
+/// themselves goes to stderr.
 const DRIVER: &str = r#"
 import contextlib, io, json, os, sys, traceback
 answers = os.fdopen(os.dup(1), "w")

@@ -1,8 +1,9 @@
 //! Oil that enters a cavity in layers along the flow: through ends above its pressure, from a groove all around.
 //!
-//! Triangles that do not follow the flow spread such a layer across it, at any size: loads were 5 to 60 % too large, and their bars narrow. So
-//! these films are meshed in rows along the flow. Drowned rings: `tests/data/jfo_drowned.json`, finite volumes along the flow, known to 5e-4 (load, p_max), 0.02 degrees
-//! and 3e-4 (friction). A groove all around: integrated over one turn the drag drops out of the balance of oil, whatever of the
+//! Triangles that do not follow the flow spread such a layer across it, at any size: loads were 5 to 60 % too large,
+//! and their bars narrow. So these films are meshed in rows along the flow. Drowned rings:
+//! `tests/data/jfo_drowned.json`, finite volumes along the flow, known to 5e-4 (load, p_max), 0.02 degrees and 3e-4
+//! (friction). A groove all around: integrated over one turn the drag drops out of the balance of oil, whatever of the
 //! film is a cavity, so that `Q = 2 (p_s - p_e) R Int h^3 dphi/(12 mu L)` is exact, L the land on either side.
 
 use std::f64::consts::TAU;
@@ -75,7 +76,8 @@ fn is_right(row: &Value, result: &RunResult, off: f64) -> Result<(), String> {
         ("friction_power", "friction_power_W", 3e-4 * number(row, "friction_power_W")),
     ] {
         let ([value, error], expected) = (known(result, name)?, number(row, key));
-        // The reference takes the pressure part from its differences of pressure, which give less than the moment of the load.
+        // The reference takes the pressure part from its differences of pressure, which give less than the moment of
+        // the load.
         let value = match name {
             "friction_power" => value * (1.0 - result.balances.moment),
             _ => value,
@@ -150,7 +152,8 @@ fn meshes_of_any_kind_agree() {
     assert!(kept.warnings.iter().any(is_told), "{:?}", kept.warnings);
 }
 
-/// A ring with a groove all around amid its length: eccentricity, pressures [Pa] of groove, ends and cavity, speed [rad/s].
+/// A ring with a groove all around amid its length: eccentricity, pressures [Pa] of groove, ends and cavity, speed
+/// [rad/s].
 struct Grooved {
     eccentricity: f64,
     groove: f64,
@@ -235,8 +238,9 @@ fn flow_of_a_groove_all_around() {
     });
 }
 
-/// Scene 14 with its ends and its trailing edge half a bar above the cavity. Finite volumes along the flow (`tests/crosscheck/jfo_structured.py`, 96 x 16 to
-/// 384 x 64 cells of half the width, extrapolated): 1646.1 N and 854.40 kPa, the last grid 1e-4 off.
+/// Scene 14 with its ends and its trailing edge half a bar above the cavity. Finite volumes along the flow
+/// (`tests/crosscheck/jfo_structured.py`, 96 x 16 to 384 x 64 cells of half the width, extrapolated): 1646.1 N and
+/// 854.40 kPa, the last grid 1e-4 off.
 #[test]
 fn a_starved_pad_between_ends_above_the_cavity() {
     each(&[(6.0, 1e-3), (2.5, 5e-4), (1.5, 2e-4)], |(size, off)| {

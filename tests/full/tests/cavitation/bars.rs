@@ -113,7 +113,8 @@ fn forces(measured: &Measured) -> [f64; 4] {
     [x, y, m_x / 0.06, m_y / 0.06]
 }
 
-/// Finer meshes lie inside the bars of all directions of force and moment, and a film that is thin at one end errs in one of them.
+/// Finer meshes lie inside the bars of all directions of force and moment, and a film that is thin at one end errs in
+/// one of them.
 #[test]
 fn a_film_thin_at_one_end_errs_in_one_direction() {
     let scene = thin_end("10 mm");
@@ -133,7 +134,8 @@ fn a_film_thin_at_one_end_errs_in_one_direction() {
     assert!(totals.len() == 4 && totals[2] < 0.6 * totals[3], "{totals:?}");
 }
 
-/// Triangles that spread oil across the flow would feed what should starve: a coarser mesh lies in rows like its own, and its film carries nearly as much.
+/// Triangles that spread oil across the flow would feed what should starve: a coarser mesh lies in rows like its own,
+/// and its film carries nearly as much.
 #[test]
 fn coarser_meshes_of_a_starved_film_carry_nearly_what_it_carries() {
     let study = compile(&thin_end("5 mm")).unwrap_or_else(|error| panic!("{error}"));

@@ -1,5 +1,5 @@
-//! The Swift-Stieber film as the guide of a film that conserves oil: it is nowhere under less pressure, its balance leads to that of the other, and where it has none
-//! the reason says whose film it was.
+//! The Swift-Stieber film as the guide of a film that conserves oil: it is nowhere under less pressure, its balance
+//! leads to that of the other, and where it has none the reason says whose film it was.
 
 use std::sync::Arc;
 
@@ -14,7 +14,8 @@ const LENGTH: f64 = 0.08;
 /// Pressure at the ends [Pa], above that of the cavity.
 const ENDS: f64 = 1e5;
 
-/// Greatest pressure of the film that conserves oil above that of Swift and Stieber, over the greatest pressure, on a ring of so many cells around.
+/// Greatest pressure of the film that conserves oil above that of Swift and Stieber, over the greatest pressure, on a
+/// ring of so many cells around.
 fn excess(eccentricity: f64, around: u32) -> f64 {
     let mesh = ring(around, around / 4, LENGTH, 0.0);
     let mut regions = ends(&mesh, LENGTH, None);

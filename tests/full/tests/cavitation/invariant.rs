@@ -1,4 +1,5 @@
-//! What must not change a mass-conserving film: the sense of rotation, the numbers of the mesh, where the search starts.
+//! What must not change a mass-conserving film: the sense of rotation, the numbers of the mesh, where the search
+//! starts.
 
 use std::sync::Arc;
 

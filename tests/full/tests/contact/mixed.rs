@@ -1,4 +1,5 @@
-//! Mixed lubrication of a main bearing against a second code: ten positions under a load, from a full film to one that contact all but replaces.
+//! Mixed lubrication of a main bearing against a second code: ten positions under a load, from a full film to one that
+//! contact all but replaces.
 
 use oilwedge_tests::rough_surfaces::{ASPERITIES, CURVE, block, mixed_scene};
 use oilwedge_tests::tilted_bearings::run;

@@ -8,7 +8,8 @@ use oilwedge_tests::tilted_bearings::quantity;
 
 use oilwedge_tests::rough_surfaces::{ASPERITIES, mixed_scene as scene};
 
-/// The bearing of the second code at 300 rpm on a mesh of this size, with this load and these tables; with error bars or without.
+/// The bearing of the second code at 300 rpm on a mesh of this size, with this load and these tables; with error bars
+/// or without.
 fn at_300_rpm(size: &str, load: &str, tables: &str, bars: bool) -> RunResult {
     let at_rest = "load = { force = \"10 kN\", angle = \"0 deg\" }";
     let text = scene(300.0, ASPERITIES, tables);
@@ -39,7 +40,8 @@ fn a_load_at_rest_leads_to_its_mixed_film() {
     assert_eq!(value(&moving, "cycle_contact_duration"), 1.0);
 }
 
-/// A load that pulses: contact carries a part of its peak, and nothing of what is left between. Contact that never carries a hundredth of the load lasts no time.
+/// A load that pulses: contact carries a part of its peak, and nothing of what is left between. Contact that never
+/// carries a hundredth of the load lasts no time.
 #[test]
 fn a_pulsing_load_touches_for_a_part_of_the_cycle() {
     let wave = |mean: f64, wave: f64| {

@@ -1,4 +1,5 @@
-//! Contact through the program: with heat, in films that conserve oil, at given positions, and the tables that are refused.
+//! Contact through the program: with heat, in films that conserve oil, at given positions, and the tables that are
+//! refused.
 
 use oilwedge_tests::tilted_bearings::{quantity, run};
 

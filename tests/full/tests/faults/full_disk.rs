@@ -1,5 +1,5 @@
-//! A disk that is full. Most machines let nobody mount a small one, so files are kept from growing by a limit of the shell; where a
-//! disk of some kilobytes can be mounted it is tried too.
+//! A disk that is full. Most machines let nobody mount a small one, so files are kept from growing by a limit of the
+//! shell; where a disk of some kilobytes can be mounted it is tried too.
 
 use std::process::{Command, Output};
 

@@ -15,8 +15,8 @@ fn ended(run: Child) -> (Output, String) {
     (output, stderr)
 }
 
-/// Waits until the run looks after Ctrl-C: the system tells which signals a process catches. Where it does not, the first moments
-/// are waited for.
+/// Waits until the run looks after Ctrl-C: the system tells which signals a process catches. Where it does not, the
+/// first moments are waited for.
 fn until_it_listens(run: &Child) {
     const INTERRUPT: u64 = 1 << 1;
     let status = format!("/proc/{}/status", run.id());
@@ -85,7 +85,8 @@ fn a_refinement_ends_with_the_best_answer_so_far() {
     assert!(names(&bench.path().join("out")).contains(&"result.json".to_owned()));
 }
 
-/// A ring four thousand times as wide as long has a first mesh of 150 000 unknowns, which takes seconds to make, and has no answer before.
+/// A ring four thousand times as wide as long has a first mesh of 150 000 unknowns, which takes seconds to make, and
+/// has no answer before.
 #[test]
 fn a_first_mesh_ends_in_time() {
     let bench = Bench::new();

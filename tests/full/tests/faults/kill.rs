@@ -48,8 +48,8 @@ impl<'a> Kills<'a> {
         }
     }
 
-    /// Whether there are not yet as many as wanted. A run that ended before it was killed counts for none: how many of them there
-    /// are depends on what else the machine does.
+    /// Whether there are not yet as many as wanted. A run that ended before it was killed counts for none: how many of
+    /// them there are depends on what else the machine does.
     fn goes_on(&self) -> bool {
         let goes_on = self.killed < self.wanted || self.writing == 0;
         assert!(

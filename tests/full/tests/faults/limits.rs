@@ -45,8 +45,8 @@ fn a_refinement_ends_with_its_first_mesh() {
     }
 }
 
-/// Scene 17 takes many films of a mass-conserving model: the search is ended among them, on a mesh of a given size and towards a
-/// tolerance.
+/// Scene 17 takes many films of a mass-conserving model: the search is ended among them, on a mesh of a given size and
+/// towards a tolerance.
 #[test]
 fn the_search_for_a_position_looks_at_the_clock() {
     let bench = Bench::new();
@@ -99,7 +99,8 @@ fn leaping() -> f64 {
     if left.is_ok() { 0.0 } else { 1e9 }
 }
 
-/// A search on an elastic liner that is ended solves one more film and does not close its wall: the result states what is left of the deflection, and no number that depends on the position has a bar.
+/// A search on an elastic liner that is ended solves one more film and does not close its wall: the result states what
+/// is left of the deflection, and no number that depends on the position has a bar.
 #[test]
 fn numbers_under_a_wall_that_was_left_open_have_no_bars() {
     let loaded = "[load]\nforce = \"5 kN\"\nangle = \"0 deg\"\n";

@@ -1,4 +1,5 @@
-//! Faults of the machine that take long to show: kills at random moments, full disks, interrupts, limits of time and size.
+//! Faults of the machine that take long to show: kills at random moments, full disks, interrupts, limits of time and
+//! size.
 #![cfg(unix)]
 
 mod full_disk;

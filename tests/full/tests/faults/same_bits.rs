@@ -1,4 +1,5 @@
-//! The results of a scene are bit-identical on every run and on any number of threads. Shipped scenes: `cli/shipped.rs`; sweeps: `cli/sweep/`.
+//! The results of a scene are bit-identical on every run and on any number of threads. Shipped scenes:
+//! `cli/shipped.rs`; sweeps: `cli/sweep/`.
 
 use oilwedge_tests::bench::{Bench, edited, lines_without_times, object};
 

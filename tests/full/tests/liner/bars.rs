@@ -1,4 +1,5 @@
-//! Error bars of films with elastic walls hold the numbers of finer meshes; what the wall takes back of an error is that of closed films.
+//! Error bars of films with elastic walls hold the numbers of finer meshes; what the wall takes back of an error is
+//! that of closed films.
 
 use oilwedge_bearing::deflection::{CLOSED, closed_film, closed_pair, following_wall};
 use oilwedge_reynolds::Cavitation;
@@ -54,7 +55,8 @@ fn bars_hold_the_numbers_of_finer_meshes() {
     assert!(missed.is_empty(), "{} of {compared}: {missed:#?}", missed.len());
 }
 
-/// A layer moves by the pressure on it alone. Where no pressure is negative its least film is that of the rigid wall, at an open end.
+/// A layer moves by the pressure on it alone. Where no pressure is negative its least film is that of the rigid wall,
+/// at an open end.
 #[test]
 fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
     const RIGID: f64 = 1e-5;
@@ -75,7 +77,8 @@ fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
     assert!(missed.is_empty(), "{missed:#?}");
 }
 
-/// The shares of all triangles in the difference of two degrees sum to the difference of two films that each bend the wall themselves, in a soft wall much less than that under one wall.
+/// The shares of all triangles in the difference of two degrees sum to the difference of two films that each bend the
+/// wall themselves, in a soft wall much less than that under one wall.
 #[test]
 fn shares_are_those_of_films_under_walls_of_their_own() {
     let system = ring_system(96, 12, RADIUS, Some(std::f64::consts::PI));

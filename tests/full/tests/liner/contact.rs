@@ -92,7 +92,8 @@ fn tangents_of_film_wall_and_contact_are_differences() {
     }
 }
 
-/// The tangent by the gap has that by the place of the journal: the residual that a pass over the film itself finds. It has none by a velocity.
+/// The tangent by the gap has that by the place of the journal: the residual that a pass over the film itself finds. It
+/// has none by a velocity.
 #[test]
 fn the_gap_tangent_answers_to_the_journal() {
     for (what, problem, system) in films() {
@@ -112,7 +113,8 @@ fn the_gap_tangent_answers_to_the_journal() {
     }
 }
 
-/// A journal that does not turn is carried by contact alone: the layer gives way at each place by itself, `d = k p_a(h_0 + d)`, a root of one equation.
+/// A journal that does not turn is carried by contact alone: the layer gives way at each place by itself,
+/// `d = k p_a(h_0 + d)`, a root of one equation.
 #[test]
 fn a_layer_under_contact_alone_gives_way_place_by_place() {
     let (eps, per_pressure) = (0.97, layer(5e-4));
@@ -147,7 +149,8 @@ fn contact_presses_on_the_splines_whatever_the_triangles() {
     }
 }
 
-/// Sums over the points of contact are continuous where a part of a triangle is divided further: with sums that jump there, these loads, between both sides, have no balance.
+/// Sums over the points of contact are continuous where a part of a triangle is divided further: with sums that jump
+/// there, these loads, between both sides, have no balance.
 #[test]
 fn loads_are_balanced_where_coarse_triangles_are_divided() {
     let system = ring_system(36, 4, RADIUS, None);
@@ -183,7 +186,8 @@ fn the_gradient_of_the_load_is_its_change() {
     }
 }
 
-/// Where the film does not answer, contact and wall are solved in closed form: each step of Newton's method takes one product.
+/// Where the film does not answer, contact and wall are solved in closed form: each step of Newton's method takes one
+/// product.
 #[test]
 fn contact_alone_is_solved_in_closed_form() {
     for contact in contacts() {
@@ -218,7 +222,8 @@ fn contact_force(contact: &Contact, eps: f64, per_pressure: f64) -> f64 {
     2.0 * RADIUS * LENGTH * PI / f64::from(POINTS) * (0..POINTS).map(at).sum::<f64>()
 }
 
-/// A main bearing in mixed lubrication on a polymer layer: balanced, with bars, and less of the load on its asperities than on a rigid wall.
+/// A main bearing in mixed lubrication on a polymer layer: balanced, with bars, and less of the load on its asperities
+/// than on a rigid wall.
 #[test]
 fn loads_are_balanced_in_mixed_films_on_soft_walls() {
     for contact in [ASPERITIES, CURVE] {

@@ -1,4 +1,5 @@
-//! A wall that gives way along the path of a journal: against the rigid wall, the position at rest, differences of films, and itself with shorter steps.
+//! A wall that gives way along the path of a journal: against the rigid wall, the position at rest, differences of
+//! films, and itself with shorter steps.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -105,14 +106,16 @@ fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
     assert!(rest > CLEARANCE, "{rest}");
 }
 
-/// On triangles, films with a history carry their oil by another scheme than films at rest: on this mesh the place differs by 2e-3 of the clearance, the deflection by 4e-3.
+/// On triangles, films with a history carry their oil by another scheme than films at rest: on this mesh the place
+/// differs by 2e-3 of the clearance, the deflection by 4e-3.
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest_where_oil_is_conserved() {
     let way = Way { start: START, turns: 3.0, options: options(1e-4, 2) };
     comes_to_rest(&squeezed(CONSERVING, layer(0.05)), &fed_ring(), 1.5, &way, 5e-3);
 }
 
-/// How a journal comes to rest: steps are no longer than 1/32 of a cycle, and those near the place at rest may be as long.
+/// How a journal comes to rest: steps are no longer than 1/32 of a cycle, and those near the place at rest may be as
+/// long.
 struct Way {
     start: [f64; 4],
     /// Turns of the journal in a cycle.
@@ -169,7 +172,8 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
         let size = (0..2).map(|k| column(&staged, k, per_time)[k].abs());
         let size = size.fold(0.0, f64::max);
         for k in 0..2 {
-            // Where negative pressures are left out, each point of quadrature that the zero line passes within a step is missed.
+            // Where negative pressures are left out, each point of quadrature that the zero line passes within a step
+            // is missed.
             let step = 1e-7 * CLEARANCE;
             let by = |sign: f64| {
                 let mut offset = here;
@@ -187,7 +191,8 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
     }
 }
 
-/// A film that was full is torn apart, and its wall has followed in part: the oil of its cells counts as long as it fills them.
+/// A film that was full is torn apart, and its wall has followed in part: the oil of its cells counts as long as it
+/// fills them.
 #[test]
 fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films() {
     let system = ring_system(72, 8, RADIUS, Some(PI));
@@ -243,7 +248,8 @@ fn column(film: &SolvedFilm, k: usize, per_time: f64) -> [f64; 2] {
     changed.expect("a tangent")[0].by_film.force
 }
 
-/// Place and wall after a quarter of the second cycle in even steps, `fewest` and 4 times as many, against 8 times as many. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
+/// Place and wall after a quarter of the second cycle in even steps, `fewest` and 4 times as many, against 8 times as
+/// many. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
 /// clearance, with a rigid wall too. The stages are solved far more exactly than that.
 fn converges_with_the_step(model: Cavitation, system: &Arc<FilmSystem>, fewest: u32) {
     let cycle = load_with(1.0);
@@ -280,9 +286,12 @@ fn place_and_wall_converge_with_the_step() {
     converges_with_the_step(CONSERVING, &fed_ring(), 8);
 }
 
-/// The shipped big end with a wall: structured finite volumes for half of the land, C_n by linear elements in r, film and wall in one Newton iteration, the backward differentiation formula of second
-/// order with 720 steps a cycle. 64 x 5 and 96 x 8 volumes: least film 5.6335 and 5.5796 um, deflection at the centres of volumes 3.866 and 3.891 um. Greatest pressure, parabolas through the volumes around it:
-/// 33.352, 33.502 and 33.736 MPa on 48 x 4, 64 x 5 and 96 x 8. Extrapolated by second order; the pressure on three grids leaves 0.2 MPa open, the place between centres 1 % of the deflection.
+/// The shipped big end with a wall: structured finite volumes for half of the land, C_n by linear elements in r, film
+/// and wall in one Newton iteration, the backward differentiation formula of second order with 720 steps a cycle. 64 x
+/// 5 and 96 x 8 volumes: least film 5.6335 and 5.5796 um, deflection at the centres of volumes 3.866 and 3.891 um.
+/// Greatest pressure, parabolas through the volumes around it: 33.352, 33.502 and 33.736 MPa on 48 x 4, 64 x 5 and 96 x
+/// 8. Extrapolated by second order; the pressure on three grids leaves 0.2 MPa open, the place between centres 1 % of
+/// the deflection.
 pub(crate) fn the_big_end_with_a_wall_is_that_of_finite_volumes(result: &Value) {
     let number = |value: &Value, key: &str| value[key].as_f64().unwrap_or_else(|| panic!("no {key}: {value}"));
     for (name, reference, uncertain, part) in [

@@ -15,7 +15,8 @@ use oilwedge_tests::rough_surfaces::contacts;
 const LENGTH: f64 = 0.06;
 const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
 
-/// A journal that presses a soft wall out takes it along: few positions lead to the balance, and fewer on a finer mesh that begins under the wall found.
+/// A journal that presses a soft wall out takes it along: few positions lead to the balance, and fewer on a finer mesh
+/// that begins under the wall found.
 #[test]
 fn a_search_takes_the_wall_along() {
     let coarse = ring_system(48, 8, LENGTH, Some(160f64.to_radians()));
@@ -60,8 +61,10 @@ impl SearchObserver for Films {
     }
 }
 
-/// Journals whose ends lie further out than a rigid wall lets them, to which no step of a search from the usual start leads: moments grow until they are balanced. Surfaces touch on the way, and steps
-/// along the tangent press them into each other. If contact did not settle before the next film is solved the first of these journals would seem to come into contact with the liner.
+/// Journals whose ends lie further out than a rigid wall lets them, to which no step of a search from the usual start
+/// leads: moments grow until they are balanced. Surfaces touch on the way, and steps along the tangent press them into
+/// each other. If contact did not settle before the next film is solved the first of these journals would seem to come
+/// into contact with the liner.
 #[test]
 fn loads_that_press_soft_walls_far_out_are_balanced() {
     far_out(63, 1.0, 140);
@@ -91,7 +94,8 @@ fn balance(number: u64, carrier: Carrier) -> (FilmProblem, usize) {
     (found.film.problem, FILMS.0.swap(0, Ordering::Relaxed))
 }
 
-/// The systems of the film in cubic elements are nearly solved by those of the quadratic film: from the balance of that one few films lead to its own, with few products each.
+/// The systems of the film in cubic elements are nearly solved by those of the quadratic film: from the balance of that
+/// one few films lead to its own, with few products each.
 fn few_films_lead_to_the_cubic_balance(number: u64, quadratic: &FilmProblem) {
     let (cubic, _) = balance(number, Carrier::Cubic);
     let [quadratic, cubic] = [quadratic, &cubic].map(|problem| problem.deflection().expect("a wall").closing);

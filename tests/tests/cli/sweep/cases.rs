@@ -74,7 +74,8 @@ fn a_case_is_the_scene_by_itself() {
                 if name == axis {
                     continue;
                 }
-                // Sums of parts that cancel are known to rounding of the parts: forces to that of the load, flows of that through the film.
+                // Sums of parts that cancel are known to rounding of the parts: forces to that of the load, flows of
+                // that through the film.
                 let size = match quantity["unit"].as_str() {
                     Some("N") => value(row, "load"),
                     Some("m3/s") => 1e-6,
@@ -88,7 +89,8 @@ fn a_case_is_the_scene_by_itself() {
     }
 }
 
-/// What the balance of heat is made of belongs to its case: a film that takes over the mesh of the case before takes none of its heat.
+/// What the balance of heat is made of belongs to its case: a film that takes over the mesh of the case before takes
+/// none of its heat.
 #[test]
 fn each_case_has_the_heat_of_its_own() {
     let base = edited(

@@ -15,7 +15,8 @@ fn forecast(told: &Told) -> (usize, f64) {
     (words[0].parse().expect("a number"), unit * words[3].parse::<f64>().expect("a number"))
 }
 
-/// Within a factor of two, in a sweep whose cases differ. Other programs on the machine may slow a part of a run, so it has three.
+/// Within a factor of two, in a sweep whose cases differ. Other programs on the machine may slow a part of a run, so it
+/// has three.
 #[test]
 fn the_time_is_forecast() {
     let bench = Bench::new();

@@ -55,7 +55,8 @@ fn a_sweep_of_the_speed_writes_a_table_for_rotors() {
     assert!(told.stdout.contains("sweep.csv, sweep.json, rotor_bearing.csv, rotor_bearing_3.csv"), "{}", told.stdout);
 }
 
-/// Columns in other units are written in SI; without all of them, or with another axis, there is no table, and an old one goes.
+/// Columns in other units are written in SI; without all of them, or with another axis, there is no table, and an old
+/// one goes.
 #[test]
 fn the_table_needs_all_coefficients_over_the_speed_alone() {
     let bench = Bench::new();

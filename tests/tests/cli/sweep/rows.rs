@@ -31,8 +31,9 @@ fn the_sweep_of_the_study_meets_its_rows() {
     }
 }
 
-/// The closed form and finite differences of the real length (`literature/short_crankshaft_bearing.rs`, `short_bearing_finite_length.rs`): a film
-/// refined to 0.5 % of its load is asked for 1 % of it, 1.5 % of its greatest pressure, 2 % of its flow and 0.2 degrees.
+/// The closed form and finite differences of the real length (`literature/short_crankshaft_bearing.rs`,
+/// `short_bearing_finite_length.rs`): a film refined to 0.5 % of its load is asked for 1 % of it, 1.5 % of its greatest
+/// pressure, 2 % of its flow and 0.2 degrees.
 #[test]
 fn the_sweeps_of_the_crankshaft_bearing_meet_their_rows() {
     let wanted = printed::rows("source000/finite_length.csv");

@@ -4,7 +4,8 @@ use oilwedge_study::warning::KINDS;
 use oilwedge_tests::program::repository;
 use oilwedge_tests::sweeps::*;
 
-/// Table, `sweep.json` and the count at the end have the same codes; a case has those of the run that solves it by itself.
+/// Table, `sweep.json` and the count at the end have the same codes; a case has those of the run that solves it by
+/// itself.
 #[test]
 fn every_warning_is_in_the_table() {
     let bench = Bench::new();

@@ -116,9 +116,11 @@ fn rigid_motions_are_free_and_loads_keep_sum_and_moment() {
     }
 }
 
-/// A throw on two supports without tilt at its ends, under a force P on its pin in its own plane: `u/P` by Castigliano's theorem, with the arm a from a support to the
-/// middle of a web and half a pin b up to there, is `a^3/(6 E I_j) + ((a + b)^3 - a^3)/(6 E I_p) + a^2 r/(2 E I_w) + r/(2 E A_w)`; rigid webs have the first two terms alone.
-/// With the throw of `scenes/engines/three_throws.toml` and webs 110 mm wide, the webs from axis to axis make it 7.2 times as soft.
+/// A throw on two supports without tilt at its ends, under a force P on its pin in its own plane: `u/P` by
+/// Castigliano's theorem, with the arm a from a support to the middle of a web and half a pin b up to there, is
+/// `a^3/(6 E I_j) + ((a + b)^3 - a^3)/(6 E I_p) + a^2 r/(2 E I_w) + r/(2 E A_w)`; rigid webs have the first two terms
+/// alone. With the throw of `scenes/engines/three_throws.toml` and webs 110 mm wide, the webs from axis to axis make it
+/// 7.2 times as soft.
 #[test]
 fn webs_bend_from_axis_to_axis() {
     let (pin, journal) = (0.072, 0.085);

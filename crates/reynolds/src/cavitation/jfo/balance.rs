@@ -33,8 +33,8 @@ impl Balance {
         }
     }
 
-    /// The balance of every node. What pressure drives between two nodes is their coupling times the difference of their
-    /// pressures, the same for both to the last bit: no oil is lost by rounding where pressures are high.
+    /// The balance of every node. What pressure drives between two nodes is their coupling times the difference of
+    /// their pressures, the same for both to the last bit: no oil is lost by rounding where pressures are high.
     pub(super) fn residual(&self, p: &[f64], theta: &[f64]) -> Vec<f64> {
         let carried = self.transport.multiply(theta);
         let pattern = &self.pressure.pattern;

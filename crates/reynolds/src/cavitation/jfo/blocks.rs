@@ -6,11 +6,12 @@
 //! k_i = |T| F.grad l_i,   s = sum k_j^-                      F: flow of a full film in T
 //! B_jj = -k_j^-,   B_ij = -k_i^+ k_j^- / s                   from each corner j upstream to each corner i downstream
 //! ```
-//! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does not
-//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme (narrow) for the transport of theta by F: without the
-//! crosswind smearing of upwind faces, positive, and of first order where theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner
-//! faces: the full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is chosen by the cavity, and the film follows from its cavity alone.
-//! Columns sum to zero, but for what is stored.
+//! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does
+//! not vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme (narrow)
+//! for the transport of theta by F: without the crosswind smearing of upwind faces, positive, and of first order where
+//! theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner faces: the
+//! full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is chosen by the
+//! cavity, and the film follows from its cavity alone. Columns sum to zero, but for what is stored.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
@@ -139,8 +140,8 @@ impl Points {
     }
 }
 
-/// What flows in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however its
-/// thickness does: `J = F - k grad p` with `1/k` and `F/k` the means of those at the points.
+/// What flows in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however
+/// its thickness does: `J = F - k grad p` with `1/k` and `F/k` the means of those at the points.
 #[derive(Debug, Clone, Copy, Default)]
 struct Flow {
     conductance: f64,
@@ -172,13 +173,7 @@ impl Flow {
 
 impl Block {
     /// From what is at the corners `x`, and what flows on the whole.
-    fn new(
-        velocity: [f64; 2],
-        x: [[f64; 2]; 3],
-        film: [FilmPoint; 3],
-        flows: [FilmFlow; 3],
-        flow: Flow,
-    ) -> Self {
+    fn new(velocity: [f64; 2], x: [[f64; 2]; 3], film: [FilmPoint; 3], flows: [FilmFlow; 3], flow: Flow) -> Self {
         let doubled = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[1][1] - x[0][1]) * (x[2][0] - x[0][0]);
         let area = 0.5 * doubled;
         // Gradients of the linear functions: the opposite side turned by 90 degrees.
@@ -261,8 +256,8 @@ impl Block {
         self.dragged * sum / self.inflow()
     }
 
-    /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while none
-    /// downstream is (the film's edge along a supply; downstream it would be the rupture line).
+    /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while
+    /// none downstream is (the film's edge along a supply; downstream it would be the rupture line).
     pub(super) fn is_starved(&self, cavity: [bool; 3]) -> bool {
         const ROUNDING: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
@@ -275,7 +270,8 @@ impl Block {
     }
 }
 
-/// Thickness [m] at which a full film is dragged with the mean flow F of the sub-triangle of triangle `cell` that has these `corners` [m].
+/// Thickness [m] at which a full film is dragged with the mean flow F of the sub-triangle of triangle `cell` that has
+/// these `corners` [m].
 pub(crate) fn thickness_dragged(law: &FilmLaw, cell: usize, corners: [[f64; 2]; 3]) -> f64 {
     let middles = SIDES.map(|(a, b)| [0, 1].map(|d| 0.5 * (corners[a][d] + corners[b][d])));
     let flows = law.film_and_flows(cell, &middles).1;

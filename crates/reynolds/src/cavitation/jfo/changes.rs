@@ -84,7 +84,8 @@ impl<'a> PointChanges<'a> {
         AtPointsOf { points, balances }
     }
 
-    /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, the triangle of the piece and where it is [m], and the change [m3/s].
+    /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, the triangle of the
+    /// piece and where it is [m], and the change [m3/s].
     pub(crate) fn of_boundary(&self) -> Vec<(usize, (usize, [f64; 2]), f64)> {
         let (SolvedFilm { problem, system, .. }, volumes) = (self.film, self.volumes);
         let rows = Rows::new(problem, system, volumes, &self.law, cavity_floor(problem));

@@ -1,8 +1,8 @@
 //! # Mass-conserving cavitation (Jakobsson, Floberg, Olsson)
 //!
 //! **Equation.** `div( U h theta/2 - h^3/(12 mu) grad p ) + theta dh/dt = 0`, `p >= p_cav`, `theta <= 1`, one of the
-//! two an equality: where the film is full oil is driven by pressure, in the cavity it is only carried. A film with a history
-//! ([`crate::Storage`]) has `d(theta h)/dt` in place of `theta dh/dt`.
+//! two an equality: where the film is full oil is driven by pressure, in the cavity it is only carried. A film with a
+//! history ([`crate::Storage`]) has `d(theta h)/dt` in place of `theta dh/dt`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -10,18 +10,18 @@
 //! | theta (film fraction) | - | `theta` |
 //!
 //! Finite volumes on the linear sub-mesh ([`oilwedge_fem::ControlVolumes`]): one q and one theta a node, each node
-//! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); `blocks` has the balance of
-//! one sub-triangle, `rows` the conditions, `active_set` the search for the cavity, `relaxation` what makes it
-//! short, `loops` oil that no source sends, `spread` what triangles across the flow do to it. The load is integrated with
-//! the quadratic functions of the nodal q, which is several times better than with linear ones.
+//! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); `blocks` has the balance of one
+//! sub-triangle, `rows` the conditions, `active_set` the search for the cavity, `relaxation` what makes it short,
+//! `loops` oil that no source sends, `spread` what triangles across the flow do to it. The load is integrated with the
+//! quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
-//! The film is a semismooth equation of its nodes: linear while the cavity stays, and one scheme carries the oil in all of it. The active set is that of Newton's method; a set that
-//! comes back is answered by pseudo-time.
+//! The film is a semismooth equation of its nodes: linear while the cavity stays, and one scheme carries the oil in all
+//! of it. The active set is that of Newton's method; a set that comes back is answered by pseudo-time.
 //!
-//! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
-//! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation, or with a history; incompressible oil; triangles without
-//! obtuse angles, with an edge along the flow wherever oil enters in layers. **Verified by** `literature/fowell_2007`, `literature/pfeil_groove`, a structured code in Python, oil
-//! balances, and random bearings.
+//! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod, J. Lubr.
+//! Technol. 103 (1981) 350. **Range.** Steady with rotation, or with a history; incompressible oil; triangles without
+//! obtuse angles, with an edge along the flow wherever oil enters in layers. **Verified by** `literature/fowell_2007`,
+//! `literature/pfeil_groove`, a structured code in Python, oil balances, and random bearings.
 
 mod active_set;
 mod balance;

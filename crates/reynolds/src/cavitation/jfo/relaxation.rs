@@ -1,9 +1,10 @@
 //! Relaxation near nodes that changed sides, to foresee which of their neighbours will.
 //!
 //! A solve of all balances shows which nodes are on the wrong side, but the edge of a streak of oil then walks by one
-//! node a solve. So between solves each node near a change is given the pressure, or the film fraction, that balances it
-//! while its neighbours stay; where that changes, its neighbours follow (projected Gauss-Seidel relaxation). They are
-//! visited downstream, so that neither their numbers nor a mirror change the answer. Only the sides of the nodes are kept: the next solve is of all balances again, and has the last word.
+//! node a solve. So between solves each node near a change is given the pressure, or the film fraction, that balances
+//! it while its neighbours stay; where that changes, its neighbours follow (projected Gauss-Seidel relaxation). They
+//! are visited downstream, so that neither their numbers nor a mirror change the answer. Only the sides of the nodes
+//! are kept: the next solve is of all balances again, and has the last word.
 //!
 //! Cryer, SIAM J. Control 9 (1971) 385 (the relaxation); Brandt, Cryer, SIAM J. Sci. Stat. Comput. 4 (1983) 655.
 

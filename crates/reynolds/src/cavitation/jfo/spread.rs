@@ -1,15 +1,16 @@
 //! How much oil a mesh may spread across the flow.
 //!
-//! In a sub-triangle without an edge along the flow the N and the LDA scheme send oil to different corners. What they disagree about, at corners
-//! in the cavity, is oil that may be carried across the flow:
+//! In a sub-triangle without an edge along the flow the N and the LDA scheme send oil to different corners. What they
+//! disagree about, at corners in the cavity, is oil that may be carried across the flow:
 //! ```text
 //! s_T = 1/2 sum_i | N_i - LDA_i |   [m3/s]       sigma = sum e s_T / (U c B/2)
 //! e = sqrt(min(1, E/R))                          n = sum e s_T / (U c w_T/2)
 //! ```
-//! w_T is the extent of the sub-triangle across the flow, E [m] the length along the flow of the patch of such sub-triangles to which it belongs. Both
-//! sums are zero on rows along the flow. At the rim of a hole patches are short, and the rows behind carry on what left them. Along
-//! a layer of oil on triangles that lie anyhow, the patch is as long as the layer, n grows like 1/w: the film converges to a wrong
-//! one, and so does that on the vertices by which it is judged.
+//! w_T is the extent of the sub-triangle across the flow, E [m] the length along the flow of the patch of such
+//! sub-triangles to which it belongs. Both sums are zero on rows along the flow. At the rim of a hole patches are
+//! short, and the rows behind carry on what left them. Along a layer of oil on triangles that lie anyhow, the patch is
+//! as long as the layer, n grows like 1/w: the film converges to a wrong one, and so does that on the vertices by which
+//! it is judged.
 //!
 //! **Verified by** `cavitation/along_flow`; measured in `docs/theory/cavitation.md`.
 
@@ -71,19 +72,22 @@ pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Sprea
     Ok(spread)
 }
 
-/// Rows of the N scheme: each corner downstream gets its k times the difference of its film fraction and that of what comes in.
+/// Rows of the N scheme: each corner downstream gets its k times the difference of its film fraction and that of what
+/// comes in.
 fn n_scheme(block: &Block) -> Square {
     let (k, s) = (block.carried, block.inflow());
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| k[i].max(0.0) * (f64::from(i == j) - k[j].min(0.0) / s)))
 }
 
-/// Rows of the LDA scheme: each corner downstream gets a part of `sum k_j theta_j` as large as that of its k in their sum.
+/// Rows of the LDA scheme: each corner downstream gets a part of `sum k_j theta_j` as large as that of its k in their
+/// sum.
 fn low_diffusion(block: &Block) -> Square {
     let (k, s) = (block.carried, block.inflow());
     k.map(|of| k.map(|k| of.max(0.0) / -s * k))
 }
 
-/// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: |k| of a corner is what a full film carries through half the side across from it.
+/// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: |k| of a corner is what a full film carries
+/// through half the side across from it.
 fn width(block: &Block, speed: f64) -> f64 {
     block.carried.iter().map(|k| k.abs()).sum::<f64>() * 2.0 / (block.dragged * speed)
 }

@@ -1,14 +1,16 @@
-//! Power in a mass-conserving film: how full it is between the nodes, and what the flows between cells work against the pressure.
+//! Power in a mass-conserving film: how full it is between the nodes, and what the flows between cells work against the
+//! pressure.
 //!
-//! **Film fraction.** A sub-triangle whose upstream corners are in the cavity holds the oil `u = h_F theta` that they send into it, so that
-//! `theta(x) = min(1, u/h(x))`; all others are full. `h_F` is the thickness at which a full film is dragged with the flow F of the sub-triangle: the balances
-//! conserve `theta F`. (The film fraction of a node is that of the oil which leaves its cell: taken for the cell around it,
-//! every place at which the film becomes full again would lie half a cell too far upstream.)
+//! **Film fraction.** A sub-triangle whose upstream corners are in the cavity holds the oil `u = h_F theta` that they
+//! send into it, so that `theta(x) = min(1, u/h(x))`; all others are full. `h_F` is the thickness at which a full film
+//! is dragged with the flow F of the sub-triangle: the balances conserve `theta F`. (The film fraction of a node is
+//! that of the oil which leaves its cell: taken for the cell around it, every place at which the film becomes full
+//! again would lie half a cell too far upstream.)
 //!
 //! **Work.** Each balance times the pressure of its node, summed.
 //!
-//! `sum of P_i (K q + B theta)_i` falls into what pressure drives, what the journal drags and what the film takes up. Inside a cavity P is
-//! even and the columns of B sum to zero, so that nothing is worked there.
+//! `sum of P_i (K q + B theta)_i` falls into what pressure drives, what the journal drags and what the film takes up.
+//! Inside a cavity P is even and the columns of B sum to zero, so that nothing is worked there.
 
 use oilwedge_fem::ControlVolumes;
 
@@ -63,8 +65,8 @@ impl<'a> Carriage<'a> {
         carried
     }
 
-    /// Thickness u [m] of the oil carried to a point of sub-triangle `sub` of triangle `t` that has these barycentric `coordinates` in it: what passes the side
-    /// where the flow to the point comes in. Infinite where it is full there.
+    /// Thickness u [m] of the oil carried to a point of sub-triangle `sub` of triangle `t` that has these barycentric
+    /// `coordinates` in it: what passes the side where the flow to the point comes in. Infinite where it is full there.
     pub(crate) fn carried_to(&self, t: usize, sub: usize, coordinates: [f64; 3]) -> f64 {
         const FULL: f64 = 1.0 - 1e-12;
         let s = t * self.volumes.per_triangle + sub;
@@ -77,7 +79,8 @@ impl<'a> Carriage<'a> {
     }
 }
 
-/// Powers [W] of a mass-conserving film with the pressures `excess` [Pa] above that of the ends; that of shear, `shear`, is given.
+/// Powers [W] of a mass-conserving film with the pressures `excess` [Pa] above that of the ends; that of shear,
+/// `shear`, is given.
 pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], shear: f64) -> Work {
     let mut sum = Work { shear, ..Work::default() };
     for (excess, taken_up) in excess.iter().zip(&carriage.taken_up) {

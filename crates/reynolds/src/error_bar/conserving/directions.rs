@@ -1,11 +1,13 @@
 //! Directions of force and moment in which a film errs independently.
 //!
-//! **Equation.** With w the weights of a pressure in the forces (W_x, W_y, m_x/l, m_y/l), l half of the bearing's length, and d as in [`super`],
+//! **Equation.** With w the weights of a pressure in the forces (W_x, W_y, m_x/l, m_y/l), l half of the bearing's
+//! length, and d as in [`super`],
 //! ```text
 //! C = Int d w w^T dA,    C f_j = lambda_j f_j,    bar_j = bar of Int p (f_j . w) dA
 //! ```
-//! A film that errs at one place, as a thin one at an end does, errs in one direction: the others have small bars. Bars of two forces and two moments would lose that. In that direction such a film is
-//! stiff, so that the position of the journal is known far better than the force.
+//! A film that errs at one place, as a thin one at an end does, errs in one direction: the others have small bars. Bars
+//! of two forces and two moments would lose that. In that direction such a film is stiff, so that the position of the
+//! journal is known far better than the force.
 
 use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 
@@ -21,7 +23,8 @@ pub struct ErrorDirection {
     pub bar: Bar,
 }
 
-/// The four directions of a pair, `arm` [m] half of the bearing's length; `bar` sums up the shares of triangles. Those of the forces and moments themselves where differences are not finite.
+/// The four directions of a pair, `arm` [m] half of the bearing's length; `bar` sums up the shares of triangles. Those
+/// of the forces and moments themselves where differences are not finite.
 pub(super) fn directions(pair: &Pair, arm: f64, bar: impl Fn(&[Bar]) -> Bar) -> Vec<ErrorDirection> {
     let forces = |at: Weights| Vector4::new(at.force[0], at.force[1], at.moment[0] / arm, at.moment[1] / arm);
     let mesh = pair.film.system.space().mesh();
