@@ -99,8 +99,10 @@ fn letters(unit: &str, symbols: &[&str]) -> String {
     let (mut pattern, mut word) = (String::new(), String::new());
     let end = |word: &mut String, pattern: &mut String| {
         let alike = if symbols.contains(&word.as_str()) { symbols_like(word) } else { Vec::new() };
-        let all: Vec<String> = alike.iter().map(|symbol| spelled(symbol)).collect();
-        *pattern += &if all.is_empty() { spelled(word) } else { format!("({})", all.join("|")) };
+        // A prefix that its kind lacks may stand in the unit, as in mPa.s.
+        let own = Some(word.clone()).filter(|own| !alike.contains(own));
+        let all: Vec<String> = own.iter().chain(&alike).map(|symbol| spelled(symbol)).collect();
+        *pattern += &if alike.is_empty() { spelled(word) } else { format!("({})", all.join("|")) };
         word.clear();
     };
     for letter in unit.chars() {

@@ -11,8 +11,8 @@
 //! | m | m3 | `known` |
 //! | V theta | m3 | [`SolvedFilm::oil_held`] |
 //!
-//! **Source.** Elrod, J. Lubr. Technol. 103 (1981) 350. **Range.** Mass-conserving films; the mesh stays. **Verified
-//! by** `tests/tests/orbit/storage.rs`: plates that are squeezed, and orders in time.
+//! **Source.** Elrod, J. Lubr. Technol. 103 (1981) 350. **Range.** Mass-conserving films; the mesh stays.
+//! **Verified by** `tests/tests/orbit/storage.rs`: plates that are squeezed, and orders in time.
 
 use oilwedge_fem::Error;
 

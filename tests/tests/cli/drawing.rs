@@ -126,5 +126,5 @@ fn liners_too_narrow_to_be_meshed_are_refused() {
     let clearance = "clearance = \"37.5 um\"\n";
     let arc = format!("{clearance}arc = {{ from = \"0 deg\", to = \"1e-6 deg\" }}\n");
     bench.scene("09_drawn_ring", &[(clearance, &arc)]);
-    bench.refuses(&["solve", "scene.toml"], &["cannot be meshed", "a wider liner"]);
+    bench.refuses(&["solve", "scene.toml"], &["the coarsest mesh of the liner", "lands and grooves are not so small"]);
 }

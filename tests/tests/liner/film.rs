@@ -189,15 +189,11 @@ fn place_and_wall_are_those_of_one_another() {
         let found = find(near, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
         let closing = |problem: &FilmProblem| problem.deflection().expect("a wall").closing;
         let films = closing(&found.film.problem).outer - closing(near).outer;
-        // A mass-conserving film chooses its advection schemes until they settle.
-        let most = if model.conserves_oil() { 30 } else { 6 };
-        assert!(films <= most, "{}: {films}", model.name());
+        assert!(films <= 6, "{}: {films}", model.name());
         assert!(found.residual < 1e-10 && closing(&found.film.problem).residual < 1e-10);
         let force = carried(&closed(found.film.problem.deflected(near.deflection()), &system)).force;
         let off = (force[0] - load[0]).hypot(force[1] - load[1]) / load[0].hypot(load[1]);
-        // The film by itself chooses its advection schemes once more.
-        let to = if model.conserves_oil() { 1e-3 } else { 1e-9 };
-        assert!(off < to, "{}: {off:e}", model.name());
+        assert!(off < 1e-9, "{}: {off:e}", model.name());
     }
 }
 

@@ -16,7 +16,7 @@ use oilwedge_fem::newton::Failure;
 
 pub use jfo::FilmFraction;
 pub(crate) use jfo::{
-    Carriage, PointChanges, cell_volumes, check_supply, held_volume, residual_change, spread, thickness_dragged, work,
+    Carriage, PointChanges, cell_volumes, check_supply, held_volume, oil_carried, residual_change, spread, work,
 };
 
 use crate::lubricant::PressureLaw;

@@ -11,8 +11,8 @@
 //! | rho | kg/m3 | `density` |
 //! | T | K | `temperature` |
 //!
-//! **Source.** As of the laws. **Range.** As of the laws; beyond the ends of a table its last line goes on. **Verified
-//! by** `a_table_of_two_points_is_a_line` and `tables_are_monotone` below.
+//! **Source.** As of the laws. **Range.** As of the laws; beyond the ends of a table its last line goes on.
+//! **Verified by** `a_table_of_two_points_is_a_line` and `tables_are_monotone` below.
 
 use super::{Density, Vogel, Walther};
 

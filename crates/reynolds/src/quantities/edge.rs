@@ -13,8 +13,8 @@
 //! | made beside node i | m3/s | `made` |
 //!
 //! **Source.** Definition. **Range.** Swift-Stieber and Guembel films; zero for others. Without it the side flow would
-//! be off by the oil made in a strip of half a triangle along the ends: some hundredths on common meshes. **Verified
-//! by** the convergence of side flows in `docs/validation/accuracy.md`.
+//! be off by the oil made in a strip of half a triangle along the ends: some hundredths on common meshes.
+//! **Verified by** the convergence of side flows in `docs/validation/accuracy.md`.
 
 use oilwedge_fem::field::evaluate;
 use oilwedge_fem::integrate::{Nodal, Rule};

@@ -34,7 +34,7 @@ use self::balance::Balance;
 use self::hill::{Hill, Kept, Nodes};
 pub use self::numbers::HillNumbers;
 use self::rays::{Rays, Side};
-use crate::cavitation::FilmFraction;
+use crate::cavitation::oil_carried;
 use crate::{Cavitation, FilmProblem, FilmSystem, Form, SolvedFilm, Theory};
 
 /// Residual over the greatest share of a node, where the hill is found that is reported,
@@ -147,14 +147,15 @@ impl SolvedFilm {
         let Some(fraction) = solution.film_fraction.as_ref().filter(|_| problem.has_sharp_film(system)) else {
             return Ok(None);
         };
+        let oil = oil_carried(problem, system, fraction)?;
         let hill = match start {
-            HillStart::Film => self.first_hill(Rays::new(self, fraction)),
+            HillStart::Film => self.first_hill(Rays::new(self, &oil)),
             HillStart::Near(near) => {
-                let frame = self.frame(fraction);
+                let frame = self.frame(&oil);
                 self.hill_near(SharpFilm { frame, ..near }, SOLVED)
             }
             HillStart::SameCavities(mut near) => {
-                near.frame.rays.refill(problem, system, fraction);
+                near.frame.rays.refill(system.space(), &oil);
                 self.hill_near(near, BALANCED)
             }
         };
@@ -173,7 +174,8 @@ impl SolvedFilm {
             return Ok(hill);
         }
         let cubic = hill.cubic;
-        let frame = self.frame(fraction);
+        let oil = oil_carried(&self.problem, &self.system, fraction)?;
+        let frame = self.frame(&oil);
         let anew = self.hill_near(SharpFilm { frame, ..hill }, SOLVED)?;
         Ok(SharpFilm { by_cavities: anew.cubic.less(&cubic), cubic, ..anew })
     }
@@ -234,8 +236,8 @@ impl SolvedFilm {
     }
 
     /// What is found once at the position of this film.
-    fn frame(&self, fraction: &FilmFraction) -> Frame {
-        let rays = Rays::new(self, fraction);
+    fn frame(&self, oil: &[f64]) -> Frame {
+        let rays = Rays::new(self, oil);
         Frame { nodes: self.nodes(&self.system.cubic().system, &rays), cavity: self.solution.cavity.clone(), rays }
     }
 

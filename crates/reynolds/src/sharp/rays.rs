@@ -9,10 +9,8 @@ use oilwedge_fem::Space;
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
 
-use crate::cavitation::{FilmFraction, thickness_dragged};
-use crate::film_law::FilmLaw;
 use crate::supply::{BoundaryKind, SupplyRegion};
-use crate::{FilmProblem, FilmSystem, SolvedFilm};
+use crate::{FilmSystem, SolvedFilm};
 
 /// Rays over the length of the bearing.
 const RAYS: usize = 320;
@@ -103,8 +101,8 @@ enum Kind {
 }
 
 impl Rays {
-    /// The rays of a mass-conserving film.
-    pub(super) fn new(film: &SolvedFilm, fraction: &FilmFraction) -> Self {
+    /// The rays of a mass-conserving film; oil of these thicknesses [m] leaves its nodes.
+    pub(super) fn new(film: &SolvedFilm, oil: &[f64]) -> Self {
         let SolvedFilm { problem, system, .. } = film;
         let mesh = system.space().mesh();
         let (low, high) = (mesh.points().iter())
@@ -124,7 +122,7 @@ impl Rays {
         }
         let on_rays = pieces.into_iter().enumerate();
         rays.rays = on_rays.map(|(ray, pieces)| rays.ray(mesh, ray, pieces)).collect();
-        rays.refill(problem, system, fraction);
+        rays.refill(system.space(), oil);
         rays
     }
 
@@ -134,16 +132,12 @@ impl Rays {
     }
 
     /// Takes the oil of the film at another position, with cavities and the places from which it comes as they are.
-    pub(super) fn refill(&mut self, problem: &FilmProblem, system: &FilmSystem, fraction: &FilmFraction) {
-        let (space, mesh) = (system.space(), system.space().mesh());
-        let law = FilmLaw::new(problem, 1.0);
+    pub(super) fn refill(&mut self, space: &Space, oil: &[f64]) {
         for reformation in self.rays.iter_mut().flat_map(|ray| &mut ray.reformations) {
             let Source { holder, weights } = reformation.source;
-            let t = holder.triangle as usize;
-            let (nodes, dofs) = (mesh.nodes(t), space.element_dofs(t));
-            let corners = holder.corners.map(usize::from);
-            let fraction: f64 = corners.iter().zip(weights).map(|(&k, weight)| weight * fraction.values[dofs[k]]).sum();
-            reformation.oil = fraction * thickness_dragged(&law, t, corners.map(|k| nodes[k]));
+            let dofs = space.element_dofs(holder.triangle as usize);
+            let at_corner = |k: u8| oil[dofs[usize::from(k)]];
+            reformation.oil = holder.corners.iter().zip(weights).map(|(&k, weight)| weight * at_corner(k)).sum();
         }
     }
 

@@ -250,10 +250,9 @@ impl Block {
         self.carried.iter().map(|k| k.min(0.0)).sum()
     }
 
-    /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
-    pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
-        let sum: f64 = (0..3).map(|i| self.carried[i].min(0.0) * theta[i]).sum();
-        self.dragged * sum / self.inflow()
+    /// Thickness [m] of the oil that comes in through the corners upstream, which oil of the thickness `u` [m] leaves.
+    pub(super) fn inflowing(&self, u: [f64; 3]) -> f64 {
+        (0..3).map(|i| self.carried[i].min(0.0) * u[i]).sum::<f64>() / self.inflow()
     }
 
     /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while
@@ -268,14 +267,6 @@ impl Block {
         let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
         upstream || (aside && !downstream)
     }
-}
-
-/// Thickness [m] at which a full film is dragged with the mean flow F of the sub-triangle of triangle `cell` that has
-/// these `corners` [m].
-pub(crate) fn thickness_dragged(law: &FilmLaw, cell: usize, corners: [[f64; 2]; 3]) -> f64 {
-    let middles = SIDES.map(|(a, b)| [0, 1].map(|d| 0.5 * (corners[a][d] + corners[b][d])));
-    let flows = law.film_and_flows(cell, &middles).1;
-    dragged_thickness(law.velocity(), Flow::mean(&[0, 1, 2].map(|k| flows[k])).flux)
 }
 
 fn weighted(i: usize, value: impl Fn(usize) -> f64) -> f64 {

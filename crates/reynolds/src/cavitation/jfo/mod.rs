@@ -41,13 +41,12 @@ use oilwedge_fem::complementarity::InitialGuess;
 
 use self::active_set::Search;
 use self::balance::Balance;
-pub(crate) use self::blocks::thickness_dragged;
 use self::blocks::{Block, blocks};
 pub(crate) use self::changes::{PointChanges, residual_change};
 use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
 pub(crate) use self::spread::spread;
-pub(crate) use self::work::{Carriage, work};
+pub(crate) use self::work::{Carriage, oil_carried, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, SolvedFilm, Storage};

@@ -1,11 +1,9 @@
 //! Power in a mass-conserving film: how full it is between the nodes, and what the flows between cells work against the
 //! pressure.
 //!
-//! **Film fraction.** A sub-triangle whose upstream corners are in the cavity holds the oil `u = h_F theta` that they
-//! send into it, so that `theta(x) = min(1, u/h(x))`; all others are full. `h_F` is the thickness at which a full film
-//! is dragged with the flow F of the sub-triangle: the balances conserve `theta F`. (The film fraction of a node is
-//! that of the oil which leaves its cell: taken for the cell around it, every place at which the film becomes full
-//! again would lie half a cell too far upstream.)
+//! **Film fraction.** Oil of the thickness `u = theta h_F` leaves a node, where `h_F` is that of a full film which
+//! carries away as much: the balances conserve `theta F`, not `theta h`. A sub-triangle whose upstream corners are in
+//! the cavity holds the oil that they send into it, so that `theta(x) = min(1, u/h(x))`; all others are full.
 //!
 //! **Work.** Each balance times the pressure of its node, summed.
 //!
@@ -26,6 +24,8 @@ pub(crate) struct Carriage<'a> {
     volumes: &'a ControlVolumes,
     blocks: Vec<Block>,
     fraction: &'a FilmFraction,
+    /// Thickness u [m] of the oil that leaves each node; zero where nothing does.
+    oil: Vec<f64>,
     /// What the cell of each node takes up [m3/s] in a film with a history; else empty.
     taken_up: Vec<f64>,
 }
@@ -49,7 +49,8 @@ impl<'a> Carriage<'a> {
             blocks.iter_mut().for_each(|block| block.storage = [0.0; 3]);
             before.taken_up(&held)
         });
-        Ok(Self { blocks, taken_up, volumes, fraction })
+        let oil = oil_of(volumes, &blocks, fraction);
+        Ok(Self { blocks, taken_up, volumes, fraction, oil })
     }
 
     /// Thickness u [m] of the oil carried into each sub-triangle of triangle `t`; infinite where it is full.
@@ -59,7 +60,7 @@ impl<'a> Carriage<'a> {
         for (carried, s) in carried.iter_mut().zip(first..first + self.volumes.per_triangle) {
             let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s].map(|node| node as usize));
             if (0..3).any(|i| block.carried[i] < 0.0 && cavity[nodes[i]]) {
-                *carried = block.inflowing(nodes.map(|node| self.fraction.values[node]));
+                *carried = block.inflowing(nodes.map(|node| self.oil[node]));
             }
         }
         carried
@@ -74,9 +75,36 @@ impl<'a> Carriage<'a> {
         let downstream = (0..3).filter(|&i| block.carried[i] > 0.0);
         let way = downstream.map(|i| coordinates[i] / block.carried[i]).fold(f64::INFINITY, f64::min);
         let entry = |i: usize| coordinates[i] - way * block.carried[i];
-        let fraction: f64 = (0..3).map(|i| entry(i) * self.fraction.values[nodes[i] as usize]).sum();
-        if fraction < FULL { block.dragged * fraction } else { f64::INFINITY }
+        let mean = |values: &[f64]| (0..3).map(|i| entry(i) * values[nodes[i] as usize]).sum::<f64>();
+        if mean(&self.fraction.values) < FULL { mean(&self.oil) } else { f64::INFINITY }
     }
+}
+
+/// Thickness u [m] of the oil that leaves each node of a film; zero where nothing does.
+///
+/// # Errors
+/// The sub-mesh does not fit in memory.
+pub(crate) fn oil_carried(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    fraction: &FilmFraction,
+) -> Result<Vec<f64>, oilwedge_fem::Error> {
+    let volumes = system.volumes()?;
+    Ok(oil_of(volumes, &blocks(&FilmLaw::new(problem, 1.0), system.space(), volumes), fraction))
+}
+
+fn oil_of(volumes: &ControlVolumes, blocks: &[Block], fraction: &FilmFraction) -> Vec<f64> {
+    // What a full film carries away from each node, over what one of unit thickness does.
+    let mut leaving = vec![[0.0; 2]; fraction.values.len()];
+    for (block, nodes) in blocks.iter().zip(&volumes.triangles) {
+        for (node, k) in nodes.iter().zip(block.carried).filter(|(_, k)| *k < 0.0) {
+            let [full, of_unit] = &mut leaving[*node as usize];
+            *full += k;
+            *of_unit += k / block.dragged;
+        }
+    }
+    let oil = |(theta, [full, of_unit]): (&f64, &[f64; 2])| if *of_unit < 0.0 { theta * full / of_unit } else { 0.0 };
+    fraction.values.iter().zip(&leaving).map(oil).collect()
 }
 
 /// Powers [W] of a mass-conserving film with the pressures `excess` [Pa] above that of the ends; that of shear,
