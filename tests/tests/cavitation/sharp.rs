@@ -124,7 +124,7 @@ fn a_main_bearing_is_sharp() {
 #[test]
 fn streaks_are_those_of_the_finite_volumes() {
     for (region, size, limit) in [
-        (r#"groove = { from = "82.5 deg", to = "97.5 deg", width = "20 mm" }"#, 6.0, 1651.2),
+        (r#"groove = { from = "82.5 deg", to = "97.5 deg", width = "20 mm" }"#, 5.5, 1651.2),
         (r#"hole = { diameter = "15 mm", angle = "1.6207963 rad" }"#, 6.0, 1586.8),
     ] {
         let result = run(&written(&fed(size, region)), &RunOptions::default()).expect("a film").result;
