@@ -149,12 +149,14 @@ impl Beam {
         let mut own = end.map(|it| part * it);
         for (towards, about, sign) in PLANES {
             let bending = self.material.youngs_modulus * self.section.second_moments[towards];
-            let sheared = self.material.shear_modulus.map_or(0.0, |modulus| {
-                along / (modulus * self.section.shear_factors[towards] * self.section.area)
-            });
+            let sheared = self
+                .material
+                .shear_modulus
+                .map_or(0.0, |modulus| along / (modulus * self.section.shear_factors[towards] * self.section.area));
             let push = force[towards];
             let moment = sign * force[about] + rest * push;
-            own[towards] = push * (along.powi(3) / (3.0 * bending) + sheared) + moment * along * along / (2.0 * bending);
+            own[towards] =
+                push * (along.powi(3) / (3.0 * bending) + sheared) + moment * along * along / (2.0 * bending);
             own[about] = sign * (push * along * along / (2.0 * bending) + moment * along / bending);
         }
         let at = span.map(|it| part * it);

@@ -17,7 +17,7 @@ use super::matrix::product;
 use crate::coordinates::Vector;
 
 /// Each beam along the axis is shown by so many chords.
-const PARTS: u32 = 8;
+const PARTS: u32 = 12;
 
 /// A point of the centre line.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -135,9 +135,8 @@ impl Frame {
         let stiffness = self.stiffness();
         let retained: Vec<Retained> = (0..).zip(places).flat_map(Retained::of_place).collect();
         let last = OF_NODE * (self.nodes.len() - 1);
-        let is_inner = |number: &usize| {
-            ![last + 2, last + 5].contains(number) && retained.iter().all(|row| row.number != *number)
-        };
+        let is_inner =
+            |number: &usize| ![last + 2, last + 5].contains(number) && retained.iter().all(|row| row.number != *number);
         let others: Vec<usize> = (0..stiffness.order()).filter(is_inner).collect();
         let inner = stiffness.of_numbers(&others).factors().ok_or(NoShaft::Singular)?;
         Ok(Eliminated { stiffness, retained, others, inner })

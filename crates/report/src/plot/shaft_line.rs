@@ -1,14 +1,17 @@
-//! A bent shaft: its centre line along the axis in the plane of the loads and across it, in the clearances of its
-//! bearings.
+//! A bent shaft: its centre line along the axis, in the plane of the load on the bearing with the least film and across
+//! it, in the clearances of all bearings.
 
 use oilwedge_drawing::{BLUE, Chart, Figure, GREY, Label, Note, Series, charts_figure};
 use serde_json::Value;
 
 use crate::shaft_view::ShaftView;
 
+/// Where the name of a bearing stands, over its clearance.
+const NAME: f64 = 1.12;
+
 /// A plane through the axis: the components of a vector along it.
 struct Plane {
-    title: &'static str,
+    title: String,
     towards: [f64; 2],
 }
 
@@ -17,11 +20,11 @@ pub(super) fn shaft_line(view: &ShaftView, width: f64) -> Option<Figure> {
     let line = &view.result["deflection"];
     let [x, y] = pair(&line["load"])?;
     let size = x.hypot(y);
-    // The way against the loads is upwards; where they are in balance, that is x.
+    // The way against the load is upwards; without a load, that of x.
     let up = if size > 0.0 { [-x / size, -y / size] } else { [1.0, 0.0] };
     let planes = [
-        Plane { title: "in the plane of the loads, which act downwards", towards: up },
-        Plane { title: "across the loads", towards: [up[1], -up[0]] },
+        Plane { title: format!("load on {} downwards", line["bearing"].as_str()?), towards: up },
+        Plane { title: "across that load".to_owned(), towards: [up[1], -up[0]] },
     ];
     let charts: Vec<Chart> = planes.iter().map(|plane| chart(view, plane)).collect::<Option<_>>()?;
     let when = line["crank_angle_deg"].as_f64();
@@ -32,9 +35,9 @@ pub(super) fn shaft_line(view: &ShaftView, width: f64) -> Option<Figure> {
 fn chart(view: &ShaftView, plane: &Plane) -> Option<Chart> {
     let line = &view.result["deflection"];
     let micrometres = |[x, y]: [f64; 2]| 1e6 * (x * plane.towards[0] + y * plane.towards[1]);
-    let degrees = plane.towards[1].atan2(plane.towards[0]).to_degrees().rem_euclid(360.0);
+    let degrees = plane.towards[1].atan2(plane.towards[0]).to_degrees().round().rem_euclid(360.0);
     let upwards = Label::plain(&format!("displacement towards {degrees:.0} deg, um"));
-    let mut chart = Chart::new(plane.title, Label::marked("*z*, mm"), upwards);
+    let mut chart = Chart::new(&plane.title, Label::marked("*z*, mm"), upwards);
     for (bearing, shell) in view.bearings().iter().zip(line["shells"].as_array()?) {
         let size = |key: &str| bearing["geometry"][key].as_f64();
         let (z, half, clearance) = (1e3 * bearing["at"].as_f64()?, 5e2 * size("length")?, 1e6 * size("clearance")?);
@@ -43,7 +46,10 @@ fn chart(view: &ShaftView, plane: &Plane) -> Option<Chart> {
         let band = corners.map(|[across, up]| [z + across * half, middle + up * clearance]);
         chart.series.push(Series::line("clearance in which a journal lies", GREY, band.to_vec()));
         let name = Label::plain(bearing["name"].as_str()?);
-        chart.notes.push(Note { at: [z, middle + 0.85 * clearance], label: name, colour: GREY });
+        let [above, room] = [NAME, NAME + 0.1].map(|times| [z, middle + times * clearance]);
+        chart.notes.push(Note { at: above, label: name, colour: GREY });
+        // The axis reaches beyond the names: notes themselves take no room.
+        chart.series.push(Series::line("", GREY, vec![room]));
     }
     let [z, x, y] = ["z", "x", "y"].map(|key| line[key].as_array());
     let places = z?.iter().zip(x?.iter().zip(y?));

@@ -166,7 +166,7 @@ fn report(
     run.result.films = orbit.cycles.iter().map(|cycle| cycle.films).sum();
     run.result.balances =
         balances(engine, compiled, &orbit.steps).map_err(|reason| (Status::NoSolution, told_at(&reason, compiled)))?;
-    run.result.deflection = ShaftDeflection::of_cycle(&films, engine, &orbit.steps);
+    run.result.deflection = ShaftDeflection::of_cycle(compiled, engine, &orbit.steps);
     run.result.cycles = orbit
         .cycles
         .iter()

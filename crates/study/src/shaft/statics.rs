@@ -154,8 +154,10 @@ fn report(
     let displacements = displacements(&films, &balance, &estimated);
     let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled, options.cause()))?;
     let balanced = films.films.iter().zip(&balance.instants);
-    let [at, forces]: [Vec<Vector>; 2] =
-        [balanced.clone().map(|(_, here)| here.at).collect(), balanced.map(|(film, here)| film.carried(here)).collect()];
+    let [at, forces]: [Vec<Vector>; 2] = [
+        balanced.clone().map(|(_, here)| here.at).collect(),
+        balanced.map(|(film, here)| film.carried(here)).collect(),
+    ];
     let measure = |number: usize| {
         let (bearing, solved, of_film) = (&compiled.bearings[number], &solved[number], &films.films[number]);
         (number, bearing, solved, of_film)
@@ -181,7 +183,7 @@ fn report(
         result.bearings.push(report);
     }
     result.films = balance.films;
-    result.deflection = ShaftDeflection::at_rest(&films, &at, &forces, &compiled.loads);
+    result.deflection = ShaftDeflection::at_rest(compiled, &at, &forces);
     result.balances = balances(compiled, &balance, &carried);
     Ok(())
 }
