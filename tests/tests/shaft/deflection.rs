@@ -34,7 +34,7 @@ fn the_line_of_a_shaft_on_two_films_is_that_of_a_simply_supported_beam_between_i
     // The right one carries more.
     assert!(line["crank_angle_deg"].is_null() && line["bearing"] == "right", "{line}");
     let load = [&LOAD_X, &LOAD_Y].map(|row| numbers(&run, row)[1]);
-    let off = [0, 1].map(|k: usize| line["load"][k].as_f64().expect("a force") - load[k]);
+    let off = [0, 1].map(|k: usize| line["force"][k].as_f64().expect("a force") - load[k]);
     assert!(off.iter().all(|off| off.abs() < 1e-6), "{off:?}");
 
     // At its ends the line is where the journals are: their offsets in the films, and what the shells give way.

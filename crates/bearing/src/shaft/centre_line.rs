@@ -9,10 +9,10 @@
 //! the shaft, which carries a pin round, is not taken for bending.
 //!
 //! **Source.** Elimination of inner nodes: R. J. Guyan, AIAA J. 3 (1965) 380. **Range.** As for the frame.
-//! **Verified by** `tests/tests/shaft/deflection.rs`.
+//! **Verified by** `frame/tests.rs` and `tests/tests/shaft/deflection.rs`.
 
 use super::beam::{Motion, carried};
-use super::frame::{Eliminated, Frame, NodeForce, OF_NODE, across, turned};
+use super::frame::{BetweenJournals, Eliminated, NodeForce, OF_NODE, Shaft, across, turned};
 use super::matrix::product;
 use crate::coordinates::Vector;
 
@@ -28,17 +28,17 @@ pub struct LinePoint {
     pub by: [f64; 2],
 }
 
-/// What the bending of a shaft between its journals needs: its frame, and the nodes that are loaded.
-#[derive(Debug, Clone)]
-pub(super) struct CentreLine {
-    pub(super) frame: Frame,
-    pub(super) loaded: Vec<usize>,
-    pub(super) eliminated: Eliminated,
+impl Shaft {
+    /// Its centre line where its journals are displaced so [m] under these loads, the shaft turned by an angle [rad];
+    /// `None` where it is cut.
+    pub fn bent(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Option<Vec<LinePoint>> {
+        self.between.as_ref().map(|between| between.bent(journals, loads, angle))
+    }
 }
 
-impl CentreLine {
-    /// The line from beam to beam, where the journals are displaced so [m], the shaft turned by an angle [rad].
-    pub(super) fn bent(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Vec<LinePoint> {
+impl BetweenJournals {
+    /// The line from beam to beam.
+    fn bent(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Vec<LinePoint> {
         let motions = self.motions(&turned(journals, -angle), loads, angle);
         let nodes = &self.frame.nodes;
         let mut line = Vec::new();

@@ -10,7 +10,6 @@
 //! their own size, however stiff the shaft is.
 
 use super::beam::{Beam, Point};
-use super::centre_line::{CentreLine, LinePoint};
 use super::cut::shares;
 use super::matrix::{Factors, Matrix, product};
 use crate::coordinates::{Coordinates, Vector};
@@ -57,8 +56,16 @@ pub struct Shaft {
     journals: usize,
     /// What a unit force towards x and towards y on each node that is loaded is as forces on the journals.
     transfers: Vec<[Vec<f64>; 2]>,
-    /// How it bends between its journals; none where it is cut.
-    line: Option<CentreLine>,
+    /// What is between its journals; none where it is cut.
+    pub(super) between: Option<BetweenJournals>,
+}
+
+/// The frame between the journals of a shaft, and its nodes that are loaded.
+#[derive(Debug, Clone)]
+pub(super) struct BetweenJournals {
+    pub(super) frame: Frame,
+    pub(super) loaded: Vec<usize>,
+    pub(super) eliminated: Eliminated,
 }
 
 /// A rigid motion: coordinates of the journals, and displacement `at_zero + by_z z` of the axis towards x or y.
@@ -127,7 +134,7 @@ impl Frame {
             rows,
             journals: places.len(),
             transfers: (loaded.iter()).map(|&node| [0, 1].map(|towards| transfer(node, towards))).collect(),
-            line: Some(CentreLine { frame: self.clone(), loaded: loaded.to_vec(), eliminated }),
+            between: Some(BetweenJournals { frame: self.clone(), loaded: loaded.to_vec(), eliminated }),
         })
     }
 
@@ -314,7 +321,7 @@ impl Shaft {
             transfers: loaded.iter().map(|z| transfer(*z)).collect(),
             journals: journals.len(),
             rows,
-            line: None,
+            between: None,
         })
     }
 
@@ -355,12 +362,6 @@ impl Shaft {
             }
         }
         turned(&self.spread(&sum), angle)
-    }
-
-    /// Its centre line where its journals are displaced so [m] under these loads, the shaft turned by an angle [rad];
-    /// `None` where it is cut.
-    pub fn bent(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Option<Vec<LinePoint>> {
-        self.line.as_ref().map(|line| line.bent(journals, loads, angle))
     }
 
     /// The entries of the unknowns.

@@ -18,12 +18,12 @@ struct Plane {
 /// The picture; `None` where the shaft has no line.
 pub(super) fn shaft_line(view: &ShaftView, width: f64) -> Option<Figure> {
     let line = &view.result["deflection"];
-    let [x, y] = pair(&line["load"])?;
+    let [x, y] = pair(&line["force"])?;
     let size = x.hypot(y);
     // The way against the load is upwards; without a load, that of x.
     let up = if size > 0.0 { [-x / size, -y / size] } else { [1.0, 0.0] };
     let planes = [
-        Plane { title: format!("load on {} downwards", line["bearing"].as_str()?), towards: up },
+        Plane { title: format!("the load on {} acts downwards", line["bearing"].as_str()?), towards: up },
         Plane { title: "across that load".to_owned(), towards: [up[1], -up[0]] },
     ];
     let charts: Vec<Chart> = planes.iter().map(|plane| chart(view, plane)).collect::<Option<_>>()?;

@@ -14,7 +14,7 @@ pub struct ShaftDeflection {
     /// The bearing with the least film.
     pub bearing: String,
     /// Force on that film towards x and y [N].
-    pub load: [f64; 2],
+    pub force: [f64; 2],
     /// Axial positions [m], from z = 0 on; twice the same where a web stands.
     pub z: Vec<f64>,
     /// Displacement of the centre line in the housing towards x there [m].
@@ -56,7 +56,7 @@ impl ShaftDeflection {
         Some(Self {
             crank_angle_deg: None,
             bearing: compiled.bearings[bearing].name.clone(),
-            load: [x, y],
+            force: [x, y],
             z: line.iter().map(|point| point.z).collect(),
             x: line.iter().map(|point| point.by[0]).collect(),
             y: line.iter().map(|point| point.by[1]).collect(),
