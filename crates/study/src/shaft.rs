@@ -7,6 +7,7 @@
 //! | `shaft/statics.rs` | the shaft at rest under loads that do not change |
 //! | `shaft/cycle.rs` | the shaft over a cycle of its throws |
 //! | `shaft/balances.rs` | force, moment and power at each of its steps |
+//! | `shaft/deflection.rs` | the shaft as it is bent |
 //! | `shaft/variant.rs` | the same shaft cut, or with other counterweights, beside it |
 //! | `shaft/weights.rs` | where counterweights serve the bearings best |
 //! | `shaft/result.rs` | what was found, as scripts read it |
@@ -17,6 +18,7 @@
 mod balances;
 mod compile;
 mod cycle;
+mod deflection;
 mod error;
 mod result;
 mod statics;
@@ -24,6 +26,7 @@ mod variant;
 mod weights;
 
 pub use compile::{Bearing, Compiled, bearing_scenes, compile_shaft, engine};
+pub use deflection::ShaftDeflection;
 pub use error::ShaftError;
 pub use result::{BearingPath, BearingReport, CycleReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};
 pub use variant::{Variant, run_cut};

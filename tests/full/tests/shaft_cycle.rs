@@ -29,6 +29,7 @@ fn shows_all_bearings_and_the_cut_shaft(folder: &Path, whole: &ShaftRun, cut: Sh
         "main 1</td>",
         "main 4</td>",
         "Beside the shaft cut at its bearings",
+        "id=\"figure-shaft_bent\"",
         "id=\"figure-shaft_loads\"",
         "id=\"figure-shaft_orbits\"",
         "id=\"figure-shaft_films\"",

@@ -1,6 +1,7 @@
 //! Shafts on the films of all their bearings.
 
 mod bearings;
+mod deflection;
 mod report;
 mod statics;
 mod sweep;

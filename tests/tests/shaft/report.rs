@@ -9,7 +9,7 @@ fn the_page_of_a_shaft_at_rest_has_its_balances_and_no_courses() {
     let whole = run(&text("three_films.toml"));
     let views = ShaftViews::of_runs(&whole, &[]).expect("views");
     let page = shaft_page(&views).expect("a page");
-    for part in ["middle</td>", "load towards", "Balances", "The shaft"] {
+    for part in ["middle</td>", "load towards", "Balances", "The shaft", "id=\"figure-shaft_bent\""] {
         assert!(page.contains(part), "no {part}");
     }
     assert!(!page.contains("figure-shaft_orbits"));

@@ -52,6 +52,9 @@ pub struct Section {
     pub shear_factors: [f64; 2],
 }
 
+/// Displacement towards a goes with a rotation about b, towards b with one against a.
+const PLANES: [(usize, usize, f64); 2] = [(0, 4, 1.0), (1, 3, -1.0)];
+
 impl Material {
     /// Poisson's ratio [1]; 0.3 for a beam that does not shear.
     fn poissons_ratio(&self) -> f64 {
@@ -129,6 +132,40 @@ impl Beam {
         std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| relative[k][i] * forces[k][j]).sum()))
     }
 
+    /// Where its section at this part of its length lies [m], and how that moves where its nodes at these points move so.
+    pub(super) fn section_at(&self, part: f64, nodes: [Point; 2], motions: [Motion; 2]) -> (Point, Motion) {
+        let [from, to] = self.ends;
+        let (axes, span) = (self.axes(), between(from, to));
+        let [held, moved] = [0, 1].map(|k: usize| carried(motions[k], between(nodes[k], self.ends[k])));
+        let rigid = carried(held, span);
+        let difference: Motion = std::array::from_fn(|k| moved[k] - rigid[k]);
+        // In the frame of the beam.
+        let relative = axes.map(|axis| dot(axis, [difference[0], difference[1], difference[2]]));
+        let turned = axes.map(|axis| dot(axis, [difference[3], difference[4], difference[5]]));
+        let end: Motion = [relative[0], relative[1], relative[2], turned[0], turned[1], turned[2]];
+        let force = self.at_end().map(|row| (0..6).map(|k| row[k] * end[k]).sum::<f64>());
+        let length = dot(span, span).sqrt();
+        let (along, rest) = (part * length, (1.0 - part) * length);
+        let mut own = end.map(|it| part * it);
+        for (towards, about, sign) in PLANES {
+            let bending = self.material.youngs_modulus * self.section.second_moments[towards];
+            let sheared = self
+                .material
+                .shear_modulus
+                .map_or(0.0, |modulus| along / (modulus * self.section.shear_factors[towards] * self.section.area));
+            let push = force[towards];
+            let moment = sign * force[about] + rest * push;
+            own[towards] =
+                push * (along.powi(3) / (3.0 * bending) + sheared) + moment * along * along / (2.0 * bending);
+            own[about] = sign * (push * along * along / (2.0 * bending) + moment * along / bending);
+        }
+        let at = span.map(|it| part * it);
+        let rigid = carried(held, at);
+        let back = |from: usize, k: usize| (0..3).map(|axis| axes[axis][k] * own[from + axis]).sum::<f64>();
+        let motion = std::array::from_fn(|k| rigid[k] + back(k / 3 * 3, k % 3));
+        ([0, 1, 2].map(|k| from[k] + at[k]), motion)
+    }
+
     /// The frame (a, b, t) of the beam.
     fn axes(&self) -> [Point; 3] {
         let along = unit(between(self.ends[0], self.ends[1]));
@@ -146,8 +183,7 @@ impl Beam {
         let mut local = [[0.0; 6]; 6];
         local[2][2] = material.youngs_modulus * section.area / length;
         local[5][5] = twisting * section.torsion / length;
-        // Displacement towards a goes with a rotation about b, towards b with one against a.
-        for (towards, about, sign) in [(0, 4, 1.0), (1, 3, -1.0)] {
+        for (towards, about, sign) in PLANES {
             let bending = material.youngs_modulus * section.second_moments[towards];
             let shear = material.shear_modulus.map_or(0.0, |modulus| {
                 12.0 * bending / (modulus * section.shear_factors[towards] * section.area * length * length)

@@ -106,7 +106,7 @@ impl Films<'_> {
         let slopes = self.slopes(instants, (1.0, 0.0))?;
         let moved_by = |&(bearing, force): &(usize, Vector)| {
             let mut displaced = vec![[0.0; 4]; self.films.len()];
-            displaced[bearing] = [0, 1, 2, 3].map(|k| self.films[bearing].compliance[k] * force[k]);
+            displaced[bearing] = self.films[bearing].yields(force);
             let mut left = self.shaft.forces(&displaced, angle);
             left[bearing] = moved(left[bearing], 1.0, force);
             let step = self.newton_step(&slopes, &left, angle);

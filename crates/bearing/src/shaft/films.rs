@@ -134,6 +134,11 @@ impl<'a> Film<'a> {
         moved(here.excess, 1.0, self.more)
     }
 
+    /// How far its shell gives way [m] to what it carries [N].
+    pub fn yields(&self, carried: Vector) -> Vector {
+        [0, 1, 2, 3].map(|k| self.compliance[k] * carried[k])
+    }
+
     /// Least gap [m] of its journal at these coordinates.
     pub fn least_gap(&self, at: Vector) -> f64 {
         self.gap.least(&self.coordinates.placed(&self.problem.journal, at))
@@ -166,16 +171,17 @@ impl Films<'_> {
 
     /// What is left of the balance of the shaft [N], turned by `angle` [rad], under these loads on its journals.
     pub fn residual(&self, instants: &[Instant], asked: &[Vector], angle: f64) -> Vec<Vector> {
-        let displaced: Vec<Vector> = (instants.iter().zip(&self.films))
-            .map(|(here, film)| {
-                let carried = film.carried(here);
-                [0, 1, 2, 3].map(|k| here.at[k] + film.compliance[k] * carried[k])
-            })
-            .collect();
-        let by_shaft = self.shaft.forces(&displaced, angle);
-        let films = instants.iter().zip(&self.films);
-        let forces = films.map(|(here, film)| film.carried(here)).zip(by_shaft).zip(asked);
+        let at: Vec<Vector> = instants.iter().map(|here| here.at).collect();
+        let carried: Vec<Vector> = self.films.iter().zip(instants).map(|(film, here)| film.carried(here)).collect();
+        let by_shaft = self.shaft.forces(&self.displaced(&at, &carried), angle);
+        let forces = carried.iter().zip(by_shaft).zip(asked);
         forces.map(|((carried, shaft), asked)| [0, 1, 2, 3].map(|k| shaft[k] + carried[k] - asked[k])).collect()
+    }
+
+    /// How the journals are displaced [m], with these offsets in shells that give way to what the films carry [N].
+    pub fn displaced(&self, at: &[Vector], carried: &[Vector]) -> Vec<Vector> {
+        let journals = self.films.iter().zip(at.iter().zip(carried));
+        journals.map(|(film, (at, carried))| moved(*at, 1.0, film.yields(*carried))).collect()
     }
 
     /// How the force of each film changes where its offset changes by `per_offset` and the rate of that by `per_rate`
@@ -199,7 +205,7 @@ impl Films<'_> {
         for (column, &(bearing, coordinate)) in self.shaft.rows().iter().enumerate() {
             let by_film: Vector = [0, 1, 2, 3].map(|row| slopes[bearing][row][coordinate]);
             let mut displaced = vec![[0.0; 4]; self.films.len()];
-            displaced[bearing] = [0, 1, 2, 3].map(|k| self.films[bearing].compliance[k] * by_film[k]);
+            displaced[bearing] = self.films[bearing].yields(by_film);
             let mut forces = self.shaft.forces(&displaced, angle);
             forces[bearing] = moved(forces[bearing], 1.0, by_film);
             (0..).zip(self.shaft.gathered(&forces)).for_each(|(row, force)| tangent.add(row, column, force));

@@ -56,6 +56,16 @@ pub struct Shaft {
     journals: usize,
     /// What a unit force towards x and towards y on each node that is loaded is as forces on the journals.
     transfers: Vec<[Vec<f64>; 2]>,
+    /// What is between its journals; none where it is cut.
+    pub(super) between: Option<BetweenJournals>,
+}
+
+/// The frame between the journals of a shaft, and its nodes that are loaded.
+#[derive(Debug, Clone)]
+pub(super) struct BetweenJournals {
+    pub(super) frame: Frame,
+    pub(super) loaded: Vec<usize>,
+    pub(super) eliminated: Eliminated,
 }
 
 /// A rigid motion: coordinates of the journals, and displacement `at_zero + by_z z` of the axis towards x or y.
@@ -77,7 +87,7 @@ pub struct NodeForce {
 }
 
 /// Degrees of freedom of a node.
-const OF_NODE: usize = 6;
+pub(super) const OF_NODE: usize = 6;
 /// A rigid motion that is not told from those before it by this part of its size is none.
 const DEPENDENT: f64 = 1e-9;
 
@@ -87,15 +97,11 @@ impl Frame {
     /// # Errors
     /// [`NoShaft`]: why it is none.
     pub fn on(&self, places: &[Place], loaded: &[usize]) -> Result<Shaft, NoShaft> {
-        let stiffness = self.stiffness();
-        let retained: Vec<Retained> = (0..).zip(places).flat_map(Retained::of_place).collect();
+        let eliminated = self.eliminated(places)?;
+        let Eliminated { stiffness, retained, others, inner } = &eliminated;
         let numbers: Vec<usize> = retained.iter().map(|row| row.number).collect();
-        let last = OF_NODE * (self.nodes.len() - 1);
-        let others = (0..stiffness.order()).filter(|number| !numbers.contains(number));
-        let others: Vec<usize> = others.filter(|number| ![last + 2, last + 5].contains(number)).collect();
-        let inner = stiffness.of_numbers(&others).factors().ok_or(NoShaft::Singular)?;
-        let coupling = stiffness.part(&numbers, &others);
-        let follow = following(&inner, &coupling);
+        let coupling = stiffness.part(&numbers, others);
+        let follow = following(inner, &coupling);
         let mut condensed = stiffness.of_numbers(&numbers);
         for (row, coupled) in coupling.iter().enumerate() {
             for (column, follow) in follow.iter().enumerate() {
@@ -114,7 +120,9 @@ impl Frame {
         let transfer = |node: usize, towards: usize| {
             let number = OF_NODE * node + towards;
             let inner = others.iter().position(|other| *other == number);
-            let moved: Vec<f64> = (retained.iter().zip(&follow))
+            let moved: Vec<f64> = retained
+                .iter()
+                .zip(&follow)
                 .map(|(row, follow)| {
                     row.factor * inner.map_or(f64::from(u8::from(row.number == number)), |at| -follow[at])
                 })
@@ -126,7 +134,19 @@ impl Frame {
             rows,
             journals: places.len(),
             transfers: (loaded.iter()).map(|&node| [0, 1].map(|towards| transfer(node, towards))).collect(),
+            between: Some(BetweenJournals { frame: self.clone(), loaded: loaded.to_vec(), eliminated }),
         })
+    }
+
+    fn eliminated(&self, places: &[Place]) -> Result<Eliminated, NoShaft> {
+        let stiffness = self.stiffness();
+        let retained: Vec<Retained> = (0..).zip(places).flat_map(Retained::of_place).collect();
+        let last = OF_NODE * (self.nodes.len() - 1);
+        let is_inner =
+            |number: &usize| ![last + 2, last + 5].contains(number) && retained.iter().all(|row| row.number != *number);
+        let others: Vec<usize> = (0..stiffness.order()).filter(is_inner).collect();
+        let inner = stiffness.of_numbers(&others).factors().ok_or(NoShaft::Singular)?;
+        Ok(Eliminated { stiffness, retained, others, inner })
     }
 
     fn stiffness(&self) -> Matrix {
@@ -144,13 +164,23 @@ impl Frame {
     }
 }
 
+/// The degrees of freedom of a frame: those of its journals, and all others with the factors of their stiffness.
+#[derive(Debug, Clone)]
+pub(super) struct Eliminated {
+    pub(super) stiffness: Matrix,
+    pub(super) retained: Vec<Retained>,
+    pub(super) others: Vec<usize>,
+    pub(super) inner: Factors,
+}
+
 /// A coordinate of a journal among the degrees of freedom of the frame.
-struct Retained {
-    journal: usize,
-    coordinate: usize,
-    number: usize,
+#[derive(Debug, Clone)]
+pub(super) struct Retained {
+    pub(super) journal: usize,
+    pub(super) coordinate: usize,
+    pub(super) number: usize,
     /// The degree of freedom over the coordinate: 1, or that of a slope over its arm.
-    factor: f64,
+    pub(super) factor: f64,
 }
 
 impl Retained {
@@ -291,6 +321,7 @@ impl Shaft {
             transfers: loaded.iter().map(|z| transfer(*z)).collect(),
             journals: journals.len(),
             rows,
+            between: None,
         })
     }
 
@@ -324,12 +355,9 @@ impl Shaft {
 
     /// Loads as forces [N] on the journals, the shaft turned by an angle [rad].
     pub fn loads(&self, loads: &[NodeForce], angle: f64) -> Vec<Vector> {
-        let (sin, cos) = angle.sin_cos();
         let mut sum = vec![0.0; self.rows.len()];
-        for NodeForce { place, force: [x, y] } in loads {
-            // The axes of the shaft.
-            let own = [x * cos + y * sin, y * cos - x * sin];
-            for (force, transfer) in own.iter().zip(&self.transfers[*place]) {
+        for NodeForce { place, force } in loads {
+            for (force, transfer) in across(*force, -angle).iter().zip(&self.transfers[*place]) {
                 (sum.iter_mut().zip(transfer)).for_each(|(sum, part)| *sum += force * part);
             }
         }
@@ -352,12 +380,18 @@ impl Shaft {
 }
 
 /// Vectors turned about the axis.
-fn turned(vectors: &[Vector], angle: f64) -> Vec<Vector> {
-    let (sin, cos) = angle.sin_cos();
+pub(super) fn turned(vectors: &[Vector], angle: f64) -> Vec<Vector> {
     let turn = |[x, y, z_x, z_y]: &Vector| {
-        [cos * x - sin * y, sin * x + cos * y, cos * z_x - sin * z_y, sin * z_x + cos * z_y]
+        let ([x, y], [z_x, z_y]) = (across([*x, *y], angle), across([*z_x, *z_y], angle));
+        [x, y, z_x, z_y]
     };
     vectors.iter().map(turn).collect()
+}
+
+/// A vector across the axis turned about it.
+pub(super) fn across([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [cos * x - sin * y, sin * x + cos * y]
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! | `beam.rs` | how a piece resists the motions of its ends |
 //! | `crankshaft.rs` | pieces and throws laid along the axis as beams |
 //! | `frame.rs` | the beams as the journals see them: stiffness, and loads moved to them |
+//! | `centre_line.rs` | how the shaft bends between its journals |
 //! | `engine.rs`, `cut.rs` | loads of all throws by firing order; the shaft cut at its mains |
 //! | `films.rs`, `stage.rs` | the balance of shaft and films, and Newton's method for it |
 //! | `step.rs` | one step in time, and what it is off by |
@@ -15,6 +16,7 @@
 //! **Source.** `docs/theory/crankshaft.md`.
 
 pub mod beam;
+mod centre_line;
 pub mod counterweights;
 pub mod crankshaft;
 mod cut;
@@ -29,6 +31,7 @@ mod stage;
 mod step;
 
 pub use beam::Material;
+pub use centre_line::LinePoint;
 pub use crankshaft::{CrankThrow, Crankshaft, Piece, Round};
 pub use cut::shares;
 pub use engine::Engine;

@@ -18,7 +18,7 @@ use super::verdict::{self, Outcome};
 use super::{Lead, Page, SceneFile, command, drawn, head, render, tables, texts};
 use crate::Error;
 use crate::digits::{bar, quantity_value};
-use crate::plot::{SHAFT, shaft_figures};
+use crate::plot::{BENT, SHAFT, shaft_figures};
 use crate::readable::readable_unit;
 use crate::shaft_view::{ShaftView, ShaftViews, number_of};
 
@@ -69,7 +69,7 @@ pub fn shaft_page_with(views: &ShaftViews, files: &[SceneFile]) -> Result<String
     page.tables.splice(0..0, compared);
     for figure in drawn(&shaft_figures(views, PAGE_WIDTH)) {
         match figure.name.as_str() {
-            SHAFT => page.lead.figures.push(figure),
+            SHAFT | BENT => page.lead.figures.push(figure),
             _ => page.maps.push(figure),
         }
     }

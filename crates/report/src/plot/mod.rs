@@ -3,8 +3,8 @@
 //! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`,
 //! `section.rs` (across the bearing), `sample.rs` and `profiles.rs`, `sweep.rs`, `files.rs` (which pictures there are);
 //! `convergence.rs` and `error_map.rs` (errors, and the adaptive mesh), `temperature.rs` (two curves that cross),
-//! `load.rs` (the load over a cycle), `orbit.rs`, `shaft.rs` (a crankshaft to scale), `shaft_cycle.rs` (all its
-//! bearings).
+//! `load.rs` (the load over a cycle), `orbit.rs`, `shaft.rs` (a crankshaft to scale), `shaft_line.rs` (bent),
+//! `shaft_cycle.rs` (all its bearings).
 
 mod bore;
 mod convergence;
@@ -20,6 +20,7 @@ mod sample;
 mod section;
 mod shaft;
 mod shaft_cycle;
+mod shaft_line;
 mod sweep;
 mod temperature;
 
@@ -35,7 +36,7 @@ pub(crate) use orbit::{film_over_cycle, path_and_load};
 pub use orbit::{orbit_figures, orbits_beside};
 pub use sample::sampled;
 pub(crate) use sample::{Finder, InTriangle};
-pub use shaft_cycle::{SHAFT, shaft_figures};
+pub use shaft_cycle::{BENT, SHAFT, shaft_figures};
 pub(crate) use sweep::{Cases, quantity_names};
 pub(crate) use temperature::BALANCE;
 pub use temperature::TEMPERATURE_FILES;

@@ -10,6 +10,7 @@ use oilwedge_study::shaft::Variant;
 use super::load::{Sheet, polar};
 use super::orbit::circle;
 use super::shaft::shaft_figure;
+use super::shaft_line::shaft_line;
 use crate::orbit_course::OrbitCourse;
 use crate::shaft_view::{ShaftView, ShaftViews};
 
@@ -28,6 +29,7 @@ pub fn shaft_figures(views: &ShaftViews, width: f64) -> Vec<(String, Figure)> {
     let own = &views.own;
     let mut figures: Vec<(String, Figure)> = Vec::new();
     figures.extend(shaft_figure(own, width).map(|figure| (SHAFT.to_owned(), figure)));
+    figures.extend(shaft_line(own, width).map(|figure| (BENT.to_owned(), figure)));
     if own.courses.is_empty() {
         return figures;
     }
@@ -53,6 +55,8 @@ pub fn shaft_figures(views: &ShaftViews, width: f64) -> Vec<(String, Figure)> {
 
 /// Name of the picture of the shaft itself.
 pub const SHAFT: &str = "shaft";
+/// Name of the picture of the bent shaft.
+pub const BENT: &str = "shaft_bent";
 
 const LEAST_FILM: (&str, &Over) =
     ("least film thickness, um", &|course| scaled(course.curve(&FILM_THICKNESS_MIN), 1e6));

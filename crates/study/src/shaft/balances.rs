@@ -80,9 +80,9 @@ fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &ShaftStep) -> [[f6
 /// Power that is put in less power that is stored and dissipated [W], and what is dissipated [W].
 fn left_of_power(films: &Films, instants: &[Instant], loads: &[NodeForce], angle: f64) -> [f64; 2] {
     let asked = films.shaft.loads(loads, angle);
-    let displaced = instants.iter().zip(&films.films);
-    let displaced: Vec<Vector> =
-        displaced.map(|(here, film)| [0, 1, 2, 3].map(|k| here.at[k] + film.compliance[k] * here.excess[k])).collect();
+    let [at, carried] = [|here: &Instant| here.at, |here: &Instant| here.excess]
+        .map(|of: fn(&Instant) -> Vector| instants.iter().map(of).collect::<Vec<_>>());
+    let displaced = films.displaced(&at, &carried);
     let by_shaft = films.shaft.forces(&displaced, angle);
     let [mut left, mut dissipated] = [0.0; 2];
     for (bearing, (here, film)) in instants.iter().zip(&films.films).enumerate() {

@@ -10,6 +10,7 @@ use oilwedge_scene::{ShaftScene, Statics};
 
 use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
+use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
@@ -158,16 +159,14 @@ fn report(
         let mut followed = measured(&bearing.film, &motion, &model, own_orbit(orbit, number), options)
             .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
         followed.quantities = found_with_shaft(followed.quantities);
-        let shells: Vec<Vector> = orbit
-            .steps
-            .iter()
-            .map(|step| [0, 1, 2, 3].map(|k| films.films[number].compliance[k] * step.carried[number][k]))
-            .collect();
+        let shells: Vec<Vector> =
+            orbit.steps.iter().map(|step| films.films[number].yields(step.carried[number])).collect();
         add(run, bearing, cycle, followed, &shells, options);
     }
     run.result.films = orbit.cycles.iter().map(|cycle| cycle.films).sum();
     run.result.balances =
         balances(engine, compiled, &orbit.steps).map_err(|reason| (Status::NoSolution, told_at(&reason, compiled)))?;
+    run.result.deflection = ShaftDeflection::of_cycle(compiled, engine, &orbit.steps);
     run.result.cycles = orbit
         .cycles
         .iter()

@@ -4,6 +4,7 @@ use oilwedge_scene::ShaftScene;
 use serde::Serialize;
 
 use super::compile::Bearing;
+use super::deflection::ShaftDeflection;
 use super::weights::CounterweightReport;
 use crate::duty::DutyCycle;
 use crate::limits::design_criteria;
@@ -70,6 +71,8 @@ pub struct ShaftResult {
     pub bearings: Vec<BearingReport>,
     /// What is left of the balances of the whole shaft; zero where it is cut.
     pub balances: ShaftBalances,
+    /// The shaft as it is bent; `null` where it is cut, or has no answer.
+    pub deflection: Option<ShaftDeflection>,
     /// The cycles that were followed; none for a shaft at rest or cut.
     pub cycles: Vec<CycleReport>,
     /// Counterweights that would serve the bearings better; `null` where they were not sought.
@@ -209,6 +212,7 @@ impl ShaftResult {
             bars,
             bearings: Vec::new(),
             balances: ShaftBalances::default(),
+            deflection: None,
             cycles: Vec::new(),
             counterweights: None,
             films: 0,

@@ -11,6 +11,7 @@ use oilwedge_scene::{Scene, ShaftScene};
 use rayon::prelude::*;
 
 use super::compile::{Bearing, Compiled, compile_shaft};
+use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
 use crate::estimate::{Displacement, Estimated, estimate_errors};
@@ -152,6 +153,11 @@ fn report(
     let estimated: Vec<Estimated> = solved.par_iter().map(estimate_errors).collect();
     let displacements = displacements(&films, &balance, &estimated);
     let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled, options.cause()))?;
+    let balanced = films.films.iter().zip(&balance.instants);
+    let [at, forces]: [Vec<Vector>; 2] = [
+        balanced.clone().map(|(_, here)| here.at).collect(),
+        balanced.map(|(film, here)| film.carried(here)).collect(),
+    ];
     let measure = |number: usize| {
         let (bearing, solved, of_film) = (&compiled.bearings[number], &solved[number], &films.films[number]);
         (number, bearing, solved, of_film)
@@ -164,8 +170,7 @@ fn report(
             Errors::Omitted => estimated,
         };
         let warnings = all_warnings(&solved.film.scene, solved, &estimated, options.errors());
-        let forces = of_film.carried(&balance.instants[number]);
-        let shell = [0, 1, 2, 3].map(|k| of_film.compliance[k] * forces[k]);
+        let shell = of_film.yields(forces[number]);
         let [tilt_x, tilt_y] = solved.film.problem.journal.tilt;
         let report = BearingReport {
             shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / of_film.coordinates.arm],
@@ -178,6 +183,7 @@ fn report(
         result.bearings.push(report);
     }
     result.films = balance.films;
+    result.deflection = ShaftDeflection::at_rest(compiled, &at, &forces);
     result.balances = balances(compiled, &balance, &carried);
     Ok(())
 }

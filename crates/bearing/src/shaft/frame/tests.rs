@@ -58,6 +58,26 @@ fn a_sunk_support_is_unloaded_by_the_beam() {
     }
 }
 
+/// Force at the middle of a beam on two supports that have moved: P z (3 L^2 - 4 z^2)/(48 E I), with shear P z/(2 k G A)
+/// more.
+#[test]
+fn the_line_of_a_beam_hangs_between_its_supports() {
+    let sheared = Material { shear_modulus: Some(79e9), ..STEEL };
+    let ends = [[1e-5, 2e-5, 0.0, 0.0], [-3e-5, 1e-5, 0.0, 0.0]];
+    for material in [STEEL, sheared] {
+        let shaft = beam(material, 0.4, &[0.0, 0.4], &[0.2]);
+        let section = material.round(DIAMETER, 0.0);
+        let softness = material.shear_modulus.map_or(0.0, |g| 0.5 / (section.shear_factors[0] * g * section.area));
+        for point in shaft.bent(&ends, &[pushed(0, -12e3)], 0.7).expect("a line") {
+            let z = point.z.min(0.4 - point.z);
+            let sag = 12e3 * z * ((3.0 * 0.16 - 4.0 * z * z) / (48.0 * bending(material)) + softness);
+            let wanted = [0, 1].map(|k| ends[0][k] + (ends[1][k] - ends[0][k]) * point.z / 0.4);
+            let off = (point.by[0] - wanted[0]).hypot(point.by[1] - wanted[1] + sag);
+            assert!(off < 1e-13, "z = {}: {:?}, not {wanted:?} less {sag:e}", point.z, point.by);
+        }
+    }
+}
+
 #[test]
 fn slopes_and_moments_are_those_of_a_clamped_beam() {
     let shaft = Crankshaft { material: STEEL, pieces: vec![straight(0.4)] };
@@ -104,6 +124,10 @@ fn rigid_motions_are_free_and_loads_keep_sum_and_moment() {
         for force in shaft.forces(&rigid, 0.4).iter().flatten() {
             assert!(force.abs() < 1e-13 * most, "{force:e} of {most:e}");
         }
+        // Pins follow as the axis does.
+        let line = shaft.bent(&rigid, &[], 0.4).expect("a line");
+        let off = line.iter().flat_map(|point| [point.by[0] - 1.0 - 2.0 * point.z, point.by[1] + point.z]);
+        assert!(off.fold(0.0, |most: f64, off| most.max(off.abs())) < 1e-9);
         let loads = [pushed(0, 1e3), NodeForce { place: 1, force: [2e3, 0.0] }];
         let forces = shaft.loads(&loads, 0.9);
         let sum = |k: usize| forces.iter().map(|force| force[k]).sum::<f64>();
