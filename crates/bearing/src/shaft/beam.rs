@@ -132,7 +132,8 @@ impl Beam {
         std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| relative[k][i] * forces[k][j]).sum()))
     }
 
-    /// Where its section at this part of its length lies [m], and how that moves where its nodes at these points move so.
+    /// Where its section at this part of its length lies [m], and how that moves with its nodes, which stand at these
+    /// points.
     pub(super) fn section_at(&self, part: f64, nodes: [Point; 2], motions: [Motion; 2]) -> (Point, Motion) {
         let [from, to] = self.ends;
         let (axes, span) = (self.axes(), between(from, to));

@@ -58,8 +58,8 @@ fn a_sunk_support_is_unloaded_by_the_beam() {
     }
 }
 
-/// Force at the middle of a beam on two supports that have moved: P z (3 L^2 - 4 z^2)/(48 E I), with shear P z/(2 k G A)
-/// more.
+/// Force at the middle of a beam on two supports that have moved: P z (3 L^2 - 4 z^2)/(48 E I), with shear
+/// P z/(2 k G A) more.
 #[test]
 fn the_line_of_a_beam_hangs_between_its_supports() {
     let sheared = Material { shear_modulus: Some(79e9), ..STEEL };
