@@ -286,14 +286,14 @@ impl Search<'_> {
     fn closed_here(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
         *tried += 1;
         let here = self.coordinates.at(&trial.film.problem.journal);
-        Ok(self.trial_within(&trial.film.problem, here, Neighbour::Start(&trial.film), OF_BALANCE * NEAR)?)
+        self.trial_within(&trial.film.problem, here, Neighbour::Start(&trial.film), OF_BALANCE * NEAR)
     }
 
     /// A trial whose wall is closed as far as a balance asks for.
     fn closed_further(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
         *tried += 1;
         let here = self.coordinates.at(&trial.film.problem.journal);
-        Ok(self.trial(&trial.film.problem, here, Neighbour::Start(&trial.film))?)
+        self.trial(&trial.film.problem, here, Neighbour::Start(&trial.film))
     }
 
     /// Part of the clearance below which the film of a journal far from its balance is one in contact.

@@ -92,13 +92,13 @@ impl<'a> Search<'a> {
         let mut end = self.iterate(None)?;
         if let End::Repeated = end {
             self.fallbacks.push(Fallback::PseudoTime);
-            end = self.from_pseudo_time()?;
+            end = self.after_pseudo_time()?;
         }
         self.found(end)
     }
 
     /// The search from the film at which pseudo-time arrives.
-    fn from_pseudo_time(&mut self) -> Result<End, Failure> {
+    fn after_pseudo_time(&mut self) -> Result<End, Failure> {
         self.pseudo_time()?;
         self.iterate(None)
     }
@@ -106,7 +106,7 @@ impl<'a> Search<'a> {
     /// In pseudo-time from the start.
     #[cfg(test)]
     pub(super) fn run_in_time(mut self) -> Result<Found, Failure> {
-        let end = self.from_pseudo_time()?;
+        let end = self.after_pseudo_time()?;
         self.found(end)
     }
 
