@@ -89,7 +89,7 @@ fn a_load_beyond_the_viscosity_law_is_told_as_that() {
 fn a_balance_of_heat_that_was_ended_names_the_limit() {
     static CALLS: AtomicU32 = AtomicU32::new(0);
     for calls in [0.5, 200.0] {
-        let clock = Clock::showing(|| f64::from(CALLS.fetch_add(1, Ordering::Relaxed)));
+        let clock = Clock::Showing(|| f64::from(CALLS.fetch_add(1, Ordering::Relaxed)));
         let result =
             cycle(GROOVE, SWIFT_STIEBER, BALANCED, 1.0, &RunOptions { max_seconds: calls, clock, ..numbers() });
         assert_eq!(result.status, Status::NotConverged);

@@ -15,8 +15,7 @@ fn film(study: &Film) -> SolvedFilm {
     study.problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
-fn bars(study: &Film, film: &SolvedFilm) -> ConservingError {
-    let (problem, system) = (&study.problem, &study.system);
+fn bars(film: &SolvedFilm) -> ConservingError {
     let companion = film.coarse_comparison().unwrap_or_else(|reason| panic!("{reason}"));
     let bars = conserving_error(film, &companion, None).expect("a mass-conserving film");
     let greatest = bars.load.total().max(bars.across.total());
@@ -52,7 +51,7 @@ fn finer_meshes_lie_inside() {
         });
         let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
         let coarse_film = film(&study);
-        let bars = bars(&study, &coarse_film);
+        let bars = bars(&coarse_film);
         assert!(bars.is_resolved, "{name}");
         let (coarse, fine) = (measure(&coarse_film), finer(&scene, &study, times));
         let side = |measured: &Measured| -measured.flows.regions[..2].iter().map(|flow| flow.net).sum::<f64>();
@@ -87,7 +86,7 @@ fn bars_shrink_with_the_mesh() {
         let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
         let mesh = refine::uniform(study.system.space().mesh()).expect("a sound mesh").mesh;
         let finer = compile_on(&scene, mesh, Position::start(&scene), 2).unwrap_or_else(|error| panic!("{error}"));
-        let [before, after] = [&study, &finer].map(|study| bars(study, &film(study)));
+        let [before, after] = [&study, &finer].map(|study| bars(&film(study)));
         assert!(before.load.total().is_finite() && before.flows.iter().all(|bar| bar.is_finite()));
         ratios.push(before.load.total() / after.load.total());
     }
@@ -120,7 +119,7 @@ fn a_film_thin_at_one_end_errs_in_one_direction() {
     let scene = thin_end("10 mm");
     let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
     let coarse_film = film(&study);
-    let bars = bars(&study, &coarse_film);
+    let bars = bars(&coarse_film);
     let here = forces(&measure(&coarse_film));
     let there = forces(&finer(&scene, &study, 1));
     let mut totals = Vec::new();
