@@ -125,7 +125,8 @@ fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicke
         let film = motion(&conserving, &cycle).film_at(step, Neighbour::None).expect("a film");
         let other = FilmProblem { journal: film.film.problem.journal, ..forgetting.0.clone() };
         let forgetful = other.solve(&forgetting.1).expect("a film");
-        let missing = (forgetful.solution.unknown.iter().zip(&film.film.solution.unknown)).map(|(without, with)| without - with);
+        let missing =
+            (forgetful.solution.unknown.iter().zip(&film.film.solution.unknown)).map(|(without, with)| without - with);
         assert!(missing.sum::<f64>() > 0.0, "{times}");
         let towards_film = |force: [f64; 2]| (force[0] * step.at[0] + force[1] * step.at[1]) / here(&step);
         let carried = towards_film(load(&film.film).total.force);

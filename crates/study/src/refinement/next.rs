@@ -31,7 +31,7 @@ const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
 /// A first mesh of so many unknowns, which takes a moment, may be made whatever the limit is.
-pub(super) const FIRST_UNKNOWNS: usize = 5_000;
+pub(super) const FIRST_UNKNOWNS: usize = 10_000;
 /// Edges of a mesh that follows where the first does not show whether a moment is carried, over those of the first.
 const UNDECIDED: f64 = 0.7;
 /// Least edges of such a mesh over those of a mesh that is used as it is.

@@ -145,7 +145,8 @@ fn meshes_of_any_kind_agree() {
     // As they are in the file: wrong by a tenth, and no bar.
     let kept = solved(Kind::Random, ", layout = \"file\"").expect("a film");
     let load = quantity(&kept, "load").expect("a load");
-    assert!((load.value / number(row, "W_N") - 1.0).abs() > 0.02 && load.bar.is_none());
+    let off = load.value / number(row, "W_N") - 1.0;
+    assert!(off.abs() > 0.02 && load.bar.is_none(), "{off} {:?}", load.bar);
     let is_told = |warning: &oilwedge_study::warning::Warning| {
         warning.contains("do not follow the flow") && warning.contains("layout")
     };
@@ -243,7 +244,7 @@ fn flow_of_a_groove_all_around() {
 /// 854.40 kPa, the last grid 1e-4 off.
 #[test]
 fn a_starved_pad_between_ends_above_the_cavity() {
-    each(&[(6.0, 1e-3), (2.5, 5e-4), (1.5, 2e-4)], |(size, off)| {
+    each(&[(3.2, 1e-3), (2.5, 5e-4), (1.5, 2e-4)], |(size, off)| {
         let scene = variant("14_starved_pad", |scene| {
             table(scene, "mesh").insert("size".into(), format!("{size} mm").into());
             table(scene, "ends").insert("pressure".into(), "0.5 bar".into());
