@@ -38,7 +38,8 @@ const NEARLY_CONTACT: f64 = 1e-2;
 /// `problem`. Where the deadline passes before, the position reached is the answer.
 ///
 /// # Errors
-/// [`NoEquilibrium`]: the reason why there is none. A search from a neighbouring point may fail where a cold one finds a position.
+/// [`NoEquilibrium`]: the reason why there is none. A search from a neighbouring point may fail where a cold one finds
+/// a position.
 pub fn find(
     problem: &FilmProblem,
     system: &Arc<FilmSystem>,
@@ -54,8 +55,8 @@ pub fn find(
     }
 }
 
-/// As [`find`] from a cold start with quadratic elements, where the coarser mesh of the system is known to have no
-/// balance, for this `reason`.
+/// Finds the position as [`find`] does from a cold start with quadratic elements, where the coarser mesh of the system
+/// is known to have no balance, for this `reason`.
 ///
 /// # Errors
 /// [`NoEquilibrium`]: the reason why there is none.

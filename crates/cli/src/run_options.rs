@@ -32,8 +32,8 @@ pub(crate) struct RunArguments {
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 
-    /// Most unknowns of meshes that are refined towards a tolerance; the first mesh may have 10 000 in any case, and one
-    /// that the scene gives more.
+    /// Most unknowns of meshes that are refined towards a tolerance; the first mesh may have 10 000 in any case, and
+    /// one that the scene gives more.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
     max_unknowns: usize,
 }

@@ -11,7 +11,8 @@
 //! **Source.** Sommerfeld, Z. Math. Phys. 50 (1904) 97 (long); Ocvirk, NACA TN 2808 (1952) (short).
 //! **Range.** Short: B/D to a quarter, a ring, for a pressure given along a line of constant phi has no meaning; no
 //! jumps of h along x. Long: B/D from 2 on, h the same all along the axis, and a line of given pressure.
-//! **Verified by** `literature/short_crankshaft_bearing`, `literature/short_bearing_finite_length`, `literature/sommerfeld_1904`.
+//! **Verified by** `literature/short_crankshaft_bearing`, `literature/short_bearing_finite_length`,
+//! `literature/sommerfeld_1904`.
 
 /// Which pressure flows a film has.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -58,7 +58,7 @@ pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileErro
     answer_telling(scene, options, None)
 }
 
-/// As [`answer`], and tells of each mesh but the last.
+/// Answers a scene as [`answer`] does, and tells of each mesh but the last.
 pub(crate) fn answer_telling(scene: &Scene, options: &RunOptions, tell: Option<Tell>) -> Result<Answer, CompileError> {
     let targets = targets(scene).filter(|_| options.bars);
     if targets.is_some() {

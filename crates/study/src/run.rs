@@ -54,8 +54,8 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     run_telling(scene, options, None)
 }
 
-/// As [`run`]; `best` is given what the run answers if it ends on the mesh after the present one, each time that a mesh
-/// is solved which is not the last.
+/// Computes the film of a scene as [`run`] does. Each time that a mesh is solved which is not the last, `best` is given
+/// what the run answers if it ends before the next one is solved.
 ///
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or does not fit the scene.

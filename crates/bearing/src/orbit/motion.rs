@@ -184,8 +184,8 @@ impl Motion<'_> {
         self.closed(moving, self.problem_of(moving, held), near)
     }
 
-    /// As [`Motion::film`], for a search that tries films beyond the limit of the viscosity law, too; what it finds is
-    /// to be [accepted](Motion::accepted).
+    /// The film as by [`Motion::film`], for a search that tries films beyond the limit of the viscosity law, too; what
+    /// it finds is to be [accepted](Motion::accepted).
     pub(super) fn trial(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
         self.closed(moving, self.problem_of(moving, held).tried(), near)
     }

@@ -9,24 +9,25 @@
 //! | p_s, q_s = q(p_s) | Pa | `pressure`, `reduced` |
 //!
 //! A search for the position of a journal tries films beyond the limit of the viscosity law. Here they have a pressure,
-//! by which the search finds back. No oil is like that: what a search has found counts by the law itself. Below q_s, 1
-//! - 1/r of the limit of Barus' law, both are one.
+//! by which the search finds back. No oil is like that: what a search has found counts by the law itself. Up to q_s
+//! both are one; with Barus' law q_s is `(1 - 1/r)` times its limit.
 //!
 //! **Source.** A device of this program. **Range.** Films that are tried, not reported. **Verified by** the tests of
 //! `lubricant`.
 
 use super::{PressureLaw, PressureViscosity};
 
-/// Viscosity at which it saturates, over mu0 [1].
+/// Viscosity at which it saturates, over mu0 [1]. Films that are accepted end there: with Barus' law at a reduced
+/// pressure 1e-4 below its limit. Other values were not tried.
 const GREATEST_RATIO: f64 = 1e4;
 
 /// A law whose viscosity saturates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saturating {
     law: Box<PressureLaw>,
-    /// Pressure [Pa] at which it saturates,
+    /// Pressure [Pa] at which it saturates.
     pressure: f64,
-    /// and the reduced pressure [Pa] there.
+    /// Reduced pressure [Pa] at which it saturates.
     reduced: f64,
 }
 

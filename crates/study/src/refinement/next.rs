@@ -30,7 +30,7 @@ const FIRST: f64 = 3.0;
 const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
-/// A first mesh of so many unknowns, which takes a moment, may be made whatever the limit is.
+/// A first mesh of so many unknowns may be made whatever the limit is: a position on 6000 takes 0.4 s.
 pub(super) const FIRST_UNKNOWNS: usize = 10_000;
 /// Edges of a mesh that follows where the first does not show whether a moment is carried, over those of the first.
 const UNDECIDED: f64 = 0.7;

@@ -22,13 +22,14 @@ use crate::quantities::{self, Quantity, View};
 use crate::solved::{Errors, SolveOptions, Solved, TemperatureFound};
 use crate::thermal_model::ThermalModel;
 
-/// The heat is balanced when what is left over is this part of the friction;
+/// The heat is balanced when what is left over is this part of the friction.
 const BALANCED: f64 = 1e-8;
-/// by films that only lead there, this part.
+/// Heat that films which only lead to the balance may leave over, as a part of the friction.
 pub(super) const ROUGHLY: f64 = 1e-4;
 /// Force and load of films that only lead to the balance differ by this part of the load at most.
 pub(super) const LEADING_ACCURACY: f64 = 1e-6;
-/// Those of films that show how numbers change near the balance, by this part.
+/// Force and load of films that show how numbers change with temperature differ by this part of the load at most, for
+/// the slope is that of a difference over half a kelvin.
 const BESIDE_ACCURACY: f64 = 1e-9;
 /// Friction under a load falls with temperature like this power of the viscosity: the slope of a first step, which
 /// later ones correct.

@@ -290,8 +290,8 @@ fn place_and_wall_converge_with_the_step() {
 /// and wall in one Newton iteration, the backward differentiation formula of second order with 720 steps a cycle. 64 x
 /// 5 and 96 x 8 volumes: least film 5.6335 and 5.5796 um, deflection at the centres of volumes 3.866 and 3.891 um.
 /// Greatest pressure, parabolas through the volumes around it: 33.352, 33.502 and 33.736 MPa on 48 x 4, 64 x 5 and 96 x
-/// 8. Extrapolated by second order; the pressure on three grids leaves 0.2 MPa open, the place between centres 1 % of
-/// the deflection.
+/// 8 volumes. Extrapolated by second order; the pressure on three grids leaves 0.2 MPa open, the place between centres
+/// 1 % of the deflection.
 pub(crate) fn the_big_end_with_a_wall_is_that_of_finite_volumes(result: &Value) {
     let number = |value: &Value, key: &str| value[key].as_f64().unwrap_or_else(|| panic!("no {key}: {value}"));
     for (name, reference, uncertain, part) in [

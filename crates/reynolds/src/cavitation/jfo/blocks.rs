@@ -254,19 +254,6 @@ impl Block {
     pub(super) fn inflowing(&self, u: [f64; 3]) -> f64 {
         (0..3).map(|i| self.carried[i].min(0.0) * u[i]).sum::<f64>() / self.inflow()
     }
-
-    /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while
-    /// none downstream is (the film's edge along a supply; downstream it would be the rupture line).
-    pub(super) fn is_starved(&self, cavity: [bool; 3]) -> bool {
-        const ROUNDING: f64 = 1e-9;
-        const ASIDE: f64 = 0.1;
-        let largest = self.carried.iter().fold(0.0f64, |m, k| m.max(k.abs()));
-        let any = |from: f64, to: f64| {
-            (0..3).any(|i| cavity[i] && self.carried[i] >= from * largest && self.carried[i] < to * largest)
-        };
-        let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
-        upstream || (aside && !downstream)
-    }
 }
 
 fn weighted(i: usize, value: impl Fn(usize) -> f64) -> f64 {

@@ -15,7 +15,7 @@
 //! **Verified by** `cavitation/along_flow`; measured in `docs/theory/cavitation.md`.
 
 use super::FilmFraction;
-use super::blocks::{Block, Square, blocks};
+use super::blocks::{Block, blocks};
 use super::rows::Parts;
 use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
@@ -47,14 +47,12 @@ pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Sprea
     let blocks = blocks(&law, system.space(), volumes);
     let of = |(block, corners): (&Block, &[u32; 3])| {
         let corners = corners.map(|node| node as usize);
-        if !block.is_starved(corners.map(|node| solution.cavity[node])) {
+        if !is_starved(block, corners.map(|node| solution.cavity[node])) {
             return 0.0;
         }
-        let theta = corners.map(|node| fraction.values[node]);
-        let sent = |square: &Square, i: usize| (0..3).map(|j| square[i][j] * theta[j]).sum::<f64>();
-        let [n, lda] = [n_scheme(block), low_diffusion(block)];
+        let apart = disagreement(block, corners.map(|node| fraction.values[node]));
         let to_cavity = (0..3).filter(|&i| solution.cavity[corners[i]]);
-        let spread = 0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag;
+        let spread = 0.5 * to_cavity.map(|i| apart[i].abs()).sum::<f64>() / drag;
         if spread > ROUNDING * width(block, speed) { spread } else { 0.0 }
     };
     let pieces: Vec<f64> = blocks.iter().zip(&volumes.triangles).map(of).collect();
@@ -72,18 +70,26 @@ pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Sprea
     Ok(spread)
 }
 
-/// Rows of the N scheme: each corner downstream gets its k times the difference of its film fraction and that of what
-/// comes in.
-fn n_scheme(block: &Block) -> Square {
-    let (k, s) = (block.carried, block.inflow());
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| k[i].max(0.0) * (f64::from(i == j) - k[j].min(0.0) / s)))
+/// `N_i - LDA_i` [m3/s]. N brings each corner downstream what differs from the oil that comes in, LDA the mean of that
+/// over these corners: both differ by `k_i^+` times the distance of theta from its mean there,
+/// `sum k_j^+ theta_j / sum k_j^+`.
+fn disagreement(block: &Block, theta: [f64; 3]) -> [f64; 3] {
+    let k = block.carried.map(|k| k.max(0.0));
+    let mean = (0..3).map(|j| k[j] * theta[j]).sum::<f64>() / k.iter().sum::<f64>();
+    [0, 1, 2].map(|i| k[i] * (theta[i] - mean))
 }
 
-/// Rows of the LDA scheme: each corner downstream gets a part of `sum k_j theta_j` as large as that of its k in their
-/// sum.
-fn low_diffusion(block: &Block) -> Square {
-    let (k, s) = (block.carried, block.inflow());
-    k.map(|of| k.map(|k| of.max(0.0) / -s * k))
+/// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while
+/// none downstream is (the film's edge along a supply; downstream it would be the rupture line).
+fn is_starved(block: &Block, cavity: [bool; 3]) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    const ASIDE: f64 = 0.1;
+    let largest = block.carried.iter().fold(0.0f64, |m, k| m.max(k.abs()));
+    let any = |from: f64, to: f64| {
+        (0..3).any(|i| cavity[i] && block.carried[i] >= from * largest && block.carried[i] < to * largest)
+    };
+    let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
+    upstream || (aside && !downstream)
 }
 
 /// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: |k| of a corner is what a full film carries

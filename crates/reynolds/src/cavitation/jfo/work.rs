@@ -69,6 +69,7 @@ impl<'a> Carriage<'a> {
     /// Thickness u [m] of the oil carried to a point of sub-triangle `sub` of triangle `t` that has these barycentric
     /// `coordinates` in it: what passes the side where the flow to the point comes in. Infinite where it is full there.
     pub(crate) fn carried_to(&self, t: usize, sub: usize, coordinates: [f64; 3]) -> f64 {
+        // Full corners have one; weights add up to it but for rounding.
         const FULL: f64 = 1.0 - 1e-12;
         let s = t * self.volumes.per_triangle + sub;
         let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s]);
