@@ -13,7 +13,7 @@ pub struct ShaftDeflection {
     pub crank_angle_deg: Option<f64>,
     /// The bearing with the least film.
     pub bearing: String,
-    /// Force on that film towards x and y [N].
+    /// Force on the film of `bearing` towards x and y [N].
     pub force: [f64; 2],
     /// Axial positions [m], from z = 0 on; twice the same where a web stands.
     pub z: Vec<f64>,
