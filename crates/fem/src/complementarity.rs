@@ -86,6 +86,22 @@ pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> R
     Err(Failure::TooManySteps { history: iteration.history })
 }
 
+/// One step of the active-set iteration from `guess`: held dofs whose reactions there pull are let go, and the law is
+/// solved with that contact set. A law that is not linear is solved with all steps that it needs.
+///
+/// # Errors
+/// [`Failure`] with the history.
+pub fn step(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> Result<(Contact, Vec<usize>), Failure> {
+    if equation.law.tangent() != Tangent::Conduction {
+        return Ok((solve(equation, obstacle, guess)?, Vec::new()));
+    }
+    let mut iteration = Iteration::released(equation, obstacle, guess)?;
+    iteration.is_sure = true;
+    let (reactions, _) = iteration.step()?;
+    let wrong = iteration.wrong_signs(&reactions);
+    Ok((iteration.finish(reactions), wrong))
+}
+
 /// The active-set iteration between two steps.
 struct Iteration<'a> {
     equation: &'a Equation<'a>,
@@ -104,17 +120,35 @@ struct Iteration<'a> {
 
 impl<'a> Iteration<'a> {
     fn new(equation: &'a Equation, obstacle: &'a Obstacle, guess: InitialGuess) -> Result<Self, Failure> {
+        Self::begun(equation, obstacle, guess, false)
+    }
+
+    /// From a guess that is nearly a solution: held dofs whose reactions pull are let go.
+    fn released(equation: &'a Equation, obstacle: &'a Obstacle, guess: InitialGuess) -> Result<Self, Failure> {
+        Self::begun(equation, obstacle, guess, true)
+    }
+
+    fn begun(
+        equation: &'a Equation,
+        obstacle: &'a Obstacle,
+        guess: InitialGuess,
+        releases: bool,
+    ) -> Result<Self, Failure> {
         let InitialGuess { mut u, mut held } = guess;
         for (i, held) in held.iter_mut().enumerate() {
             *held &= obstacle.candidates[i] && !equation.constraints.fixed[i];
         }
         let mut seconds = Seconds::default();
-        let masked = with_contact(equation.constraints, obstacle, &held);
+        let mut masked = with_contact(equation.constraints, obstacle, &held);
         masked.impose(&mut u);
         let mut matrix = Matrix::zero(equation.assembler.pattern().clone());
         let residual = Seconds::time(&mut seconds.assemble, || {
             equation.assembler.tangent_and_residual(equation.law, &u, &mut matrix)
         });
+        if releases {
+            held.iter_mut().zip(&residual).for_each(|(held, reaction)| *held &= *reaction >= 0.0);
+            masked = with_contact(equation.constraints, obstacle, &held);
+        }
         let first = match masked.free_norm(&residual) {
             norm if !norm.is_finite() => return Err(Error::NotFinite { what: "residual" }.into()),
             norm if norm > 0.0 => norm,

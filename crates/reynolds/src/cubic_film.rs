@@ -12,6 +12,7 @@ use oilwedge_fem::LinearSolver;
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::nested::Nested;
 
+use crate::solve::Steps;
 use crate::{Form, NoFilm, SolvedFilm};
 
 impl SolvedFilm {
@@ -60,7 +61,7 @@ impl SolvedFilm {
             prolongation: cubic.prolongation.clone(),
             direct: cubic.system.analysis.clone(),
         });
-        let solution = problem.pressure_film(&cubic.system, &solver, 1.0, InitialGuess { u, held })?;
+        let solution = problem.pressure_film((&cubic.system, &solver, 1.0), InitialGuess { u, held }, Steps::UntilSettled)?;
         Ok(Self::new(problem.clone(), &cubic.system, solution))
     }
 }

@@ -131,19 +131,23 @@ impl<'a> FilmLaw<'a> {
         (oil, self.flows_in(&film[..number]))
     }
 
-    /// [`FilmLaw::oil_and_flows`], and its first-order change with a `change` of the journal or the gap, by one film.
-    pub(crate) fn oil_and_flows_with_change(
+    /// [`FilmLaw::oil_and_flows`], and its first-order change with each of some `changes` of the journal or the gap, by
+    /// one film; `changed` is given the number of the change, the film and its change.
+    pub(crate) fn oil_and_flows_with_changes(
         &self,
-        change: FilmChange<'_>,
-        cell: usize,
-        positions: &[[f64; 2]],
-    ) -> [FilmAndFlows; 2] {
+        changes: &[FilmChange<'_>],
+        (cell, positions): (usize, &[[f64; 2]]),
+        mut changed: impl FnMut(usize, &FilmAndFlows, &FilmAndFlows),
+    ) {
         let film = self.film(cell, positions);
-        let (mut moved, changes) = self.moved(&change, &film, (cell, positions));
-        for (point, [_, slope]) in moved.iter_mut().zip(self.mean_gaps(&film[..positions.len()])) {
-            point.thickness *= slope;
+        let of_oil = self.of_oil(&film, positions.len());
+        for (number, change) in changes.iter().enumerate() {
+            let mut moved = self.moved(change, &film, (cell, positions));
+            for (point, [_, slope]) in moved.0.iter_mut().zip(self.mean_gaps(&film[..positions.len()])) {
+                point.thickness *= slope;
+            }
+            changed(number, &of_oil, &moved);
         }
-        [self.of_oil(&film, positions.len()), (moved, changes)]
     }
 
     /// Mean gap [m] between rough surfaces at each point of a film, and its derivative by the thickness [1]; none

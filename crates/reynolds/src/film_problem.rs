@@ -239,6 +239,9 @@ pub struct FilmSolution {
     pub linearisation: Arc<Linearisation>,
     /// How its residual changes with a wall that gives way, once that was asked for.
     pub gap_tangent: OnceLock<Arc<GapTangent>>,
+    /// Dofs on the wrong side of the edge of the cavity: none of a film that is settled, and not only solved with the
+    /// cavity of a step.
+    pub wrong: Vec<usize>,
     /// One entry a linear solve on the way.
     pub history: Vec<HistoryStep>,
     /// Where the time went.
@@ -291,6 +294,7 @@ impl FilmSolution {
             film_fraction: None,
             linearisation: Arc::new(solution.linearisation),
             gap_tangent: OnceLock::new(),
+            wrong: Vec::new(),
             history: solution.history,
             seconds: solution.seconds,
             levels: 0,

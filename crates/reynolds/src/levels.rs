@@ -17,7 +17,8 @@ use rayon::prelude::*;
 
 use crate::film_thickness::FilmContribution;
 use crate::supply::{BoundaryKind, SupplyRegion};
-use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use crate::solve::FilmStart;
+use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem, SolvedFilm};
 
 /// Edges of a coarser mesh over those of the finer.
 const RATIO: f64 = 2.0;
@@ -101,6 +102,11 @@ impl Coarser {
     pub fn problem(&self, fine: &FilmProblem) -> FilmProblem {
         let problem = FilmProblem { film_thickness: self.film_thickness.clone(), ..fine.clone() };
         problem.deflected(fine.deflection())
+    }
+
+    /// What one step of the film on the finer mesh starts from where this one is that of the coarser mesh.
+    pub fn start_of(&self, film: &SolvedFilm) -> FilmStart {
+        FilmStart(self.carried(&film.solution, film.problem.cavitation))
     }
 
     /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that can

@@ -83,6 +83,7 @@ pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form};
 pub use gap::{Gap, Thinnest};
 pub use journal_state::{CentreVelocity, JournalChange, JournalState};
+pub use position_sensitivity::MixedChange;
 pub use reference_film::ReferenceFilm;
 pub use solved_film::SolvedFilm;
 pub use storage::Storage;

@@ -3,12 +3,30 @@
 use std::sync::OnceLock;
 
 use oilwedge_fem::Error;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::newton::Failure;
 
 use crate::cavitation;
 use crate::film_law::FilmLaw;
-use crate::solve::Neighbour;
+use crate::solve::{FilmStart, Neighbour};
 use crate::{FilmChange, FilmProblem, FilmSolution, JournalChange, NoFilm, SolvedFilm};
+
+/// First-order change of a film at each dof: of the unknown [Pa] or, in the cavity of a film that conserves oil, of the
+/// film fraction [1].
+#[derive(Debug, Clone, Default)]
+pub struct MixedChange(Vec<f64>);
+
+impl MixedChange {
+    /// The sum of some changes, each times a factor.
+    pub fn sum<'a>(changes: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {
+        let mut sum = Vec::new();
+        for (factor, Self(change)) in changes {
+            sum.resize(change.len(), 0.0);
+            sum.iter_mut().zip(change).for_each(|(sum, change)| *sum += factor * change);
+        }
+        Self(sum)
+    }
+}
 
 impl SolvedFilm {
     /// The film where the journal has moved by a small `change`: along the tangent, but for a mass-conserving one,
@@ -43,6 +61,7 @@ impl SolvedFilm {
             film_fraction: None,
             linearisation: solution.linearisation.clone(),
             gap_tangent: OnceLock::new(),
+            wrong: solution.wrong.clone(),
             history: Vec::new(),
             seconds: solution.seconds,
             levels: 0,
@@ -60,21 +79,69 @@ impl SolvedFilm {
         self.answer(&self.residual_change(change.into())?, 0.0)
     }
 
+    /// First-order changes of pressure and film fraction with each of some `changes` of the journal or the gap.
+    ///
+    /// # Errors
+    /// A linear system could not be solved.
+    pub fn mixed_changes(&self, changes: &[FilmChange<'_>]) -> Result<Vec<MixedChange>, Error> {
+        let residuals = self.residual_changes(changes)?;
+        residuals.iter().map(|residual| self.mixed_answer(residual, 0.0)).collect()
+    }
+
+    /// First-order change of pressure and film fraction by which a film answers to a change of its residual at each
+    /// dof; its linear system may leave this `part` of that [1].
+    ///
+    /// # Errors
+    /// The linear system could not be solved.
+    pub fn mixed_answer(&self, residual: &[f64], part: f64) -> Result<MixedChange, Error> {
+        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
+        Ok(MixedChange(self.solution.linearisation.solve_within(&minus, part)?))
+    }
+
+    /// The change of the unknown at each dof [Pa] in a change of pressure and film fraction: none in the cavity of a film
+    /// that conserves oil.
+    pub fn unknown_in(&self, MixedChange(change): &MixedChange) -> Vec<f64> {
+        let mut unknown = change.clone();
+        if self.solution.film_fraction.is_some() {
+            let in_cavity = unknown.iter_mut().zip(&self.solution.cavity).filter(|(_, cavity)| **cavity);
+            in_cavity.for_each(|(change, _)| *change = 0.0);
+        }
+        unknown
+    }
+
+    /// The start of a step of a film near this one, which pressure and film fraction of this one lead to by a `change`:
+    /// its unknown there, and the cavity by the sides on which the dofs are.
+    pub fn start_after(&self, MixedChange(change): &MixedChange) -> FilmStart {
+        let solution = &self.solution;
+        let floor = self.problem.cavitation.pressure().map_or(f64::NEG_INFINITY, |p| self.problem.unknown_at(p));
+        let mut start = InitialGuess { u: solution.unknown.clone(), held: solution.cavity.clone() };
+        let Some(fraction) = &solution.film_fraction else {
+            start.u.iter_mut().zip(change).for_each(|(u, change)| *u += change);
+            if self.problem.cavitation.obstacle().is_some() {
+                let below = start.u.iter().map(|u| *u < floor);
+                start.held.iter_mut().zip(below).for_each(|(held, below)| *held |= below);
+            }
+            return FilmStart(start);
+        };
+        for (dof, change) in change.iter().enumerate() {
+            start.held[dof] = match solution.cavity[dof] {
+                true => fraction.values[dof] + change <= 1.0,
+                false => solution.unknown[dof] + change < floor,
+            };
+        }
+        // Full dofs at an edge through which pressure would drive oil in have the pressure of the cavity.
+        let at_edges = solution.wrong.iter().filter(|dof| !solution.cavity[**dof] && solution.unknown[**dof] >= floor);
+        at_edges.for_each(|dof| start.held[*dof] = true);
+        FilmStart(start)
+    }
+
     /// First-order change of the unknown at each dof [Pa] by which a film answers to a change of its residual at each
     /// dof; its linear system may leave this `part` of that [1].
     ///
     /// # Errors
     /// The linear system could not be solved.
     pub fn answer(&self, residual: &[f64], part: f64) -> Result<Vec<f64>, Error> {
-        let film = &self.solution;
-        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let mut unknown = film.linearisation.solve_within(&minus, part)?;
-        if film.film_fraction.is_some() {
-            // In the cavity it is the film fraction that changes.
-            let in_cavity = unknown.iter_mut().zip(&film.cavity).filter(|(_, cavity)| **cavity);
-            in_cavity.for_each(|(change, _)| *change = 0.0);
-        }
-        Ok(unknown)
+        Ok(self.unknown_in(&self.mixed_answer(residual, part)?))
     }
 
     /// The transposed of [`Self::answer`]: how a sum over the unknown with these `weights` of the dofs changes with the
@@ -99,12 +166,17 @@ impl SolvedFilm {
     /// # Errors
     /// A system that does not fit in memory.
     pub(crate) fn residual_change(&self, change: FilmChange<'_>) -> Result<Vec<f64>, Error> {
+        Ok(self.residual_changes(&[change])?.remove(0))
+    }
+
+    /// The changes of [`Self::residual_change`] with each of some `changes`.
+    fn residual_changes(&self, changes: &[FilmChange<'_>]) -> Result<Vec<Vec<f64>>, Error> {
+        let with_law = |change: &FilmChange<'_>| {
+            self.system.assembler.residual(&FilmLaw::changed(&self.problem, *change), &self.solution.unknown)
+        };
         match &self.solution.film_fraction {
-            Some(fraction) => cavitation::residual_change(self, fraction, change),
-            None => {
-                let changed = FilmLaw::changed(&self.problem, change);
-                Ok(self.system.assembler.residual(&changed, &self.solution.unknown))
-            }
+            Some(fraction) => cavitation::residual_changes(self, fraction, changes),
+            None => Ok(changes.iter().map(with_law).collect()),
         }
     }
 }

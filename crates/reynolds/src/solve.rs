@@ -12,6 +12,19 @@ use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm, Solv
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
 
+/// How many steps a film whose cavity is sought takes, each with one factorisation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Steps {
+    /// As many as it needs until no dof is on the wrong side.
+    UntilSettled,
+    /// One, with the cavity of its start.
+    One,
+}
+
+/// What one step of a film starts from: the unknown, and the cavity with which it is solved.
+#[derive(Debug, Clone)]
+pub struct FilmStart(pub(crate) InitialGuess);
+
 /// A film of the same system to start from.
 #[derive(Debug, Clone, Copy)]
 pub enum Neighbour<'a> {
@@ -21,6 +34,8 @@ pub enum Neighbour<'a> {
     Start(&'a SolvedFilm),
     /// This one, as it was stored.
     Found(&'a FilmTrace),
+    /// The film of a coarser mesh.
+    Coarser(&'a FilmStart),
 }
 
 impl FilmProblem {
@@ -55,6 +70,24 @@ impl FilmProblem {
         }
     }
 
+    /// Solves the film with the cavity of `start` alone: one factorisation of a film whose law is linear. The dofs that
+    /// are then on the wrong side are [`FilmSolution::wrong`]; the film is settled where there are none.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the reason why there is none.
+    pub fn step(&self, system: &Arc<FilmSystem>, start: FilmStart) -> Result<SolvedFilm, NoFilm> {
+        if self.form == Form::AsPrinted {
+            return self.solve_from(system, Neighbour::None);
+        }
+        let FilmStart(start) = start;
+        let solution = self.cavitation.solve((self, system, 1.0), start, Steps::One)?;
+        let film = SolvedFilm::new(self.clone(), system, solution);
+        match film.solution.wrong.is_empty() {
+            true => film.check_existence().map(|()| film),
+            false => Ok(film),
+        }
+    }
+
     /// Prepares `system` for the solves of this film at once, so that one too large for the machine is refused before
     /// any work.
     ///
@@ -83,11 +116,12 @@ impl FilmProblem {
         let (start, levels) = match neighbour {
             Neighbour::Start(film) => (film.solution.as_start(), 0),
             Neighbour::Found(trace) => (trace.as_start(), 0),
+            Neighbour::Coarser(FilmStart(start)) => (start.clone(), 0),
             // What the film held is known on its own mesh alone.
             Neighbour::None if self.storage.is_some() => (full_film(system), 0),
             Neighbour::None => self.start(system, motion),
         };
-        let film = self.cavitation.solve(self, system, motion, start)?;
+        let film = self.cavitation.solve((self, system, motion), start, Steps::UntilSettled)?;
         Ok(FilmSolution { levels, ..film })
     }
 
@@ -117,10 +151,9 @@ impl FilmProblem {
     /// A film described by its pressure alone: full, or nowhere below the cavitation pressure.
     pub(crate) fn pressure_film(
         &self,
-        system: &FilmSystem,
-        solver: &LinearSolver,
-        motion: f64,
+        (system, solver, motion): (&FilmSystem, &LinearSolver, f64),
         start: InitialGuess,
+        steps: Steps,
     ) -> Result<FilmSolution, Failure> {
         let law = FilmLaw::new(self, motion);
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
@@ -139,8 +172,11 @@ impl FilmProblem {
             2 => Obstacle::at_midpoints(system.space(), floor),
             _ => Obstacle::at_nodes(system.space(), floor),
         };
-        let contact = complementarity::solve(&equation, &obstacle, start)?;
-        Ok(FilmSolution { cavity: contact.held, ..FilmSolution::full(contact.solution) })
+        let (contact, wrong) = match steps {
+            Steps::UntilSettled => (complementarity::solve(&equation, &obstacle, start)?, Vec::new()),
+            Steps::One => complementarity::step(&equation, &obstacle, start)?,
+        };
+        Ok(FilmSolution { cavity: contact.held, wrong, ..FilmSolution::full(contact.solution) })
     }
 
     /// Raises the speed from rest in steps, each started from the last solution. The least steps
@@ -150,7 +186,7 @@ impl FilmProblem {
         let (mut reached, mut step) = (0.0, 0.25);
         loop {
             let next: f64 = f64::min(reached + step, 1.0);
-            match self.cavitation.solve(self, system, next, film.as_start()) {
+            match self.cavitation.solve((self, system, next), film.as_start(), Steps::UntilSettled) {
                 Ok(mut solution) => {
                     let mut history = film.history;
                     history.append(&mut solution.history);

@@ -16,10 +16,11 @@ use oilwedge_fem::newton::Failure;
 
 pub use jfo::FilmFraction;
 pub(crate) use jfo::{
-    Carriage, PointChanges, cell_volumes, check_supply, held_volume, oil_carried, residual_change, spread, work,
+    Carriage, PointChanges, cell_volumes, check_supply, held_volume, oil_carried, residual_changes, spread, work,
 };
 
 use crate::lubricant::PressureLaw;
+use crate::solve::Steps;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 /// The closure.
@@ -141,19 +142,18 @@ impl Cavitation {
         }
     }
 
-    /// Solves the film of `problem` on `system` from `start`, all motion of the journal scaled by `motion`.
+    /// Solves the film of a problem on a system from `start`, all motion of the journal scaled by a factor.
     pub(crate) fn solve(
         &self,
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        motion: f64,
+        (problem, system, motion): (&FilmProblem, &FilmSystem, f64),
         start: InitialGuess,
+        steps: Steps,
     ) -> Result<FilmSolution, NoFilm> {
         match self {
-            Self::Jfo { .. } => jfo::solve(problem, system, motion, start),
+            Self::Jfo { .. } => jfo::solve((problem, system, motion), start, steps),
             _ => {
                 let solver = system.solver().map_err(Failure::from)?;
-                Ok(problem.pressure_film(system, &solver, motion, start)?)
+                Ok(problem.pressure_film((system, &solver, motion), start, steps)?)
             }
         }
     }

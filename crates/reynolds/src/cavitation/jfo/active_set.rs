@@ -47,6 +47,8 @@ pub(super) struct Found {
     /// Inflow near each node where pressure is given; rounding elsewhere.
     pub(super) residual: Vec<f64>,
     pub(super) linearisation: Linearisation,
+    /// Nodes on the wrong side after one step; none of a film that is settled.
+    pub(super) wrong: Vec<usize>,
     pub(super) history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
     pub(super) fallbacks: Vec<Fallback>,
@@ -97,6 +99,15 @@ impl<'a> Search<'a> {
         self.found(end)
     }
 
+    /// The balance of all nodes for the cavity of the start.
+    pub(super) fn step(mut self) -> Result<Found, Failure> {
+        let (linearisation, residual) = self.solve(None)?;
+        let wrong = self.wrong_signs(&residual);
+        self.record(&wrong);
+        let turned = wrong.into_iter().map(|(dof, _)| dof).collect();
+        Ok(Found { wrong: turned, ..self.found(End::Settled(Box::new(linearisation)))? })
+    }
+
     /// The search from the film at which pseudo-time arrives.
     fn after_pseudo_time(&mut self) -> Result<End, Failure> {
         self.pseudo_time()?;
@@ -122,6 +133,7 @@ impl<'a> Search<'a> {
             residual: self.balance.residual(&self.state.p, &self.state.theta),
             state: self.state,
             linearisation,
+            wrong: Vec::new(),
             history: self.history,
             seconds: self.seconds,
             fallbacks: self.fallbacks,

@@ -63,26 +63,33 @@ pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> 
     blocks
 }
 
-/// The blocks of a triangle, and how they change under a `change` of the law.
-pub(super) fn blocks_and_changes(
+/// What each of some `changes` of the law does to the balances of the corners of every sub-triangle [m3/s], by the block
+/// of it and its change: change by change for one sub-triangle after the other.
+pub(super) fn balance_changes(
     law: &FilmLaw,
-    change: FilmChange<'_>,
-    space: &Space,
-    volumes: &ControlVolumes,
-) -> Vec<[Block; 2]> {
-    let mut blocks = vec![[Block::default(); 2]; volumes.triangles.len()];
-    let tasks = blocks.par_chunks_mut(volumes.per_triangle * CELLS_A_TASK).enumerate();
-    tasks.for_each(|(task, chunk)| {
-        for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
+    changes: &[FilmChange<'_>],
+    (space, volumes): (&Space, &ControlVolumes),
+    of_block: impl Fn(usize, &[Block; 2]) -> [f64; 3] + Sync,
+) -> Vec<[f64; 3]> {
+    let mut balances = vec![[0.0; 3]; volumes.triangles.len() * changes.len()];
+    let of_cell = volumes.per_triangle * changes.len();
+    balances.par_chunks_mut(of_cell * CELLS_A_TASK).enumerate().for_each(|(task, chunk)| {
+        for (k, balances) in chunk.chunks_mut(of_cell).enumerate() {
             let cell = task * CELLS_A_TASK + k;
             let points = Points::new(space, cell);
-            let [at, change] = law.oil_and_flows_with_change(change, cell, points.positions());
-            for (t, block) in blocks.iter_mut().enumerate() {
-                *block = [points.block(t, &at, None), points.block(t, &at, Some(&change))];
-            }
+            let mut upwind: [Option<Block>; 4] = [None; 4];
+            let place = (cell, points.positions());
+            law.oil_and_flows_with_changes(changes, place, |number, at, change| {
+                for (t, upwind) in upwind.iter_mut().enumerate().take(volumes.per_triangle) {
+                    let block = *upwind.get_or_insert_with(|| points.block(t, at, None));
+                    let moved = points.block(t, at, Some(change));
+                    balances[t * changes.len() + number] =
+                        of_block(cell * volumes.per_triangle + t, &[block, moved]);
+                }
+            });
         }
     });
-    blocks
+    balances
 }
 
 /// Where the film of a triangle is evaluated: at its nodes, and in the middle of every side of its sub-triangles.

@@ -3,34 +3,42 @@
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::{ControlVolumes, Error};
 
-use super::blocks::{Block, Points, blocks_and_changes};
+use super::blocks::{Block, Points, balance_changes};
 use super::rows::Rows;
 use super::{FilmFraction, cavity_floor};
 use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
 use crate::{FilmChange, FilmPoint, SolvedFilm};
 
-/// First-order change of every balance where the film changes by `change`.
+/// First-order changes of every balance with each of some `changes` of the film.
 ///
 /// # Errors
 /// A system that does not fit in memory.
-pub(crate) fn residual_change(
+pub(crate) fn residual_changes(
     film: &SolvedFilm,
     fraction: &FilmFraction,
-    change: FilmChange<'_>,
-) -> Result<Vec<f64>, Error> {
-    let changes = PointChanges::new(film, fraction, change)?;
-    let blocks = blocks_and_changes(&changes.law, change, film.system.space(), changes.volumes);
-    let mut residual = vec![0.0; film.solution.unknown.len()];
-    for (t, block) in blocks.iter().enumerate() {
-        let nodes = changes.volumes.triangles[t];
-        for (node, balance) in nodes.into_iter().zip(changes.of_block(t, block)) {
-            residual[node as usize] += balance;
+    changes: &[FilmChange<'_>],
+) -> Result<Vec<Vec<f64>>, Error> {
+    let of_points: Vec<PointChanges> =
+        changes.iter().map(|change| PointChanges::new(film, fraction, *change)).collect::<Result<_, _>>()?;
+    let Some(first) = of_points.first() else {
+        return Ok(Vec::new());
+    };
+    let volumes = first.volumes;
+    let balances = balance_changes(&first.law, changes, (film.system.space(), volumes), |t, block| first.of_block(t, block));
+    let mut residuals = vec![vec![0.0; film.solution.unknown.len()]; changes.len()];
+    for (nodes, balances) in volumes.triangles.iter().zip(balances.chunks(changes.len())) {
+        for (residual, balances) in residuals.iter_mut().zip(balances) {
+            for (node, balance) in nodes.iter().zip(balances) {
+                residual[*node as usize] += balance;
+            }
         }
     }
-    for (dof, _, balance) in changes.of_boundary() {
-        residual[dof] += balance;
+    for (residual, of_points) in residuals.iter_mut().zip(&of_points) {
+        for (dof, _, balance) in of_points.of_boundary() {
+            residual[dof] += balance;
+        }
     }
-    Ok(residual)
+    Ok(residuals)
 }
 
 /// A film and a change of its law, which acts point by point.
@@ -66,7 +74,9 @@ impl<'a> PointChanges<'a> {
     /// What each point of a triangle does to the balances, the others unchanged.
     pub(crate) fn of_triangle(&self, cell: usize) -> AtPointsOf {
         let points = Points::new(self.film.system.space(), cell);
-        let [at, change] = (self.law).oil_and_flows_with_change(self.change, cell, points.positions());
+        let [mut at, mut change] = <[FilmAndFlows; 2]>::default();
+        let place = (cell, points.positions());
+        self.law.oil_and_flows_with_changes(&[self.change], place, |_, film, moved| (at, change) = (*film, *moved));
         let mut balances = AtPoints::<Nodal>::default();
         let mut single = FilmAndFlows::default();
         for (k, corners) in points.sub_triangles.iter().enumerate() {

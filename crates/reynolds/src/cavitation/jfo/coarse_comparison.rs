@@ -10,6 +10,7 @@ use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::InitialGuess;
 
 use super::solve;
+use crate::solve::Steps;
 use crate::{FilmSystem, NoFilm, SolvedFilm};
 
 impl FilmSystem {
@@ -47,7 +48,7 @@ impl SolvedFilm {
             u: dofs.iter().map(|&dof| solution.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| solution.cavity[dof]).collect(),
         };
-        Ok(Self::new(problem.clone(), vertices, solve(problem, vertices, 1.0, start)?))
+        Ok(Self::new(problem.clone(), vertices, solve((problem, vertices, 1.0), start, Steps::UntilSettled)?))
     }
 }
 

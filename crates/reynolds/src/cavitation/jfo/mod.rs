@@ -42,13 +42,14 @@ use oilwedge_fem::complementarity::InitialGuess;
 use self::active_set::Search;
 use self::balance::Balance;
 use self::blocks::{Block, blocks};
-pub(crate) use self::changes::{PointChanges, residual_change};
+pub(crate) use self::changes::{PointChanges, residual_changes};
 use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
 pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, oil_carried, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
+use crate::solve::Steps;
 use crate::{FilmProblem, FilmSolution, FilmSystem, SolvedFilm, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
@@ -88,21 +89,23 @@ struct History<'a> {
     volume: Vec<f64>,
 }
 
-/// Solves the film from the cavity of `start`.
+/// Solves the film from the cavity of `start`: until it is settled, or with one `step` alone.
 pub(crate) fn solve(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    motion: f64,
+    (problem, system, motion): (&FilmProblem, &FilmSystem, f64),
     start: InitialGuess,
+    steps: Steps,
 ) -> Result<FilmSolution, NoFilm> {
     let clock = std::time::Instant::now();
     let film = Film::new(problem, system, motion)?;
     let mut search = Search::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
-    let found = search.run()?;
+    let found = match steps {
+        Steps::UntilSettled => search.run()?,
+        Steps::One => search.step()?,
+    };
     let State { p, theta, cavity } = found.state;
     let least = (0..theta.len()).min_by(|&a, &b| theta[a].total_cmp(&theta[b]));
-    if let Some(least) = least.filter(|&dof| theta[dof] < -ROUNDING) {
+    if let Some(least) = least.filter(|&dof| found.wrong.is_empty() && theta[dof] < -ROUNDING) {
         let [x, z] = system.space().positions()[least];
         return Err(NoFilm::FilmFraction {
             fraction: theta[least],
@@ -118,6 +121,7 @@ pub(crate) fn solve(
         film_fraction: Some(FilmFraction { values: theta }),
         linearisation: std::sync::Arc::new(found.linearisation),
         gap_tangent: std::sync::OnceLock::new(),
+        wrong: found.wrong,
         history: found.history,
         seconds: found.seconds,
         levels: 0,
