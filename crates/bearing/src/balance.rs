@@ -4,14 +4,11 @@
 use crate::NoEquilibrium;
 use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
-use crate::tangent::Tangent;
 
 /// A journal in balance.
 pub(crate) struct Balance {
     /// Its film.
     pub(crate) trial: Trial,
-    /// The tangent that the search has for it, if it kept one.
-    pub(crate) tangent: Option<Tangent>,
     /// Positions tried.
     pub(crate) tried: usize,
     /// True where the deadline passed before.
@@ -24,8 +21,8 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems of the tangent could not be solved.
     pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
-        let Balance { trial, tangent, tried, is_ended } = balance;
-        let tangent = tangent.map_or_else(|| self.tangent(&trial), Ok)?;
+        let Balance { trial, tried, is_ended } = balance;
+        let tangent = self.tangent(&trial)?;
         let residual = self.residual(&trial);
         Ok(Equilibrium {
             residual,
@@ -33,6 +30,7 @@ impl Search<'_> {
             parts: self.parts(&trial),
             coordinates: self.coordinates,
             steps: tried,
+            work: self.work.get(),
             is_ended,
             stiffness: tangent.stiffness,
             wall: tangent.wall,

@@ -3,6 +3,7 @@
 //!
 //! | order | coordinates [m] | forces [N] |
 //! |---|---|---|
+//! | 0 | | |
 //! | 2 | e_x, e_y | W_x, W_y |
 //! | 4 | e_x, e_y, l g_x, l g_y | W_x, W_y, m_x/l, m_y/l |
 //!
@@ -20,7 +21,7 @@ pub type Vector = [f64; 4];
 /// Which coordinates of the journal are free.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coordinates {
-    /// How many: 2 or 4.
+    /// How many: 0, 2 or 4.
     pub order: usize,
     /// Arm l of moments [m].
     pub arm: f64,
@@ -34,11 +35,12 @@ impl Coordinates {
 
     /// A pair of parts towards x and y, and one of moments or slopes times `per_arm`, if these are free.
     fn vector(&self, [x, y]: [f64; 2], of_tilt: [f64; 2], per_arm: f64) -> Vector {
-        let [z_x, z_y] = match self.order {
-            2 => [0.0; 2],
-            _ => of_tilt.map(|part| per_arm * part),
-        };
-        [x, y, z_x, z_y]
+        let [z_x, z_y] = of_tilt.map(|part| per_arm * part);
+        match self.order {
+            0 => [0.0; 4],
+            2 => [x, y, 0.0, 0.0],
+            _ => [x, y, z_x, z_y],
+        }
     }
 
     /// Where a journal is.
@@ -53,22 +55,31 @@ impl Coordinates {
 
     /// The journal in another place; a given tilt stays.
     pub fn placed(&self, journal: &JournalState, [x, y, z_x, z_y]: Vector) -> JournalState {
-        JournalState {
-            offset: [x, y],
-            tilt: match self.order {
-                2 => journal.tilt,
-                _ => [z_x, z_y].map(|part| part / self.arm),
-            },
-            ..*journal
+        let tilt = match self.order {
+            4 => [z_x, z_y].map(|part| part / self.arm),
+            _ => journal.tilt,
+        };
+        match self.order {
+            0 => *journal,
+            _ => JournalState { offset: [x, y], tilt, ..*journal },
         }
+    }
+
+    /// A journal whose coordinates change at these rates [m/s]; the rate of a given tilt stays.
+    pub fn moving(&self, journal: JournalState, [x, y, z_x, z_y]: Vector) -> JournalState {
+        let tilt_rate = match self.order {
+            4 => [z_x, z_y].map(|part| part / self.arm),
+            _ => journal.tilt_rate,
+        };
+        JournalState { velocity: [x, y], tilt_rate, ..journal }
     }
 
     /// The change of a journal that moves by `step`; its velocity turns with the line of centres.
     pub fn change(&self, journal: &JournalState, velocity: &CentreVelocity, [x, y, z_x, z_y]: Vector) -> JournalChange {
         JournalChange {
             tilt: match self.order {
-                2 => [0.0; 2],
-                _ => [z_x, z_y].map(|part| part / self.arm),
+                4 => [z_x, z_y].map(|part| part / self.arm),
+                _ => [0.0; 2],
             },
             ..velocity.change(journal, [x, y])
         }

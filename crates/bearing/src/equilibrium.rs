@@ -22,7 +22,7 @@
 
 use oilwedge_reynolds::SolvedFilm;
 
-use crate::{Coordinates, Stiffness, WallByPlace};
+use crate::{Coordinates, Stiffness, WallByPlace, Work};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -50,6 +50,8 @@ pub struct Equilibrium {
     pub coordinates: Coordinates,
     /// Positions tried on the mesh of the film.
     pub steps: usize,
+    /// What the search has cost.
+    pub work: Work,
     /// True where the deadline passed before the load was balanced: the film is that of the position reached.
     pub is_ended: bool,
     /// `dW/de` [N/m] in these coordinates, row: force; of a search from nearby and of a cubic balance as corrected by

@@ -4,7 +4,7 @@
 use oilwedge_reynolds::solve::Neighbour;
 use std::sync::Arc;
 
-use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
 use crate::balance::Balance;
 use crate::cubic::balance_cubic;
@@ -12,25 +12,14 @@ use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::load_capacity::yields_to_contact;
 use crate::no_equilibrium::SearchEnd;
-use crate::search::{OF_BALANCE, Search, Trial};
-use crate::tangent::Tangent;
-use crate::with_wall::WITHIN;
+use crate::newton::{Begin, Damping, Goal, ROUNDING, Unbalanced};
+use crate::search::{Search, Trial};
+use crate::work::Work;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
 
-/// Most positions tried.
-const MOST_STEPS: usize = 40;
-/// A balance that round-off keeps from its accuracy is one below this part.
-const BALANCED_ENOUGH: f64 = 1e-10;
-/// Force and wall are sought together again where less than this part is left of what was left where that has failed.
-const OF_FAILED: f64 = 0.1;
 /// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a
 /// coarser mesh is to be a start.
 const RESOLVED: f64 = 0.99;
-/// A journal whose film is thinner than this part of the clearance touches.
-const CONTACT: f64 = 1e-6;
-/// A mass-conserving film that is thinner than this part while force and moment are far from balanced was driven into
-/// contact: the branch of balances leads on from elsewhere.
-const DRIVEN: f64 = 1e-3;
 /// A failed search whose film is thinner than this part of the clearance was driven into contact.
 const NEARLY_CONTACT: f64 = 1e-2;
 
@@ -51,7 +40,11 @@ pub fn find(
     let balance = search.found(problem)?;
     match options.carrier {
         Carrier::Quadratic => search.equilibrium(balance),
-        Carrier::Cubic => balance_cubic(balance, &Search::new(problem, system, load, *options)),
+        Carrier::Cubic => {
+            let by_cubic = Search::new(problem, system, load, *options);
+            by_cubic.spend(search.work.get());
+            balance_cubic(balance, &by_cubic)
+        }
     }
 }
 
@@ -76,7 +69,7 @@ impl Search<'_> {
     pub(crate) fn found(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         match self.options.guess {
             InitialGuess::Cold => self.cold(problem),
-            InitialGuess::NearlyBalanced => match self.run(problem, problem.journal) {
+            InitialGuess::NearlyBalanced => match self.near(problem, Neighbour::None) {
                 Ok(found) if !self.is_in_contact(&found.trial) => Ok(found),
                 _ => self.cold(problem),
             },
@@ -87,10 +80,7 @@ impl Search<'_> {
                 None => self.cold(problem),
             },
             InitialGuess::Near(near) => {
-                let here = self.coordinates.at(&problem.journal);
-                let first = (self.opened(problem, here, near, self.left_at_balance()))
-                    .map_or_else(|| self.trial(problem, here, near), Ok)?;
-                self.inside(self.at_rest(first), None)
+                self.inside(self.near(problem, near), None)
             }
         }
     }
@@ -103,10 +93,7 @@ impl Search<'_> {
     /// As [`Self::cold`]; `known` is why the coarser mesh has no balance, where that was asked.
     fn cold_after(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Balance, NoEquilibrium> {
         self.below_rounding().map_or(Ok(()), Err)?;
-        let found = match self.guided(problem) {
-            Some(outcome) => outcome,
-            None => self.check_capacity(problem).map_or_else(|| self.on_levels(problem, known), Err),
-        };
+        let found = self.check_capacity(problem).map_or_else(|| self.on_levels(problem, known), Err);
         let found = self.inside(found, None)?;
         match self.is_in_contact(&found.trial) {
             true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
@@ -152,13 +139,13 @@ impl Search<'_> {
         };
         let on_coarser = || {
             let problem = coarser.problem(problem);
-            Search::new(&problem, &coarser.system, self.load, rough).found(&problem)
+            let search = Search::new(&problem, &coarser.system, self.load, rough);
+            let found = search.found(&problem);
+            self.spend(Work { films: search.work.get().films, ..Work::default() });
+            found
         };
         let reason = match known.map_or_else(on_coarser, Err) {
-            Ok(found) => {
-                let bent = problem.clone().deflected(found.trial.film.problem.deflection());
-                return self.run(&bent, found.trial.film.problem.journal);
-            }
+            Ok(found) => return self.prolonged(problem, &found.trial),
             Err(reason) => reason,
         };
         if let NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } =
@@ -196,119 +183,65 @@ impl Search<'_> {
         })
     }
 
+    /// Balances the load from its balance on the coarser mesh.
+    fn prolonged(&self, problem: &FilmProblem, found: &Trial) -> Result<Balance, NoEquilibrium> {
+        let bent = problem.clone().deflected(found.film.problem.deflection());
+        let journal = found.film.problem.journal;
+        let start = self.system.coarser.as_ref().map(|coarser| coarser.start_of(&found.film));
+        let near = start.as_ref().map_or(Neighbour::None, Neighbour::Coarser);
+        let placed = FilmProblem { journal, ..bent };
+        self.near(&placed, near).or_else(|_| self.run(&placed, journal))
+    }
+
+    /// Balances the load near the place of a problem.
+    fn near(&self, problem: &FilmProblem, near: Neighbour) -> Result<Balance, NoEquilibrium> {
+        let here = self.coordinates.at(&problem.journal);
+        self.rested(self.open(problem, here, Begin::Near(near), self.left_at_balance())?, Damping::None)
+    }
+
     /// Balances the load from this start.
     pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Balance, NoEquilibrium> {
-        let rough = self.options.balanced().max(ROUGHLY_BALANCED);
-        let at = self.coordinates.at(&start);
-        // To close the wall would take as many films as a search.
-        if problem.has_bent_wall()
-            && self.options.deadline.is_over()
-            && let Ok(begun) = self.open(problem, at, Neighbour::None, self.left_at_balance())
-        {
-            return self.at_rest(begun);
-        }
-        let opened = self.opened(problem, at, Neighbour::None, rough);
-        match opened.map(|opened| self.with_wall(opened, (rough, rough), &mut 0)) {
-            Some(Ok(near)) => self.at_rest(near),
-            Some(Err(begun)) if self.options.deadline.is_over() => self.at_rest(*begun),
-            Some(Err(_)) | None => self.at_rest(self.first(problem, start)?),
-        }
+        self.rested(self.first(problem, start)?, Damping::PseudoTime)
     }
 
-    /// Balances the load from a trial.
-    fn at_rest(&self, first: Trial) -> Result<Balance, NoEquilibrium> {
-        let mut tried = 1;
-        let (trial, tangent) = self.balanced(first, &mut tried)?;
-        let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
-        let is_balanced = is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);
-        Ok(Balance { is_ended: !is_balanced && self.options.deadline.is_over(), trial, tangent, tried })
+    /// Balances the load of a quadratic film from a trial.
+    fn rested(&self, first: Trial, damping: Damping) -> Result<Balance, NoEquilibrium> {
+        let goal =
+            Goal { balanced: self.options.balanced(), closed: self.left_at_balance(), moved: f64::INFINITY, rounding: ROUNDING };
+        self.balanced((first, 1), goal, damping)
     }
 
-    /// The balanced trial, and the tangent that the search has for it, if it kept one.
-    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<(Trial, Option<Tangent>), NoEquilibrium> {
-        let mut kept: Option<Tangent> = None;
-        let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_));
-        let mut last = *tried + MOST_STEPS;
-        let mut within = WITHIN;
-        while *tried < last {
-            let residual = self.residual(&trial);
-            let is_balanced = residual < self.options.balanced();
-            let closed = self.left_at_balance();
-            let is_closed = trial.may_leave <= closed;
-            if is_balanced && is_closed || self.options.deadline.is_over() {
-                return Ok((trial, kept));
-            }
-            if trial.film.problem.has_bent_wall() && self.left(&trial) < within {
-                within = OF_FAILED * self.left(&trial);
-                let before = *tried;
-                trial = match self.with_wall(trial, (self.options.balanced(), closed), tried) {
-                    Ok(found) => return Ok((found, None)),
-                    Err(from) if self.options.deadline.is_over() => return Ok((*from, None)),
-                    Err(from) if from.left.is_some() => self.closed_here(&from, tried)?,
-                    Err(from) => *from,
+    /// Balances the load from a trial, before which so many were tried.
+    pub(crate) fn balanced(
+        &self,
+        (first, mut tried): (Trial, usize),
+        goal: Goal,
+        damping: Damping,
+    ) -> Result<Balance, NoEquilibrium> {
+        match self.newton(first, goal, damping, &mut tried) {
+            Ok(trial) => Ok(Balance { trial: self.accepted(trial)?, tried, is_ended: false }),
+            Err(Unbalanced { trial, end: SearchEnd::Ended }) => {
+                let problem = &trial.film.problem;
+                let near = Begin::Near(Neighbour::Start(&trial.film));
+                let settled = match trial.film.solution.wrong.is_empty() {
+                    true => *trial,
+                    false => self.open(problem, self.coordinates.at(&problem.journal), near, goal.closed)?,
                 };
-                // What has failed leaves as many positions to the search from place to place as it had.
-                last += *tried - before;
-                continue;
+                Ok(Balance { trial: self.accepted(settled)?, tried, is_ended: true })
             }
-            if is_balanced {
-                trial = self.closed_further(&trial, tried)?;
-                continue;
-            }
-            let tangent = kept.clone().map_or_else(|| self.tangent(&trial), Ok)?;
-            match self.next_trial(&trial, &tangent, tried) {
-                // Perhaps the tangent was too old.
-                None if kept.take().is_some() => continue,
-                // Round-off is reached.
-                None if residual < BALANCED_ENOUGH && is_closed => return Ok((trial, None)),
-                None if residual < BALANCED_ENOUGH => trial = self.closed_further(&trial, tried)?,
-                None => return Err(self.unreachable(&trial, SearchEnd::NoStep)),
-                Some(next) => {
-                    kept = keeps_tangent.then(|| self.corrected(tangent, &trial, &next));
-                    trial = next;
-                }
-            }
-            if self.least_film(&trial) < self.contact(&trial) * trial.film.problem.bearing.clearance {
-                return Err(self.unreachable(&trial, SearchEnd::Touching));
-            }
-        }
-        match self.residual(&trial) {
-            residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
+            Err(Unbalanced { trial, .. }) if self.residual(&trial) < NEAR => Err(NoEquilibrium::NotConverged {
                 asked: self.load.magnitude(),
-                residual,
+                residual: self.residual(&trial),
                 journal: Box::new(trial.film.problem.journal),
                 history: self.tried.borrow().clone(),
             }),
-            _ => Err(self.unreachable(&trial, SearchEnd::NoProgress)),
+            Err(Unbalanced { trial, end }) => Err(self.unreachable(&trial, end)),
         }
     }
 
-    /// The trial at this place with its wall closed roughly.
-    fn closed_here(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
-        *tried += 1;
-        let here = self.coordinates.at(&trial.film.problem.journal);
-        self.trial_within(&trial.film.problem, here, Neighbour::Start(&trial.film), OF_BALANCE * NEAR)
-    }
-
-    /// A trial whose wall is closed as far as a balance asks for.
-    fn closed_further(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
-        *tried += 1;
-        let here = self.coordinates.at(&trial.film.problem.journal);
-        self.trial(&trial.film.problem, here, Neighbour::Start(&trial.film))
-    }
-
-    /// Part of the clearance below which the film of a journal far from its balance is one in contact.
-    fn contact(&self, trial: &Trial) -> f64 {
-        match self.is_costly(trial) && self.residual(trial) > NEAR {
-            true => DRIVEN,
-            false => CONTACT,
-        }
-    }
-
-    /// From the start of `problem` or, where that fails, from the best of positions all over the bearing; with a free
-    /// tilt from the balance of the force alone on.
+    /// From the start of `problem`; where that fails by continuation in the load or, with a free tilt, in the moment from
+    /// the balance of the force alone on.
     fn everywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
-        const STARTS: usize = 3;
         let mut outcome = self.run(problem, problem.journal);
         if yields_to_contact(problem) && self.load.tilting.is_none() {
             outcome = outcome.or_else(|reason| self.by_parts_of_load(problem).map_err(|_| reason));
@@ -331,18 +264,6 @@ impl Search<'_> {
             };
             if let Some(beyond) = beyond {
                 return Err(beyond);
-            }
-            // Where the wall gives way films take long, and those in a rigid one lead as near.
-            let guide = problem.deflection().map(|_| self.in_rigid_wall(problem));
-            let (asked, search) = guide.as_ref().map_or((problem, self), |(rigid, search)| (rigid, search));
-            let starts = search.starts(asked);
-            let descended = starts.iter().take(STARTS).map(|start| search.descended(asked, start));
-            let starts = starts.iter().take(STARTS).copied().chain(descended);
-            for start in starts {
-                outcome = self.run(problem, start);
-                if outcome.is_ok() {
-                    break;
-                }
             }
         }
         outcome.map_err(|reason| self.confirmed(reason))

@@ -54,6 +54,7 @@ pub fn balance_hill(
                 wall: WallByPlace::default(),
                 film: trial.film,
                 cubic: None,
+                work: search.work.get(),
                 steps,
             };
             return Some((found, hill));

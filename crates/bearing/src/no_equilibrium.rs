@@ -151,12 +151,6 @@ pub enum NoEquilibrium {
         /// Where a finer mesh takes up the way there.
         way: Option<Box<Waypoint>>,
     },
-    /// The Swift-Stieber film has no balance; at the same gap the film that conserves oil is nowhere under more
-    /// pressure, so that a balance of it is unlikely.
-    #[error(
-        "{0} (found for the Swift-Stieber film; at the same gap a film that conserves oil is nowhere under more pressure)"
-    )]
-    OfGuide(Box<NoEquilibrium>),
     /// The load is too small for the film's force to be distinguished from round-off.
     #[error(
         "not converged: the load of {} N is below the round-off of the film's force, about {} N",
@@ -230,14 +224,6 @@ fn told((carried, error): (f64, Option<f64>), steps: f64) -> String {
 }
 
 impl NoEquilibrium {
-    /// The reason itself, of whichever film.
-    pub fn cause(&self) -> &Self {
-        match self {
-            Self::OfGuide(reason) => reason,
-            reason => reason,
-        }
-    }
-
     /// True if there may be a balance that was not found.
     pub fn is_unreached(&self) -> bool {
         match self {
@@ -250,7 +236,6 @@ impl NoEquilibrium {
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)
             }
-            Self::OfGuide(reason) => reason.is_unreached(),
             Self::BelowRounding { .. } | Self::NotConverged { .. } | Self::Ended { .. } => true,
         }
     }
@@ -260,8 +245,7 @@ impl NoEquilibrium {
         match self {
             Self::BeyondCapacity { .. } | Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
             Self::Unreachable { why, .. } => *why == SearchEnd::FarBelow,
-            Self::OfGuide(_)
-            | Self::Film(_)
+            Self::Film(_)
             | Self::BelowRounding { .. }
             | Self::NotConverged { .. }
             | Self::Ended { .. } => false,
@@ -270,7 +254,7 @@ impl NoEquilibrium {
 
     /// True where the film carries so much less than the load, or than its moment, that a finer mesh shows no more.
     pub fn is_far_beyond(&self) -> bool {
-        match self.cause() {
+        match self {
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 error.is_some_and(|error| carried + DISTINCT * error < 1.0)
             }
@@ -282,7 +266,7 @@ impl NoEquilibrium {
 
     /// True where the film of this mesh lacks no more of the moment than its error: a finer mesh may show a balance.
     pub fn is_undecided(&self) -> bool {
-        match self.cause() {
+        match self {
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 error.is_some_and(|error| carried + error >= 1.0)
             }
@@ -292,7 +276,7 @@ impl NoEquilibrium {
 
     /// Where another mesh takes up the way of a growing moment, if that was followed.
     pub fn way(&self) -> Option<&Waypoint> {
-        match self.cause() {
+        match self {
             Self::EdgeContact { way, .. } | Self::TiltLimit { way, .. } => way.as_deref(),
             _ => None,
         }
@@ -300,22 +284,21 @@ impl NoEquilibrium {
 
     /// Load less force of each position tried, relative to the load; empty where there was no search.
     pub fn history(&self) -> &[f64] {
-        match self.cause() {
+        match self {
             Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
             Self::Film(_)
             | Self::BelowRounding { .. }
             | Self::BeyondCapacity { .. }
             | Self::EdgeContact { .. }
             | Self::TiltLimit { .. }
-            | Self::OfGuide(_)
             | Self::Unreachable { .. } => &[],
         }
     }
 
     /// The last position of the search, if it had one.
     pub fn last_position(&self) -> Option<JournalState> {
-        match self.cause() {
-            Self::Film(_) | Self::BelowRounding { .. } | Self::OfGuide(_) => None,
+        match self {
+            Self::Film(_) | Self::BelowRounding { .. } => None,
             Self::BeyondCapacity { journal, .. }
             | Self::EdgeContact { journal, .. }
             | Self::TiltLimit { journal, .. }
@@ -379,8 +362,6 @@ mod tests {
         ] {
             let reason = unreachable(nearest, why);
             assert_eq!(reason.is_unreached(), is_unreached, "{nearest} {why}");
-            let of_guide = NoEquilibrium::OfGuide(Box::new(reason));
-            assert_eq!(of_guide.is_unreached(), is_unreached, "{nearest} {why}");
         }
     }
 

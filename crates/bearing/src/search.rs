@@ -5,21 +5,23 @@ use std::cell::{Cell, OnceCell, RefCell};
 use std::sync::Arc;
 
 use oilwedge_reynolds::contact::Fineness;
+use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
-use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
+use oilwedge_reynolds::quantities::load::{Resultant, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState, NoFilm, SolvedFilm};
+use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
-use crate::deflection::{CLOSED, Left, Pair, closed_near, closed_pair, closed_within};
+use crate::deflection::{CLOSED, Left, closed_within};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
+use crate::newton::Begin;
+use crate::time_terms::TimeTerms;
+use crate::work::Work;
 use crate::{Load, SearchOptions};
 
 /// Part of a deflection that a trial may leave, over the difference of force and load at which the balance is found.
 pub(crate) const OF_BALANCE: f64 = 1e-2;
-/// Part of it that may be left at a start.
-const AT_START: f64 = 1e-5;
 /// From this part on contact need not be integrated as finely as for numbers that are reported.
 const OF_CONTACT: f64 = 1e-6;
 
@@ -36,14 +38,22 @@ pub(crate) struct Search<'a> {
     pub(crate) scale: f64,
     /// Round-off of the film's force is relative to this one [N].
     pub(crate) reference_force: f64,
+    /// Rate [1/s] at which motion and given pressures change the film.
+    pub(crate) reference_rate: f64,
     /// The trial whose force was nearest to the load.
     pub(crate) nearest: Cell<Option<Nearest>>,
+    /// What a stage of a motion adds; none of a journal at rest.
+    pub(crate) time: Option<TimeTerms>,
+    /// The viscosity law of the film that is found; trials saturate.
+    law: PressureLaw,
     /// True of a full Sommerfeld film.
     pub(crate) bears_tension: bool,
     /// True of a film whose pressure is nowhere below that from which loads count.
     pub(crate) only_pushes: bool,
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: RefCell<Vec<f64>>,
+    /// What it has cost.
+    pub(crate) work: Cell<Work>,
 }
 
 /// The distance of a trial from the load, its force [N] and its journal.
@@ -63,8 +73,6 @@ pub(crate) struct Trial {
     pub(crate) carried: Resultant,
     /// Where surfaces touch, if that was asked.
     pub(crate) contact: Option<Arc<ContactPoints>>,
-    /// Part of its deflection that may be left, and contact is integrated to; zero of a rigid wall without contact.
-    pub(crate) may_leave: f64,
     /// What it leaves of the balance of its wall, where the wall is not closed at each place.
     pub(crate) left: Option<Left>,
     /// Least film [m], once it was asked for.
@@ -74,7 +82,7 @@ pub(crate) struct Trial {
 impl Trial {
     /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
-        Self { film, cubic: None, carried, contact: None, may_leave: CLOSED, left: None, least_film: OnceCell::new() }
+        Self { film, cubic: None, carried, contact: None, left: None, least_film: OnceCell::new() }
     }
 }
 
@@ -86,23 +94,57 @@ impl<'a> Search<'a> {
         load: Load,
         options: SearchOptions<'a>,
     ) -> Self {
+        let gap = Gap::of(&problem.clone().with_wall_at_rest(), system);
+        Self::within(gap, problem, system, load, options)
+    }
+
+    /// A search for the place in a stage of a motion under a load; residuals are relative to the force `scale` [N].
+    pub(crate) fn in_stage(
+        problem: &FilmProblem,
+        (system, gap): (&'a Arc<FilmSystem>, Gap),
+        (load, scale): (Load, f64),
+        time: TimeTerms,
+    ) -> Self {
+        let search = Self::within(gap, problem, system, load, SearchOptions::default());
+        Self { scale, time: Some(time), ..search }
+    }
+
+    fn within(
+        gap: Gap,
+        problem: &FilmProblem,
+        system: &'a Arc<FilmSystem>,
+        load: Load,
+        options: SearchOptions<'a>,
+    ) -> Self {
         let reference_force = reference_force(problem, system, options.centre_velocity);
+        let Bearing { radius, length, clearance, .. } = problem.bearing;
+        let by_rate = problem.lubricant.viscosity * (radius / clearance).powi(2) * 2.0 * radius * length;
         Self {
             system,
             load,
-            gap: Gap::of(&problem.clone().with_wall_at_rest(), system),
+            gap,
             coordinates: Coordinates::of(&load, &problem.bearing),
             options,
             reference_force,
+            reference_rate: reference_force / by_rate,
             scale: match load.magnitude() {
                 0.0 => reference_force.max(f64::MIN_POSITIVE),
                 load => load,
             },
             nearest: Cell::new(None),
+            time: None,
+            law: problem.lubricant.pressure_law.clone(),
             bears_tension: problem.cavitation.bears_tension(),
             only_pushes: only_pushes(problem, system),
             tried: RefCell::default(),
+            work: Cell::default(),
         }
+    }
+
+    /// A search whose journal stays where the problem has it: its wall alone is unknown.
+    pub(crate) fn held(problem: &FilmProblem, system: &'a Arc<FilmSystem>) -> Self {
+        let search = Self::new(problem, system, Load::from([0.0; 2]), SearchOptions::default());
+        Self { coordinates: Coordinates { order: 0, ..search.coordinates }, ..search }
     }
 
     /// Where the film is least under the wall of a problem, which a journal may press out further than the clearance.
@@ -132,65 +174,23 @@ impl<'a> Search<'a> {
         is_film_of_contact(self.least_film(trial), trial.film.problem.bearing.clearance)
     }
 
-    /// Positions all over the bearing, those with the force nearest to the load first.
-    pub(crate) fn starts(&self, problem: &FilmProblem) -> Vec<JournalState> {
-        const ANGLES: u32 = 12;
-        let mut starts: Vec<(f64, JournalState)> = Vec::new();
-        for eps in [0.3, 0.7, 0.95, 0.99] {
-            for k in 0..ANGLES {
-                if self.options.deadline.is_over() {
-                    break;
-                }
-                let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
-                let e = eps * self.gap.reach(&problem.journal, angle);
-                let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
-                if let Ok(trial) = self.trial(problem, at, Neighbour::None) {
-                    starts.push((self.distance(&trial), trial.film.problem.journal));
-                }
-            }
-        }
-        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        starts.into_iter().map(|(_, start)| start).collect()
-    }
-
-    /// The film at the start or, where there is none, nearer to the middle.
+    /// The film at the start, under the wall of the problem as it is, or, where there is none, nearer to the middle.
     pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
         const RETREATS: usize = 12;
-        /// From a wall at rest it takes long: that is tried at the start, and again after so many retreats.
-        const FROM_REST: usize = 6;
         let gap = self.gap_under(problem);
-        let is_bent = problem.has_bent_wall();
-        let nearer = |start: &JournalState| {
-            let least = gap.least(start);
-            // A bent wall is that of a place nearby: the gap doubles at first.
-            let part = match is_bent && least > 0.0 {
-                true => f64::max(0.5, 1.0 - least / start.eccentricity()),
-                false => 0.5,
-            };
-            let nearer = self.coordinates.at(start).map(|x| part * x);
-            self.coordinates.placed(start, nearer)
-        };
-        for retreat in 0..RETREATS {
-            if self.options.deadline.is_over() {
-                break;
-            }
+        for _ in 0..RETREATS {
             // A film may seem to exist where the gap vanishes at the very end of the bearing only.
-            if gap.least(&start) <= 0.0 {
-                start = nearer(&start);
-                continue;
+            if gap.least(&start) > 0.0 || self.options.deadline.is_over() {
+                let at = self.coordinates.at(&start);
+                match self.open(problem, at, Begin::Near(Neighbour::None), self.left_at_balance()) {
+                    // Without a supply there is no film anywhere.
+                    Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {}
+                    other => return other,
+                }
             }
-            let at = self.coordinates.at(&start);
-            let from_rest = |reason: NoFilm| match is_bent && (retreat == 0 || retreat >= FROM_REST) {
-                true => self.trial_within(&problem.clone().with_wall_at_rest(), at, Neighbour::None, AT_START),
-                false => Err(reason),
-            };
-            match self.trial_within(problem, at, Neighbour::None, AT_START).or_else(from_rest) {
-                // Without a supply there is no film anywhere.
-                Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => start = nearer(&start),
-                other => return other,
-            }
+            start = self.coordinates.placed(&start, self.coordinates.at(&start).map(|x| 0.5 * x));
         }
-        self.trial(problem, self.coordinates.at(&start), Neighbour::None)
+        self.open(problem, self.coordinates.at(&start), Begin::Near(Neighbour::None), self.left_at_balance())
     }
 
     /// The coordinates of the journal of a problem with its centre at `offset` [m].
@@ -198,43 +198,14 @@ impl<'a> Search<'a> {
         self.coordinates.at(&JournalState { offset, ..problem.journal })
     }
 
-    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall
-    /// is bent that which is looked for is near.
+    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements, its wall
+    /// closed.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
-        self.trial_within(problem, at, near, 0.0)
-    }
-
-    /// As [`Self::trial`]; a trial on the way to the balance may leave this part of a deflection.
-    pub(crate) fn trial_within(
-        &self,
-        problem: &FilmProblem,
-        at: Vector,
-        near: Neighbour,
-        part: f64,
-    ) -> Result<Trial, NoFilm> {
-        let close = if problem.has_bent_wall() { closed_near } else { closed_within };
-        let left = part.max(self.left_at_balance());
+        let left = self.left_at_balance();
         let placed = self.placed(problem, at).with_contact(fineness(left));
-        let (film, contact) = close(placed, self.system, near, left)?;
+        let (film, contact) = closed_within(placed, self.system, near, left)?;
         let carried = load_touching(&film, contact.as_deref());
-        let is_exact = film.problem.deflection().is_none() && film.problem.contact.is_none();
-        let may_leave = if is_exact { 0.0 } else { left };
-        Ok(self.recorded(Trial { contact, may_leave, ..Trial::of(film, carried.total.resultant()) }))
-    }
-
-    /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that
-    /// of a neighbouring position, if there is one. No more of a deflection is left than the part `closed`.
-    pub(crate) fn cubic_trial(
-        &self,
-        problem: &FilmProblem,
-        at: Vector,
-        (near, cubic): (Neighbour, Option<&SolvedFilm>),
-        closed: f64,
-    ) -> Result<Trial, NoFilm> {
-        let film = self.placed(problem, at).solve_from(self.system, near)?;
-        let Pair { film, cubic } = closed_pair(film, cubic, closed)?;
-        let carried = load(&cubic).total.resultant();
-        Ok(self.recorded(Trial { cubic: Some(cubic), ..Trial::of(film, carried) }))
+        Ok(self.recorded(Trial { contact, ..Trial::of(film, carried.total.resultant()) }))
     }
 
     /// Part of a deflection that may be left where the load is balanced.
@@ -244,6 +215,13 @@ impl<'a> Search<'a> {
 
     /// The problem with the journal `at` these coordinates.
     pub(crate) fn placed(&self, problem: &FilmProblem, at: Vector) -> FilmProblem {
+        if self.coordinates.order == 0 {
+            return problem.clone();
+        }
+        if let Some(time) = &self.time {
+            let journal = time.moving(self.coordinates, &problem.journal, at);
+            return FilmProblem { journal, ..problem.clone() };
+        }
         let angle = match at {
             [0.0, 0.0, ..] => problem.journal.min_film_angle(),
             [x, y, ..] => y.atan2(x),
@@ -255,10 +233,20 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// A trial under the viscosity law of its oil.
+    ///
+    /// # Errors
+    /// The law has no pressure for the film.
+    pub(crate) fn accepted(&self, trial: Trial) -> Result<Trial, NoFilm> {
+        Ok(Trial { film: trial.film.accepted(&self.law)?, ..trial })
+    }
+
     pub(crate) fn recorded(&self, trial: Trial) -> Trial {
         let distance = self.distance(&trial);
         let residual = self.residual(&trial);
         self.tried.borrow_mut().push(residual);
+        let steps = trial.film.solution.history.len();
+        self.spend(Work { films: 1, factorisations: steps, linear_solves: steps });
         if let Some(observer) = self.options.observer {
             observer.position(self.tried.borrow().len(), residual);
         }
@@ -270,6 +258,13 @@ impl<'a> Search<'a> {
             }));
         }
         trial
+    }
+
+    /// Adds to what the search has cost.
+    pub(crate) fn spend(&self, more: Work) {
+        let mut sum = self.work.get();
+        sum += more;
+        self.work.set(sum);
     }
 
     /// Difference of forces and load over the load.
@@ -288,12 +283,22 @@ impl<'a> Search<'a> {
         moved(self.response(trial), -1.0, self.asked())
     }
 
-    /// Forces of the film and, against its tilt, of the support [N].
+    /// Forces of the film, of the support against its tilt, and of a mass in a stage [N].
     pub(crate) fn response(&self, trial: &Trial) -> Vector {
-        let [x, y, z_x, z_y] = self.coordinates.forces(&trial.carried);
-        let [_, _, tilt_x, tilt_y] = self.coordinates.at(&trial.film.problem.journal);
+        let at = self.coordinates.at(&trial.film.problem.journal);
+        let [_, _, tilt_x, tilt_y] = at;
         let per_arm = self.support_stiffness();
-        [x, y, z_x + per_arm * tilt_x, z_y + per_arm * tilt_y]
+        let by_support = [0.0, 0.0, per_arm * tilt_x, per_arm * tilt_y];
+        let by_mass = self.time.map_or([0.0; 4], |time| time.inertia(at));
+        let film = self.coordinates.forces(&trial.carried);
+        [0, 1, 2, 3].map(|k| film[k] + by_support[k] + by_mass[k])
+    }
+
+    /// Stiffness [N/m] that acts on each coordinate beside the film: of the support and, in a stage, of a mass.
+    pub(crate) fn stiffness_beside(&self) -> Vector {
+        let support = self.support_stiffness();
+        let by_mass = self.time.map_or([0.0; 4], |time| time.stiffness());
+        moved([0.0, 0.0, support, support], 1.0, by_mass)
     }
 
     /// The load, and what tilts the journal where it is parallel to the bearing [N].

@@ -1,4 +1,4 @@
-//! The tangent of the forces by the coordinates of the journal, two or four of each, and its inverse.
+//! The tangent of the forces by the coordinates of the journal, none, two or four of each, and its inverse.
 
 use std::ops::Index;
 
@@ -86,6 +86,7 @@ impl Stiffness {
     /// The step [m] by which the forces change as `wanted` [N]; not finite where the tangent is singular.
     pub fn solve(&self, wanted: Vector) -> Vector {
         match self.order {
+            0 => [0.0; 4],
             2 => {
                 let [x, y] = cramer(&self.rows, [wanted[0], wanted[1]]);
                 [x, y, 0.0, 0.0]

@@ -1,12 +1,9 @@
 //! The tangent of a trial: how its forces, and a wall that gives way, change with the coordinates of the journal.
-//!
-//! A journal that presses a soft wall out takes it along: the gap shrinks by a small part of the way. So a step is
-//! judged, and its film begun, under the wall where the step takes it to first order.
 
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::{FilmProblem, NoFilm};
+use oilwedge_reynolds::NoFilm;
 
 use crate::coordinates::{Vector, unit};
 use crate::deflection::{Carried, carried_touching, contact_on_wall};
@@ -41,30 +38,13 @@ pub(crate) struct Tangent {
     pub(crate) wall: WallByPlace,
 }
 
-impl Tangent {
-    /// The problem under the wall that a `step` [m] of the coordinates takes along.
-    pub(crate) fn bent(&self, problem: &FilmProblem, step: Vector) -> FilmProblem {
-        let Some(deflection) = problem.deflection() else {
-            return problem.clone();
-        };
-        let bent = deflection.with_more(&self.wall.times(step));
-        problem.clone().deflected(Some(&bent))
-    }
-
-    /// This one with other changes of the forces.
-    pub(crate) fn with_stiffness(self, stiffness: Stiffness) -> Self {
-        Self { stiffness, ..self }
-    }
-}
-
 impl Search<'_> {
     /// The tangent of a trial, its cavity held.
     ///
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn tangent(&self, trial: &Trial) -> Result<Tangent, NoFilm> {
-        let journal = &trial.film.problem.journal;
-        let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
+        let change = |k: usize| self.change_at(&trial.film.problem.journal, unit(k), 0.0);
         let changes: Vec<_> = (0..self.coordinates.order).map(change).collect();
         let contact = trial.contact.clone();
         let contact = contact.or_else(|| contact_on_wall(&trial.film.problem, self.system));
@@ -72,23 +52,10 @@ impl Search<'_> {
         let followed: Vec<Carried> = followed.map_err(Failure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {
             let mut column = self.coordinates.forces(&followed[k].by_film);
-            if k >= 2 {
-                column[k] += self.support_stiffness();
-            }
+            column[k] += self.stiffness_beside()[k];
             Ok::<_, NoFilm>(column)
         })?;
         let wall = followed.into_iter().map(|change| change.deflection);
         Ok(Tangent { stiffness, wall: WallByPlace(wall.collect()) })
-    }
-
-    /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.
-    pub(crate) fn corrected(&self, tangent: Tangent, from: &Trial, to: &Trial) -> Tangent {
-        let difference = |to: Vector, from: Vector| [0, 1, 2, 3].map(|k| to[k] - from[k]);
-        let place = |trial: &Trial| self.coordinates.at(&trial.film.problem.journal);
-        let step = difference(place(to), place(from));
-        let change = difference(self.response(to), self.response(from));
-        let missed = difference(change, tangent.stiffness.times(step));
-        let stiffness = tangent.stiffness.corrected(step, missed);
-        tangent.with_stiffness(stiffness)
     }
 }

@@ -22,7 +22,7 @@ use crate::deflection::Moves;
 use crate::equilibrium::ROUGHLY_BALANCED;
 use crate::no_equilibrium::{SearchEnd, Waypoint};
 use crate::search::{Search, Trial};
-use crate::with_wall::Tangents;
+use crate::newton::{Begin, Tangents};
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
 
 /// First step along the branch.
@@ -277,7 +277,7 @@ impl Branch<'_, '_> {
     /// A point of the branch at this part.
     fn point(&self, trial: Trial, part: f64) -> Result<Point, NoFilm> {
         let wall = self.search.left_of_wall(&trial).into_owned();
-        let ahead = self.ahead(&self.search.tangents(&trial, &wall, FOLLOWED)?)?;
+        let ahead = self.ahead(&self.search.tangents(&trial, &trial.film, &wall, (FOLLOWED, 0.0))?)?;
         Ok(Point { trial, ahead, part })
     }
 
@@ -341,7 +341,7 @@ impl Branch<'_, '_> {
         let [_, most] = corrections(&here.trial);
         for corrections in 0..most {
             let near = Neighbour::Start(&before.as_ref().unwrap_or(&here.trial).film);
-            let tried = |near| search.open(&bent, place, near, ROUGHLY_BALANCED);
+            let tried = |near| search.open(&bent, place, Begin::Near(near), ROUGHLY_BALANCED);
             let trial = match (tried(near), &before) {
                 (Err(_), Some(_)) => tried(Neighbour::None),
                 (trial, _) => trial,
@@ -366,7 +366,7 @@ impl Branch<'_, '_> {
     fn judged(&self, along: &Direction, trial: &Trial, part: f64) -> Option<Judged> {
         let search = self.search;
         let wall = search.left_of_wall(trial);
-        let tangents = search.tangents(trial, &wall, FOLLOWED).ok()?;
+        let tangents = search.tangents(trial, &trial.film, &wall, (FOLLOWED, 0.0)).ok()?;
         let ahead = self.ahead(&tangents).ok()?;
         let left = moved(search.excess(trial), -(1.0 - part), self.first);
         // Under a rigid wall a correction costs little.

@@ -54,6 +54,11 @@ pub(crate) struct Solve {
     #[arg(long)]
     plot: bool,
 
+    /// With [heat]: draw friction and heat carried off at temperatures around the one found (heat.svg, heat.png), as
+    /// --plot and --report do.
+    #[arg(long)]
+    curve: bool,
+
     #[command(flatten)]
     page: PageArguments,
 
@@ -149,6 +154,7 @@ impl Solve {
         let options = RunOptions {
             unrolled: self.unrolled,
             frames: self.frames.unwrap_or(0),
+            curve: self.curve || self.plot || self.page.is_wanted(),
             earlier: earlier_orbit(&self.run.folder(), &scene).filter(|_| !self.fresh),
             ..self.run.options(&scene, interrupt)?
         };

@@ -38,6 +38,7 @@ impl Asked {
         RunOptions {
             unrolled: self.unrolled,
             bars: self.bars,
+            curve: true,
             max_unknowns: self.max_unknowns,
             interrupt,
             ..usual.limited(self.max_seconds)

@@ -189,7 +189,7 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     // Where walls give way it takes long to follow it anew.
     let way = balance.as_ref().err().and_then(NoEquilibrium::way);
     let way = way.filter(|way| way.is_bent()).cloned().map(Arc::new);
-    let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
+    let journal = match balance.as_ref() {
         Ok(Equilibrium { film, .. }) => in_unbent(&film.problem),
         Err(
             NoEquilibrium::BeyondCapacity { .. }
@@ -264,7 +264,7 @@ fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, N
         .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &of_coarser));
     // The way into contact was followed there.
     let is_followed = |reason: &NoEquilibrium| {
-        matches!(reason.cause(), NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. })
+        matches!(reason, NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. })
     };
     match on_coarser {
         Some(Ok(found)) => Ok(found),

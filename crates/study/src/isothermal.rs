@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
-use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchOptions, WallByPlace, balance_hill, find};
+use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchOptions, WallByPlace, Work, balance_hill, find};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
 use oilwedge_reynolds::solve::Neighbour;
@@ -80,6 +80,12 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
     Ok(balanced_by_hill(solved, load, &search, clock))
 }
 
+/// What two searches have cost.
+fn sum(mut first: Work, second: Work) -> Work {
+    first += second;
+    first
+}
+
 /// How a `load` is balanced by a search that began at `clock`.
 fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
     let (parts, seconds) = (found.film.solution.seconds, clock.elapsed().as_secs_f64());
@@ -92,6 +98,7 @@ fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
         coordinates: found.coordinates,
         stiffness: found.stiffness,
         steps: found.steps,
+        work: found.work,
         is_ended: found.is_ended,
         is_of_hill: false,
         seconds: seconds - parts.assemble - parts.factorise - parts.solve,
@@ -114,7 +121,12 @@ fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, cloc
     }
     let film = solved.film.with_journal(found.film.problem.journal);
     Solved {
-        balance: Some(Balance { steps: by_film.steps + found.steps, is_of_hill: true, ..balance(&found, load, clock) }),
+        balance: Some(Balance {
+            steps: by_film.steps + found.steps,
+            work: sum(by_film.work, found.work),
+            is_of_hill: true,
+            ..balance(&found, load, clock)
+        }),
         primary: film.solved_by(found.film.solution),
         film,
         ..solved

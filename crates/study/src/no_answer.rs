@@ -72,7 +72,7 @@ impl NoAnswer {
                 None => Limit::FirstTemperature(cause),
             },
             Self::NotBegun { unknowns } => Limit::FirstMesh(*unknowns, cause),
-            Self::Equilibrium(reason) => match reason.cause() {
+            Self::Equilibrium(reason) => match reason {
                 NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
                 _ => return self.to_string(),
             },
@@ -104,7 +104,7 @@ impl NoAnswer {
 
     /// True if the journal tips over.
     pub fn is_tilt_limit(&self) -> bool {
-        matches!(self, Self::Equilibrium(reason) if matches!(reason.cause(), NoEquilibrium::TiltLimit { .. }))
+        matches!(self, Self::Equilibrium(reason) if matches!(reason, NoEquilibrium::TiltLimit { .. }))
     }
 
     /// Where another mesh takes up the way of a growing moment, if that was followed.
@@ -252,7 +252,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
 }
 
 fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
-    match reason.cause() {
+    match reason {
         NoEquilibrium::Unreachable { .. } => {
             Some("change the load, its angle, the tilt where one is given, or the pressure and place of feeds")
         }

@@ -116,10 +116,12 @@ pub struct HistoryStep {
 /// How often expensive operations were done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// Linear solves of the film of the result; films at other positions and temperatures had theirs.
+    /// Linear solves on the mesh of the result, those at all positions and temperatures included.
     pub linear_solves: usize,
-    /// Numerical factorisations of the problem of the result; with multigrid, of its coarsest level.
+    /// Numerical factorisations on the mesh of the result, likewise; with multigrid, of its coarsest level.
     pub factorisations: usize,
+    /// Films solved on the mesh of the result and on the coarser ones of its searches.
+    pub films: usize,
     /// Steps of the nonlinear iteration.
     pub nonlinear_iterations: usize,
     /// Solves on coarser levels.

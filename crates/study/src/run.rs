@@ -29,7 +29,7 @@ use crate::result::{
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
-use crate::thermal::{cycle_temperature_report, temperature_report};
+use crate::thermal::{cycle_temperature_report, temperature_report, work_of};
 use crate::warning::{self, Warning};
 use crate::warnings::all_warnings;
 
@@ -348,12 +348,13 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
 }
 
 fn counts(solved: &Solved) -> Counts {
-    let solves = solved.primary.solution.history.len();
+    let work = solved.temperature.as_ref().map_or_else(|| work_of(solved), |found| found.work);
     let closing = solved.film.problem.deflection().map(|deflection| deflection.closing);
     Counts {
-        linear_solves: solves,
-        factorisations: solves,
-        nonlinear_iterations: solves,
+        linear_solves: work.linear_solves,
+        factorisations: work.factorisations,
+        films: work.films,
+        nonlinear_iterations: solved.primary.solution.history.len(),
         levels: solved.primary.solution.levels,
         bars: (solved.reference.as_ref()).map_or(0, |reference| reference.film().solution.history.len()),
         position_steps: match &solved.temperature {

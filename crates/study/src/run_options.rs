@@ -26,6 +26,8 @@ pub struct RunOptions {
     pub max_unknowns: usize,
     /// Films of the cycle of an orbit that are drawn, at even crank angles; none where no orbit is followed.
     pub frames: u32,
+    /// Solve films at temperatures around the one found, too: the curves of friction and heat.
+    pub curve: bool,
     /// An orbit that an earlier run has left, which is continued; `None`: it begins anew.
     pub earlier: Option<EarlierOrbit>,
     /// Ends them as well.
@@ -107,6 +109,7 @@ impl Default for RunOptions {
             clock: Clock::Processor,
             max_unknowns: 1_000_000,
             frames: 0,
+            curve: false,
             earlier: None,
             interrupt: Interrupt::default(),
             observer: None,

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness, WallByPlace};
+use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness, WallByPlace, Work};
 use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use crate::film::Film;
@@ -95,6 +95,8 @@ pub struct Balance {
     pub stiffness: Stiffness,
     /// Positions tried on the mesh of the result.
     pub steps: usize,
+    /// What the search has cost.
+    pub work: Work,
     /// True where the search was ended before the load was balanced.
     pub is_ended: bool,
     /// True where the force of the hill of a mass-conserving film balances the load, false for that of the film.
@@ -114,6 +116,8 @@ pub struct TemperatureFound {
     pub(crate) slopes: HashMap<Cow<'static, str>, f64>,
     /// Positions of the journal tried at all temperatures.
     pub positions: usize,
+    /// What the searches at all temperatures have cost.
+    pub work: Work,
     /// Seconds that the films at other temperatures took.
     pub seconds: f64,
 }

@@ -26,6 +26,7 @@ mod search;
 pub use curve::{cycle_temperature_report, temperature_report};
 pub(crate) use search::Left;
 pub use search::solve;
+pub(crate) use search::work_of;
 use search::{Kind, ROUGHLY, Search};
 
 /// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.

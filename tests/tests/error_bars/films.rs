@@ -85,6 +85,7 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
     clock: Clock::Wall,
     max_unknowns: 1_000_000,
     frames: 0,
+    curve: false,
     earlier: None,
     interrupt: Interrupt::NEVER,
     observer: None,

@@ -21,6 +21,7 @@ fn raised(judged: &Judged) -> SolvedFilm {
         film_fraction: None,
         linearisation: film.linearisation.clone(),
         gap_tangent: OnceLock::new(),
+        wrong: Vec::new(),
         history: Vec::new(),
         seconds: film.seconds,
         levels: 0,

@@ -12,7 +12,7 @@ use std::cell::{Cell, RefCell};
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::LoadGradient;
-use oilwedge_reynolds::{CentreVelocity, JournalChange};
+use oilwedge_reynolds::{CentreVelocity, JournalChange, MixedChange};
 
 use super::gmres::Known;
 use super::joint::{Joint, Moves};
@@ -87,6 +87,7 @@ impl<'a> Bordered<'a> {
             contact: (self.follower.contact_by_both(&self.change(place), wall))
                 .map_or_else(Vec::new, |(_, forces)| forces),
             wall: wall.to_vec(),
+            film: MixedChange::default(),
         })
     }
 

@@ -7,7 +7,7 @@
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_reynolds::{JournalChange, Whirl};
+use oilwedge_reynolds::{JournalChange, MixedChange, Whirl};
 
 use super::gmres::gmres;
 use super::tangent::{Follower, Free};
@@ -52,7 +52,7 @@ pub(crate) fn harmonic_response(
         Ok(sum(motion, -1.0, &images))
     };
     let at_rest = vec![0.0; follower.number()];
-    let placed = Free { unknown: place, contact: follower.contact_change(motion) };
+    let placed = Free { film: MixedChange::default(), unknown: place, contact: follower.contact_change(motion) };
     let free = [follower.image_of(&placed), follower.image(&rate, &at_rest)].concat();
     let nearly = |motion: &[f64]| {
         let (placed, moving) = motion.split_at(motion.len() / 2);

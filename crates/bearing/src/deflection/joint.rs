@@ -13,7 +13,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::Resultant;
-use oilwedge_reynolds::{FilmChange, JournalChange};
+use oilwedge_reynolds::{FilmChange, JournalChange, MixedChange};
 
 use super::gmres::Known;
 use super::tangent::{Follower, Free};
@@ -26,6 +26,8 @@ pub(crate) struct Joint<'a> {
     coordinates: Coordinates,
     /// What the pressures of a move by each coordinate bend the wall by, where it is held [m/m].
     bent_by_place: Vec<Vec<f64>>,
+    /// How the film changes with each coordinate, the wall held.
+    film_by_place: Vec<MixedChange>,
     /// By what contact then presses the wall [N/m]; none where no contact is simulated.
     contact_by_place: Vec<Vec<f64>>,
     /// K: that of the forces at a fixed wall [N/m].
@@ -49,6 +51,8 @@ pub(crate) struct Moves {
     pub(crate) wall: Vec<f64>,
     /// Forces of contact on the splines of the wall [N]; none where no contact is simulated.
     pub(crate) contact: Vec<f64>,
+    /// Change of the quadratic film; empty where it is not known.
+    pub(crate) film: MixedChange,
 }
 
 impl Moves {
@@ -58,6 +62,7 @@ impl Moves {
             place: self.place.map(|x| x / number),
             wall: self.wall.iter().map(|d| d / number).collect(),
             contact: self.contact.iter().map(|force| force / number).collect(),
+            film: MixedChange::sum([(1.0 / number, &self.film)]),
         }
     }
 
@@ -68,6 +73,7 @@ impl Moves {
             place: moved(self.place, part, more.place),
             wall: both(&self.wall, &more.wall),
             contact: both(&self.contact, &more.contact),
+            film: MixedChange::sum([(1.0, &self.film), (part, &more.film)]),
         }
     }
 
@@ -94,6 +100,7 @@ impl<'a> Joint<'a> {
     ) -> Result<Self, Error> {
         let order = coordinates.order;
         let (mut bent_by_place, mut contact_by_place) = (Vec::with_capacity(order), Vec::new());
+        let mut film_by_place = Vec::with_capacity(order);
         let mut columns = [[0.0; 4]; 4];
         let gradient = follower.load_gradient();
         for (k, column) in columns.iter_mut().enumerate().take(order) {
@@ -101,6 +108,7 @@ impl<'a> Joint<'a> {
             *column = coordinates.forces(&carried(&gradient, &free));
             bent_by_place.push(follower.image_of(&free));
             contact_by_place.extend(free.contact.map(|(_, forces)| forces));
+            film_by_place.push(free.film);
         }
         let tangent = Stiffness::by_columns(order, |k| Ok::<_, Error>(columns[k]))?.with_diagonal(held);
         Ok(Self {
@@ -110,6 +118,7 @@ impl<'a> Joint<'a> {
             coordinates,
             bent_by_place,
             contact_by_place,
+            film_by_place,
             tangent,
             known: RefCell::default(),
             products: Cell::default(),
@@ -123,7 +132,7 @@ impl<'a> Joint<'a> {
     /// The linear systems could not be solved.
     pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>) -> Result<Moves, Error> {
         let operator = |d: &[f64]| {
-            let (forces, image) = self.by_wall(d)?;
+            let (forces, image, _) = self.by_wall(d)?;
             let place = self.tangent.solve(forces.map(|part| -part));
             Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
         };
@@ -134,9 +143,10 @@ impl<'a> Joint<'a> {
         let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, self.accuracy)?;
         self.products.set(self.products.get() + solved.steps);
         let wall = solved.x;
-        let (forces, _) = self.by_wall(&wall)?;
+        let (forces, _, by_wall) = self.by_wall(&wall)?;
         let place = self.tangent.solve(moved(force, -1.0, forces));
-        Ok(Moves { place, contact: self.contact_by(place, &wall), wall })
+        let film = MixedChange::sum(place.into_iter().zip(&self.film_by_place).chain([(1.0, &by_wall)]));
+        Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film })
     }
 
     /// How many products with the tangent the systems have taken.
@@ -157,11 +167,13 @@ impl<'a> Joint<'a> {
         Ok((self.coordinates.forces(&carried(&self.gradient, &free)), self.follower.image_of(&free)))
     }
 
-    /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m].
-    fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
-        let unknown = self.follower.by_deflection(d, self.accuracy)?;
+    /// Forces [N] of film and contact by a move of the wall, the journal held, what the pressures bend it by [m], and the
+    /// change of the film.
+    fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>, MixedChange), Error> {
+        let change = self.follower.film_by_deflection(d, self.accuracy)?;
+        let unknown = self.follower.film.unknown_in(&change);
         let carried = self.gradient.change(&unknown, d);
-        Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
+        Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d), change))
     }
 
     /// Forces [N] of contact on the splines by a move of the journal and of the wall; none where no contact is

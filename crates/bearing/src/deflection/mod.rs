@@ -29,7 +29,7 @@ mod touching;
 
 pub(crate) use bordered::Bordered;
 pub use close::{CLOSED, Pair, closed_film, closed_pair};
-pub(crate) use close::{Left, closed_near, closed_within};
+pub(crate) use close::{Left, closed_within, resting};
 pub(crate) use dynamics::{Response, harmonic_response};
 pub use following::following_wall;
 pub(crate) use joint::{Joint, Moves};

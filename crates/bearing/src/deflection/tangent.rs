@@ -14,7 +14,7 @@ use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
-use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalChange, SolvedFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalChange, MixedChange, SolvedFilm};
 
 use super::gmres::{Known, Solved};
 use super::touching::Touching;
@@ -37,8 +37,6 @@ pub(crate) struct Follower<'a> {
     contact: Option<Touch>,
     /// What systems solved have shown of `I - C dp/dd`.
     known: RefCell<Known>,
-    /// A film much like it, whose products cost less.
-    near: Option<Box<Self>>,
 }
 
 /// Contact of a film.
@@ -52,6 +50,8 @@ struct Touch {
 
 /// What a change of the journal leads to, the wall held.
 pub(super) struct Free {
+    /// Change of the film.
+    pub(super) film: MixedChange,
     /// Change of the unknown at each dof.
     pub(super) unknown: Vec<f64>,
     /// Of contact: what the journal carries, and the forces [N] on the splines; none where no contact is simulated.
@@ -93,15 +93,9 @@ impl<'a> Follower<'a> {
                 gap: GapTangent::kept(film, deflection)?,
                 contact: contact.map(touch),
                 known: RefCell::default(),
-                near: None,
             })
         };
         film.problem.deflection().map(of_wall).transpose()
-    }
-
-    /// As it is, with a film much like it by which its systems are nearly solved.
-    pub(super) fn nearly(self, near: Option<Self>) -> Self {
-        Self { near: near.map(Box::new), ..self }
     }
 
     /// How many coefficients a deflection has.
@@ -129,11 +123,11 @@ impl<'a> Follower<'a> {
 
     /// As [`Self::free`], for systems of the wall that are solved to an `accuracy`.
     pub(super) fn free_within(&self, change: &JournalChange, accuracy: f64) -> Result<Free, Error> {
-        let unknown = match self.gap.by_journal(&self.film.system, change) {
-            Some(residual) => self.film.answer(&residual, OF_ACCURACY * accuracy)?,
-            None => self.film.unknown_change(change)?,
+        let film = match self.gap.by_journal(&self.film.system, change) {
+            Some(residual) => self.film.mixed_answer(&residual, OF_ACCURACY * accuracy)?,
+            None => self.film.mixed_changes(&[change.into()])?.remove(0),
         };
-        Ok(Free { unknown, contact: self.contact_change(change) })
+        Ok(Free { unknown: self.film.unknown_in(&film), film, contact: self.contact_change(change) })
     }
 
     /// Change of the unknown with a `change` of the journal and a deflection `bent` [m], for systems that are solved to
@@ -190,7 +184,12 @@ impl<'a> Follower<'a> {
 
     /// Change of the unknown by a deflection, for a system that is solved to an `accuracy`.
     pub(super) fn by_deflection(&self, coefficients: &[f64], accuracy: f64) -> Result<Vec<f64>, Error> {
-        self.film.answer(&self.gap.times(&self.film.system, coefficients), OF_ACCURACY * accuracy)
+        Ok(self.film.unknown_in(&self.film_by_deflection(coefficients, accuracy)?))
+    }
+
+    /// Change of the film by a deflection, for a system that is solved to an `accuracy`.
+    pub(super) fn film_by_deflection(&self, coefficients: &[f64], accuracy: f64) -> Result<MixedChange, Error> {
+        self.film.mixed_answer(&self.gap.times(&self.film.system, coefficients), OF_ACCURACY * accuracy)
     }
 
     /// Solves `(I - C dp/dd) x = b`.
@@ -199,10 +198,7 @@ impl<'a> Follower<'a> {
             let image = self.image(&self.by_deflection(x, accuracy)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
         };
-        let nearly = |r: &[f64]| match &self.near {
-            Some(near) => Ok(near.solve(r, NEARLY)?.x),
-            None => Ok(self.solve_contact(r)),
-        };
+        let nearly = |r: &[f64]| Ok(self.solve_contact(r));
         (self.known.borrow_mut()).solve(operator, nearly, b, accuracy)
     }
 

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `motion.rs` | film, support, mass and load at one time, and their tangents |
 //! | `scheme.rs`, `stage.rs`, `step.rs` | implicit steps in time with an estimate of their error |
-//! | `wall.rs`, `stage_with_wall.rs` | a wall that gives way along the path, and the stage that journal and wall have together |
+//! | `wall.rs` | a wall that gives way along the path |
 //! | `oil.rs` | what a film that conserves its oil holds along the way |
 //! | `pace.rs`, `march.rs` | steps as long as the tolerance allows, from cycle to cycle |
 //! | `no_orbit.rs` | why an orbit does not lead on |
@@ -21,7 +21,6 @@ pub(crate) mod pace;
 mod path;
 pub mod scheme;
 mod stage;
-mod stage_with_wall;
 mod step;
 mod wall;
 

@@ -114,16 +114,7 @@ impl Motion<'_> {
     pub fn journal(&self, time: f64, at: Vector, velocity: Vector) -> JournalState {
         let coordinates = self.coordinates();
         let journal = coordinates.placed(&self.problem.journal, at);
-        let [x, y, z_x, z_y] = velocity;
-        JournalState {
-            velocity: [x, y],
-            tilt_rate: match coordinates.order {
-                2 => journal.tilt_rate,
-                _ => [z_x, z_y].map(|part| part / coordinates.arm),
-            },
-            speed: self.duty(time).speed,
-            ..journal
-        }
+        JournalState { speed: self.duty(time).speed, ..coordinates.moving(journal, velocity) }
     }
 
     /// Least gap [m] of a journal at these coordinates in a wall that is not bent.
@@ -217,7 +208,7 @@ impl Motion<'_> {
         Ok((instant, contact))
     }
 
-    fn problem_of(&self, moving: Moving, held: Held<'_>) -> FilmProblem {
+    pub(super) fn problem_of(&self, moving: Moving, held: Held<'_>) -> FilmProblem {
         let problem = FilmProblem {
             journal: self.journal(moving.time, moving.at, moving.velocity),
             storage: held.storage.cloned(),
@@ -227,7 +218,7 @@ impl Motion<'_> {
     }
 
     /// That of a film which carries this.
-    fn instant(&self, moving: Moving, film: SolvedFilm, carried: &Resultant) -> Instant {
+    pub(super) fn instant(&self, moving: Moving, film: SolvedFilm, carried: &Resultant) -> Instant {
         let Moving { time, at, velocity } = moving;
         let response = self.response_by(carried, at);
         let asked = self.asked(time);

@@ -5,15 +5,21 @@
 
 use std::sync::Arc;
 
+use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, NoFilm};
+use oilwedge_reynolds::{FilmProblem, MixedChange, NoFilm};
 
-use super::motion::{Held, Instant, Motion, Moving};
+use super::motion::{Held, Instant, Motion, Moving, TiltSupport};
 use super::oil::Before;
-use crate::coordinates::{Vector, dot, length, moved};
-use crate::stiffness::Stiffness;
+use crate::coordinates::{Vector, length, moved};
+use crate::deflection::{CLOSED, Moves};
+use crate::duty_cycle::Duty;
+use crate::load::{Load, Tilting};
+use crate::newton::{Begin, Damping, Goal};
+use crate::search::Search;
+use crate::time_terms::TimeTerms;
 
 /// Most films of one stage; see `docs/theory/orbits.md` for other numbers tried.
 pub(super) const MOST_FILMS: usize = 30;
@@ -31,8 +37,6 @@ const ROUND_OFF: f64 = 1e-11;
 /// or below this where no shorter change brings it down.
 pub(super) const NEARLY_BALANCED: f64 = 1e-8;
 
-/// A tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part.
-const STEEP: f64 = 0.1;
 /// The short time in which the motion of a film that conserves its oil begins, of the cycle.
 const BEGINNING: f64 = 1e-7;
 
@@ -77,6 +81,12 @@ pub(super) enum NoStage {
     Diverged,
 }
 
+impl From<Error> for NoStage {
+    fn from(reason: Error) -> Self {
+        Self::Film(Failure::from(reason).into())
+    }
+}
+
 impl From<NoFilm> for NoStage {
     fn from(reason: NoFilm) -> Self {
         Self::Film(reason)
@@ -84,7 +94,8 @@ impl From<NoFilm> for NoStage {
 }
 
 impl Motion<'_> {
-    /// Solves a stage from a `start` and a film nearby; `films` counts those solved.
+    /// Solves a stage from a `start` and a film nearby by the one Newton's method ([`crate::newton`]), in which place,
+    /// wall and film move as the stage has it; `films` counts those solved.
     pub(super) fn stage(
         &self,
         known: &Known,
@@ -93,64 +104,63 @@ impl Motion<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        if let Some(wall) = known.wall_from(near) {
-            return self.stage_with_wall((known, wall), start, near, accuracy, films);
-        }
-        let film = |at: Vector, near: Neighbour, films: &mut usize| {
-            *films += 1;
-            let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
-            let storage = known.before.as_ref().map(|before| &before.storage);
-            self.trial(moving, Held { storage, wall: None }, near)
+        let search = self.search(known, accuracy);
+        let (at, wall) = self.begun(known, near, start);
+        let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
+        let storage = known.before.as_ref().map(|before| &before.storage);
+        let problem = self.problem_of(moving, Held { storage, wall: wall.as_ref() });
+        *films += 1;
+        let first = search.open(&problem, at, Begin::Near(Neighbour::Start(&near.film)), CLOSED)?;
+        let goal = Goal {
+            balanced: accuracy.balanced(),
+            closed: accuracy.balanced(),
+            moved: SETTLED * accuracy.tolerance,
+            rounding: NEARLY_BALANCED,
         };
-        let at = self.inside(near.at, start);
-        let mut here = film(at, Neighbour::Start(&near.film), films)?;
-        let mut corrected: Option<Stiffness> = None;
-        for _ in 1..MOST_FILMS {
-            let residual = self.residual(known, &here);
-            let tangent = match corrected.take() {
-                Some(tangent) => tangent,
-                None => self.stage_tangent(known, &here)?,
-            };
-            let step = tangent.solve(residual.map(|part| -part));
-            let gap = self.least_gap(here.at);
-            let balance = length(residual) / accuracy.scale;
-            let change = length(step) / gap;
-            if !change.is_finite() {
-                return Err(NoStage::Diverged);
+        let found = search.newton(first, goal, Damping::None, films).map_err(|_| NoStage::Diverged)?;
+        let at = search.coordinates.at(&found.film.problem.journal);
+        let moving = Moving { at, velocity: known.velocity(at), ..moving };
+        let instant = self.instant(moving, found.film, &found.carried);
+        self.found(known, instant)
+    }
+
+    /// The search for the place in a stage.
+    fn search(&self, known: &Known, accuracy: Accuracy) -> Search<'_> {
+        let Duty { force, moment, .. } = self.duty(known.time);
+        let tilting = |support: TiltSupport| Tilting { moment, stiffness: support.stiffness, support: support.slope };
+        let load = Load { force, tilting: self.support.map(tilting) };
+        let stage = TimeTerms {
+            per_time: known.per_time,
+            offset: known.offset,
+            rate: known.rate,
+            masses: self.masses(),
+        };
+        Search::in_stage(self.problem, (self.system, self.gap.clone()), (load, accuracy.scale), stage)
+    }
+
+    /// Where a stage begins from a film nearby: at a start and under the wall expected there, or on the way to both,
+    /// where enough of the film is left.
+    fn begun(&self, known: &Known, near: &Instant, start: Vector) -> (Vector, Option<Deflection>) {
+        let expected = known.wall_from(near);
+        let here = near.wall();
+        let apart = expected.iter().zip(here).flat_map(|(there, here)| {
+            (there.coefficients.iter().zip(&*here.coefficients)).map(|(there, here)| there - here)
+        });
+        let moves = Moves { place: moved(start, -1.0, near.at), wall: apart.collect(), contact: Vec::new(), film: MixedChange::default() };
+        let made = |part: f64| {
+            let (at, bent) = (moved(near.at, part, moves.place), here.map(|here| moves.made(near.at, here, part).1));
+            let wall = expected.as_ref().zip(bent).map(|(there, bent)| there.with(bent.coefficients.to_vec()));
+            (at, wall)
+        };
+        let gap = self.least_gap_under(here, near.at);
+        let mut part = 1.0;
+        loop {
+            let (at, wall) = made(part);
+            if part < SHORTEST || self.least_gap_under(wall.as_ref(), at) >= LEAST_SHRINK * gap {
+                return (at, wall);
             }
-            if balance < accuracy.balanced() && change < SETTLED * accuracy.tolerance {
-                return self.found(known, here);
-            }
-            let mut part = 1.0;
-            while self.least_gap(moved(here.at, part, step)) < LEAST_SHRINK * gap {
-                part *= 0.8;
-            }
-            loop {
-                let next = film(moved(here.at, part, step), Neighbour::Start(&here.film), films);
-                let falls = |next: &Instant| {
-                    let left = self.residual(known, next);
-                    length(left) < length(residual) || dot(left, step).abs() < dot(residual, step).abs()
-                };
-                match next {
-                    Ok(next) if falls(&next) => {
-                        let left = self.residual(known, &next);
-                        // The tangent of a film that conserves its oil costs more than what one film more does.
-                        if known.before.is_some() && length(left) < STEEP * length(residual) {
-                            let made = moved(next.at, -1.0, here.at);
-                            let told = moved(residual, 1.0, tangent.times(made));
-                            corrected = Some(tangent.corrected(made, moved(left, -1.0, told)));
-                        }
-                        here = next;
-                        break;
-                    }
-                    Ok(_) if balance < NEARLY_BALANCED => return self.found(known, here),
-                    Err(reason) if part < SHORTEST => return Err(reason.into()),
-                    _ if part < SHORTEST => return Err(NoStage::Diverged),
-                    _ => part *= 0.5,
-                }
-            }
+            part *= 0.8;
         }
-        Err(NoStage::Diverged)
     }
 
     /// The end of a stage, with the oil that the film holds.
@@ -260,34 +270,20 @@ impl Motion<'_> {
         }
         Err(NoStage::Diverged)
     }
-
-    /// What is left of the equation of motion [N].
-    pub(super) fn residual(&self, known: &Known, here: &Instant) -> Vector {
-        let masses = self.masses();
-        [0, 1, 2, 3].map(|k| here.excess[k] + masses[k] * (here.velocity[k] - known.rate[k]) * known.per_time)
-    }
-
-    fn stage_tangent(&self, known: &Known, here: &Instant) -> Result<Stiffness, NoFilm> {
-        let tangent = self.tangent(here, 1.0, known.per_time)?;
-        let inertia = self.masses().map(|mass| mass * known.per_time.powi(2));
-        Ok(tangent.with_diagonal(inertia))
-    }
-
-    /// A start, or a place on the way to it that leaves enough of the film.
-    pub(super) fn inside(&self, from: Vector, to: Vector) -> Vector {
-        let gap = self.least_gap(from);
-        let way: Vector = moved(to, -1.0, from);
-        let mut part = 1.0;
-        while self.least_gap(moved(from, part, way)) < LEAST_SHRINK * gap {
-            part *= 0.8;
-        }
-        moved(from, part, way)
-    }
 }
 
 impl Known {
     /// The rate of a journal at these coordinates.
     pub(super) fn velocity(&self, at: Vector) -> Vector {
         moved(at, -1.0, self.offset).map(|way| way * self.per_time)
+    }
+
+    /// The wall with which the stage begins: where it is expected, or that of a film nearby; none where it is rigid.
+    fn wall_from(&self, near: &Instant) -> Option<Deflection> {
+        let deflection = near.film.problem.deflection()?;
+        Some(match &self.wall {
+            Some((stage, expected)) => deflection.with(expected.clone()).in_stage(stage.clone()),
+            None => deflection.clone(),
+        })
     }
 }

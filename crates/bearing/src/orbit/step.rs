@@ -2,13 +2,18 @@
 
 use std::sync::Arc;
 
-use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::{CentreVelocity, NoFilm};
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 
 use super::motion::{Instant, Motion};
 use super::oil::Oil;
 use super::stage::{Accuracy, Known, NoStage};
 use super::wall::{WallStages, Way};
 use crate::coordinates::Vector;
+use crate::deflection::{Follower, Joint, contact_points};
+
+/// Accuracy of the linear systems of the damped error.
+const FOLLOWED: f64 = 1e-3;
 
 /// A step that was made.
 #[derive(Debug)]
@@ -90,6 +95,44 @@ impl Motion<'_> {
         let damping = self.tangent(end, 0.0, 1.0)?.with_diagonal(inertia);
         let with_stiffness = self.tangent(end, diagonal * dt, 1.0)?.with_diagonal(inertia);
         Ok(with_stiffness.solve(damping.times(error)))
+    }
+}
+
+impl Motion<'_> {
+    /// What stiffness of film and wall leaves of an error of the place and of one of the wall, in the place: both push
+    /// the film as rates in the stage do.
+    pub(super) fn damped_with_wall(
+        &self,
+        end: &Instant,
+        error: Vector,
+        of_wall: &[f64],
+        per_time: f64,
+    ) -> Result<Vector, NoStage> {
+        let joint = self.joint(per_time, end, contact_points(&end.film.problem, self.system))?;
+        let along = (self.coordinates()).change(&end.film.problem.journal, &CentreVelocity::default(), error);
+        let (by_film, bent) = joint.pushed(&along.as_rate(), of_wall)?;
+        let masses = self.masses();
+        let force = [0, 1, 2, 3].map(|k| per_time * (by_film[k] + masses[k] * per_time * error[k]));
+        let bent: Vec<f64> = bent.iter().map(|bent| -per_time * bent).collect();
+        Ok(joint.solve(force, Some(&bent))?.place)
+    }
+
+    /// The tangent of journal and wall in a stage, by its points of contact; `per_time` is its `1/(gamma dt)` [1/s].
+    fn joint<'a>(
+        &'a self,
+        per_time: f64,
+        here: &'a Instant,
+        contact: Option<Arc<ContactPoints>>,
+    ) -> Result<Joint<'a>, NoStage> {
+        let follower = Follower::touching(&here.film, contact)?;
+        let follower = follower.ok_or(NoStage::Diverged)?;
+        let masses = self.masses();
+        let held = [0, 1, 2, 3].map(|k| {
+            let support = if k >= 2 { self.support_stiffness() } else { 0.0 };
+            support + masses[k] * per_time.powi(2)
+        });
+        let change = |k: usize| self.change(&here.film.problem.journal, k, [1.0, per_time]);
+        Ok(Joint::of(follower, self.coordinates(), change, held, FOLLOWED)?)
     }
 }
 

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited};
+use oilwedge_bearing::{Deadline, InitialGuess, Point, Visited};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
@@ -30,6 +30,9 @@ use oilwedge_study::shaft::{BearingReport, ShaftResult, run_shaft};
 use oilwedge_study::solved::{SolveOptions, Solved};
 use oilwedge_study::warning::Warning;
 use oilwedge_study::warnings::all_warnings;
+
+/// Moves by less than this part of the least film thickness start from the film before.
+const SHORT_MOVE: f64 = 0.2;
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

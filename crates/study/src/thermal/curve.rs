@@ -31,12 +31,7 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], options: &Ru
     let film = &solved.film;
     let (model, found) = (film.thermal?, solved.temperature.as_ref().filter(|found| !found.is_ended)?);
     let root = found.balanced.temperature;
-    let reach = (REACH * (root - model.balance.inlet).abs()).max(LEAST_REACH);
-    let step = reach / f64::from(FILMS);
-    let mut curve = side(&model, solved, root, -step, deadline);
-    curve.reverse();
-    curve.push(point(&model, root, solved));
-    curve.extend(side(&model, solved, root, step, deadline));
+    let curve = if options.curve { curve(&model, solved, root, deadline) } else { Vec::new() };
     fitness(film, &model, (quantities, options.bars), curve)
 }
 
@@ -71,6 +66,17 @@ fn fitness(
         broken_assumptions: 0,
         criteria,
     })
+}
+
+/// Films at temperatures around the one found.
+fn curve(model: &ThermalModel, solved: &Solved, root: f64, deadline: Deadline) -> Vec<TemperaturePoint> {
+    let reach = (REACH * (root - model.balance.inlet).abs()).max(LEAST_REACH);
+    let step = reach / f64::from(FILMS);
+    let mut curve = side(model, solved, root, -step, deadline);
+    curve.reverse();
+    curve.push(point(model, root, solved));
+    curve.extend(side(model, solved, root, step, deadline));
+    curve
 }
 
 /// Films on one side of the temperature found, `step` [K] apart, as far as there are any: each started from the one

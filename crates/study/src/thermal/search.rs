@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
-use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited};
+use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited, Work};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -73,6 +73,8 @@ pub(super) struct Search<'a> {
     solved: usize,
     /// Positions of the journal tried.
     positions: usize,
+    /// What that has cost.
+    work: Work,
 }
 
 /// What was measured on a quadratic film.
@@ -104,6 +106,7 @@ impl<'a> Search<'a> {
             visited: Vec::new(),
             solved: 0,
             positions: 0,
+            work: Work::default(),
         }
     }
 
@@ -169,6 +172,7 @@ impl<'a> Search<'a> {
         }
         let solved = from_near_or_cold(&film, &options)?;
         self.positions += solved.balance.map_or(0, |balance| balance.steps);
+        self.work += work_of(&solved);
         self.visited.push(visited(&solved.film));
         let measured = measure(solved.reported());
         let flows = thermal_flows(&self.model, &solved.film, &measured);
@@ -264,6 +268,13 @@ impl Tried {
     }
 }
 
+/// What a film at one temperature has cost: the search for its position or, at a given one, its own solve.
+pub(crate) fn work_of(solved: &Solved) -> Work {
+    let (film, steps) = (&solved.primary.solution, solved.primary.solution.history.len());
+    let own = Work { films: 1 + film.levels, factorisations: steps, linear_solves: steps };
+    solved.balance.map_or(own, |balance| balance.work)
+}
+
 /// Where a film's operating point lies among those of other temperatures.
 pub(super) fn point(film: &Film) -> Point {
     let duty = -film.problem.lubricant.viscosity.ln();
@@ -316,6 +327,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         balanced: Balanced { films: search.solved, ..balanced },
         is_ended,
         positions: search.positions,
+        work: search.work,
         slopes,
         seconds: clock.elapsed().as_secs_f64() - best.seconds,
     });
