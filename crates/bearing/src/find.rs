@@ -4,15 +4,16 @@
 use oilwedge_reynolds::solve::Neighbour;
 use std::sync::Arc;
 
-use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
 use crate::balance::Balance;
+use crate::coupled::FilmSolve;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::load_capacity::yields_to_contact;
+use crate::newton::{Damping, Goal, ROUNDING, Unbalanced};
 use crate::no_equilibrium::SearchEnd;
-use crate::newton::{Begin, Damping, Goal, ROUNDING, Unbalanced};
 use crate::search::{Search, Trial};
 use crate::work::Work;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
@@ -79,9 +80,7 @@ impl Search<'_> {
                 Some(outcome) => self.inside(outcome, Some(way)),
                 None => self.cold(problem),
             },
-            InitialGuess::Near(near) => {
-                self.inside(self.near(problem, near), None)
-            }
+            InitialGuess::Near(near) => self.inside(self.near(problem, near), None),
         }
     }
 
@@ -196,7 +195,26 @@ impl Search<'_> {
     /// Balances the load near the place of a problem.
     fn near(&self, problem: &FilmProblem, near: Neighbour) -> Result<Balance, NoEquilibrium> {
         let here = self.coordinates.at(&problem.journal);
-        self.rested(self.open(problem, here, Begin::Near(near), self.left_at_balance())?, Damping::None)
+        self.rested(self.open(problem, here, FilmSolve::Settled(near), self.left_at_balance())?, Damping::None)
+    }
+
+    /// The film at the start, under the wall of the problem as it is, or, where there is none, nearer to the middle.
+    pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
+        const RETREATS: usize = 12;
+        let gap = self.gap_under(problem);
+        for _ in 0..RETREATS {
+            // A film may seem to exist where the gap vanishes at the very end of the bearing only.
+            if gap.least(&start) > 0.0 || self.options.deadline.is_over() {
+                let at = self.coordinates.at(&start);
+                match self.open(problem, at, FilmSolve::Settled(Neighbour::None), self.left_at_balance()) {
+                    // Without a supply there is no film anywhere.
+                    Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {}
+                    other => return other,
+                }
+            }
+            start = self.coordinates.placed(&start, self.coordinates.at(&start).map(|x| 0.5 * x));
+        }
+        self.open(problem, self.coordinates.at(&start), FilmSolve::Settled(Neighbour::None), self.left_at_balance())
     }
 
     /// Balances the load from this start.
@@ -206,8 +224,12 @@ impl Search<'_> {
 
     /// Balances the load of a quadratic film from a trial.
     fn rested(&self, first: Trial, damping: Damping) -> Result<Balance, NoEquilibrium> {
-        let goal =
-            Goal { balanced: self.options.balanced(), closed: self.left_at_balance(), moved: f64::INFINITY, rounding: ROUNDING };
+        let goal = Goal {
+            balanced: self.options.balanced(),
+            closed: self.left_at_balance(),
+            moved: f64::INFINITY,
+            rounding: ROUNDING,
+        };
         self.balanced((first, 1), goal, damping)
     }
 
@@ -222,7 +244,7 @@ impl Search<'_> {
             Ok(trial) => Ok(Balance { trial: self.accepted(trial)?, tried, is_ended: false }),
             Err(Unbalanced { trial, end: SearchEnd::Ended }) => {
                 let problem = &trial.film.problem;
-                let near = Begin::Near(Neighbour::Start(&trial.film));
+                let near = FilmSolve::Settled(Neighbour::Start(&trial.film));
                 let settled = match trial.film.solution.wrong.is_empty() {
                     true => *trial,
                     false => self.open(problem, self.coordinates.at(&problem.journal), near, goal.closed)?,

@@ -18,6 +18,7 @@
 mod balance;
 pub mod cap_bolts;
 pub mod coordinates;
+mod coupled;
 mod cubic;
 pub mod deadline;
 pub mod deflection;
@@ -65,5 +66,5 @@ pub use processor::pool;
 pub use search_options::{Carrier, InitialGuess, Purpose, SearchOptions};
 pub use stiffness::Stiffness;
 pub use tangent::WallByPlace;
-pub use work::Work;
 pub use thermal_balance::{Balanced, Housing, NoBalance, ThermalBalance, ThermalFlows};
+pub use work::Work;

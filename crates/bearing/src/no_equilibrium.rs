@@ -245,10 +245,7 @@ impl NoEquilibrium {
         match self {
             Self::BeyondCapacity { .. } | Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
             Self::Unreachable { why, .. } => *why == SearchEnd::FarBelow,
-            Self::Film(_)
-            | Self::BelowRounding { .. }
-            | Self::NotConverged { .. }
-            | Self::Ended { .. } => false,
+            Self::Film(_) | Self::BelowRounding { .. } | Self::NotConverged { .. } | Self::Ended { .. } => false,
         }
     }
 

@@ -15,7 +15,6 @@ use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Left, closed_within};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
-use crate::newton::Begin;
 use crate::time_terms::TimeTerms;
 use crate::work::Work;
 use crate::{Load, SearchOptions};
@@ -172,25 +171,6 @@ impl<'a> Search<'a> {
     /// Whether the journal of a trial is in contact; see [`is_contact`](crate::is_contact).
     pub(crate) fn is_in_contact(&self, trial: &Trial) -> bool {
         is_film_of_contact(self.least_film(trial), trial.film.problem.bearing.clearance)
-    }
-
-    /// The film at the start, under the wall of the problem as it is, or, where there is none, nearer to the middle.
-    pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
-        const RETREATS: usize = 12;
-        let gap = self.gap_under(problem);
-        for _ in 0..RETREATS {
-            // A film may seem to exist where the gap vanishes at the very end of the bearing only.
-            if gap.least(&start) > 0.0 || self.options.deadline.is_over() {
-                let at = self.coordinates.at(&start);
-                match self.open(problem, at, Begin::Near(Neighbour::None), self.left_at_balance()) {
-                    // Without a supply there is no film anywhere.
-                    Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {}
-                    other => return other,
-                }
-            }
-            start = self.coordinates.placed(&start, self.coordinates.at(&start).map(|x| 0.5 * x));
-        }
-        self.open(problem, self.coordinates.at(&start), Begin::Near(Neighbour::None), self.left_at_balance())
     }
 
     /// The coordinates of the journal of a problem with its centre at `offset` [m].

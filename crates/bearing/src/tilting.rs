@@ -18,11 +18,11 @@ use oilwedge_reynolds::{FilmProblem, NoFilm};
 
 use crate::balance::Balance;
 use crate::coordinates::{Vector, length, moved};
+use crate::coupled::{FilmSolve, Tangents};
 use crate::deflection::Moves;
 use crate::equilibrium::ROUGHLY_BALANCED;
 use crate::no_equilibrium::{SearchEnd, Waypoint};
 use crate::search::{Search, Trial};
-use crate::newton::{Begin, Tangents};
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
 
 /// First step along the branch.
@@ -341,7 +341,7 @@ impl Branch<'_, '_> {
         let [_, most] = corrections(&here.trial);
         for corrections in 0..most {
             let near = Neighbour::Start(&before.as_ref().unwrap_or(&here.trial).film);
-            let tried = |near| search.open(&bent, place, Begin::Near(near), ROUGHLY_BALANCED);
+            let tried = |near| search.open(&bent, place, FilmSolve::Settled(near), ROUGHLY_BALANCED);
             let trial = match (tried(near), &before) {
                 (Err(_), Some(_)) => tried(Neighbour::None),
                 (trial, _) => trial,

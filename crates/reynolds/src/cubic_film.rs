@@ -61,7 +61,8 @@ impl SolvedFilm {
             prolongation: cubic.prolongation.clone(),
             direct: cubic.system.analysis.clone(),
         });
-        let solution = problem.pressure_film((&cubic.system, &solver, 1.0), InitialGuess { u, held }, Steps::UntilSettled)?;
+        let solution =
+            problem.pressure_film((&cubic.system, &solver, 1.0), InitialGuess { u, held }, Steps::UntilSettled)?;
         Ok(Self::new(problem.clone(), &cubic.system, solution))
     }
 }

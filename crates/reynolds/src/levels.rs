@@ -16,8 +16,8 @@ use oilwedge_mesh::quality::lies_in_rows;
 use rayon::prelude::*;
 
 use crate::film_thickness::FilmContribution;
-use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::solve::FilmStart;
+use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem, SolvedFilm};
 
 /// Edges of a coarser mesh over those of the finer.

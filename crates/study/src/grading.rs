@@ -263,9 +263,8 @@ fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, N
     let on_coarser = (film.system.coarser.as_ref())
         .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &of_coarser));
     // The way into contact was followed there.
-    let is_followed = |reason: &NoEquilibrium| {
-        matches!(reason, NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. })
-    };
+    let is_followed =
+        |reason: &NoEquilibrium| matches!(reason, NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. });
     match on_coarser {
         Some(Ok(found)) => Ok(found),
         Some(Err(reason)) if is_followed(&reason) => Err(reason),

@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
-use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchOptions, WallByPlace, Work, balance_hill, find};
+use oilwedge_bearing::{
+    Carrier, Equilibrium, InitialGuess, Load, SearchOptions, WallByPlace, Work, balance_hill, find,
+};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
 use oilwedge_reynolds::solve::Neighbour;

@@ -10,7 +10,8 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, NoFilm, SolvedFilm};
 
 use super::gmres::norm;
 use super::tangent::contact_points;
-use crate::newton::{Begin, CUBIC_ROUNDING, Damping, Goal, Unbalanced};
+use crate::coupled::FilmSolve;
+use crate::newton::{CUBIC_ROUNDING, Damping, Goal, Unbalanced};
 use crate::search::{Search, Trial};
 
 /// A deflection is found where what is left of it is below this part.
@@ -66,13 +67,13 @@ pub(crate) fn closed_within(
         return Ok((film, contact));
     }
     let search = Search::held(&problem, system);
-    let first = search.open(&problem, [0.0; 4], Begin::Near(near), enough)?;
+    let first = search.open(&problem, [0.0; 4], FilmSolve::Settled(near), enough)?;
     let damping = if problem.has_bent_wall() { Damping::None } else { Damping::PseudoTime };
     let found = closed(&search, first, enough, damping).or_else(|reason| match damping {
         Damping::PseudoTime => Err(reason),
         // What was near leads nowhere.
         Damping::None => {
-            let again = search.open(&problem, [0.0; 4], Begin::Near(near), enough)?;
+            let again = search.open(&problem, [0.0; 4], FilmSolve::Settled(near), enough)?;
             closed(&search, again, enough, Damping::PseudoTime)
         }
     })?;

@@ -14,10 +14,11 @@ use oilwedge_reynolds::{FilmProblem, MixedChange, NoFilm};
 use super::motion::{Held, Instant, Motion, Moving, TiltSupport};
 use super::oil::Before;
 use crate::coordinates::{Vector, length, moved};
+use crate::coupled::FilmSolve;
 use crate::deflection::{CLOSED, Moves};
 use crate::duty_cycle::Duty;
 use crate::load::{Load, Tilting};
-use crate::newton::{Begin, Damping, Goal};
+use crate::newton::{Damping, Goal};
 use crate::search::Search;
 use crate::time_terms::TimeTerms;
 
@@ -110,7 +111,7 @@ impl Motion<'_> {
         let storage = known.before.as_ref().map(|before| &before.storage);
         let problem = self.problem_of(moving, Held { storage, wall: wall.as_ref() });
         *films += 1;
-        let first = search.open(&problem, at, Begin::Near(Neighbour::Start(&near.film)), CLOSED)?;
+        let first = search.open(&problem, at, FilmSolve::Settled(Neighbour::Start(&near.film)), CLOSED)?;
         let goal = Goal {
             balanced: accuracy.balanced(),
             closed: accuracy.balanced(),
@@ -129,12 +130,8 @@ impl Motion<'_> {
         let Duty { force, moment, .. } = self.duty(known.time);
         let tilting = |support: TiltSupport| Tilting { moment, stiffness: support.stiffness, support: support.slope };
         let load = Load { force, tilting: self.support.map(tilting) };
-        let stage = TimeTerms {
-            per_time: known.per_time,
-            offset: known.offset,
-            rate: known.rate,
-            masses: self.masses(),
-        };
+        let stage =
+            TimeTerms { per_time: known.per_time, offset: known.offset, rate: known.rate, masses: self.masses() };
         Search::in_stage(self.problem, (self.system, self.gap.clone()), (load, accuracy.scale), stage)
     }
 
@@ -146,7 +143,12 @@ impl Motion<'_> {
         let apart = expected.iter().zip(here).flat_map(|(there, here)| {
             (there.coefficients.iter().zip(&*here.coefficients)).map(|(there, here)| there - here)
         });
-        let moves = Moves { place: moved(start, -1.0, near.at), wall: apart.collect(), contact: Vec::new(), film: MixedChange::default() };
+        let moves = Moves {
+            place: moved(start, -1.0, near.at),
+            wall: apart.collect(),
+            contact: Vec::new(),
+            film: MixedChange::default(),
+        };
         let made = |part: f64| {
             let (at, bent) = (moved(near.at, part, moves.place), here.map(|here| moves.made(near.at, here, part).1));
             let wall = expected.as_ref().zip(bent).map(|(there, bent)| there.with(bent.coefficients.to_vec()));

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use oilwedge_reynolds::{CentreVelocity, NoFilm};
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
+use oilwedge_reynolds::{CentreVelocity, NoFilm};
 
 use super::motion::{Instant, Motion};
 use super::oil::Oil;

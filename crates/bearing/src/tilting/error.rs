@@ -59,7 +59,8 @@ impl Branch<'_, '_> {
     /// By how much the part at a point differs for a film whose forces differ by `missed` [N] [1].
     fn missed_part(&self, at: &Point, missed: Vector) -> f64 {
         let search = self.search;
-        let tangents = search.tangents(&at.trial, &at.trial.film, &search.left_of_wall(&at.trial), (FOLLOWED, 0.0)).ok();
+        let tangents =
+            search.tangents(&at.trial, &at.trial.film, &search.left_of_wall(&at.trial), (FOLLOWED, 0.0)).ok();
         let shrink = |force: Vector| {
             let moves = tangents.as_ref().and_then(|tangents| tangents.solve(force, None).ok());
             moves.map_or(f64::NAN, |moves| self.growth(at, &moves))

@@ -83,8 +83,7 @@ pub(super) fn balance_changes(
                 for (t, upwind) in upwind.iter_mut().enumerate().take(volumes.per_triangle) {
                     let block = *upwind.get_or_insert_with(|| points.block(t, at, None));
                     let moved = points.block(t, at, Some(change));
-                    balances[t * changes.len() + number] =
-                        of_block(cell * volumes.per_triangle + t, &[block, moved]);
+                    balances[t * changes.len() + number] = of_block(cell * volumes.per_triangle + t, &[block, moved]);
                 }
             });
         }

@@ -24,7 +24,8 @@ pub(crate) fn residual_changes(
         return Ok(Vec::new());
     };
     let volumes = first.volumes;
-    let balances = balance_changes(&first.law, changes, (film.system.space(), volumes), |t, block| first.of_block(t, block));
+    let balances =
+        balance_changes(&first.law, changes, (film.system.space(), volumes), |t, block| first.of_block(t, block));
     let mut residuals = vec![vec![0.0; film.solution.unknown.len()]; changes.len()];
     for (nodes, balances) in volumes.triangles.iter().zip(balances.chunks(changes.len())) {
         for (residual, balances) in residuals.iter_mut().zip(balances) {
