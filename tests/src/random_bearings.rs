@@ -78,7 +78,7 @@ enum Given {
 /// A bearing by chance.
 #[derive(Debug, Clone)]
 pub struct RandomBearing {
-    /// Its number.
+    /// Number of the bearing.
     pub number: u64,
     /// The scene, with the model `jfo`.
     pub text: String,

@@ -23,7 +23,7 @@ pub(crate) struct Steps {
     now: Mutex<Now>,
 }
 
-/// Where a run is.
+/// Place at which a run is.
 #[derive(Debug)]
 struct Now {
     /// When the last line was written where there is no terminal.
@@ -225,7 +225,7 @@ impl Progress {
         self.turns_to(task);
     }
 
-    /// So many cases have ended of so many.
+    /// Shows how many cases have ended of how many.
     pub(crate) fn cases(&mut self, now: Cases) {
         self.bar.set_length(now.cases as u64);
         self.bar.set_position(now.done as u64);

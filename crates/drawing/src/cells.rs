@@ -14,9 +14,9 @@ const RIGHT: f64 = 1.5;
 /// A cell: its colour and its word.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
-    /// Its colour.
+    /// Colour of the cell.
     pub fill: Colour,
-    /// Its word, left out where it does not fit.
+    /// Word in the cell, left out where it does not fit.
     pub word: Label,
 }
 
@@ -40,7 +40,7 @@ pub struct CellGrid {
 }
 
 impl CellGrid {
-    /// Its height [mm].
+    /// Height of the grid [mm].
     pub fn height(&self) -> f64 {
         ABOVE + CELL_HEIGHT * self.rows.len() as f64 + BELOW
     }

@@ -233,7 +233,7 @@ fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
 
-/// Which dofs change sides, with a memory against cycling.
+/// Rule by which dofs change sides, with a memory against cycling.
 #[derive(Debug, Default)]
 struct Exchange {
     seen: HashSet<u64>,

@@ -120,7 +120,7 @@ pub struct ControlVolumes {
 pub struct BoundaryFace {
     /// The dof.
     pub dof: usize,
-    /// Its triangle.
+    /// Triangle that the face belongs to.
     pub cell: usize,
     /// The middle of the piece [m].
     pub middle: [f64; 2],

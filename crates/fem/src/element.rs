@@ -58,7 +58,7 @@ struct Geometry {
 }
 
 impl ElementKernel {
-    /// For elements of that degree, with the rule that suits it.
+    /// The kernel of elements of this degree, with the rule that suits it.
     pub fn new(degree: usize) -> Self {
         let rule = Quadrature::for_degree(degree);
         let shapes = lagrange::shapes(degree);

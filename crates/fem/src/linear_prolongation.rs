@@ -18,7 +18,7 @@ const ROWS_A_TASK: usize = 8192;
 pub struct LinearProlongation {
     /// The pattern of the quadratic space.
     quadratic: Arc<Pattern>,
-    /// That of the linear one.
+    /// The pattern of the linear space.
     linear: Arc<Pattern>,
     /// Dof of each vertex.
     vertex_dofs: Vec<u32>,
@@ -48,7 +48,7 @@ impl LinearProlongation {
         &self.quadratic.columns[first..first + degree]
     }
 
-    /// Which vertices are masked.
+    /// Whether each vertex is masked.
     pub(crate) fn masked(&self, fixed: &[bool]) -> Vec<bool> {
         let mut masked = vec![false; self.vertex_dofs.len()];
         for (&fixed, ends) in fixed.iter().zip(&self.ends) {

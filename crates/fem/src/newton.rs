@@ -97,7 +97,7 @@ pub struct Solution {
     pub seconds: Seconds,
 }
 
-/// Where the time went [s].
+/// Time of each part of a solution [s].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Seconds {
     /// Element loops.

@@ -36,8 +36,8 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
     made(mesh, liner, line, |blueprint| generate(blueprint, &size))
 }
 
-/// As [`coarser`], in rows along a flow in this sense, columns and rows as unlike as those of `mesh`: oil is not spread
-/// across the flow.
+/// The mesh of [`coarser`] in rows along a flow in this sense, with columns and rows as unlike as those of `mesh`: oil
+/// is not spread across the flow.
 pub fn coarser_in_rows(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64, sense: Sense) -> Option<Coarser> {
     made(mesh, liner, line, |blueprint| generate_in_rows_like(blueprint, mesh, ratio, sense))
 }

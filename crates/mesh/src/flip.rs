@@ -77,7 +77,7 @@ struct Pair {
     triangles: [usize; 2],
     /// Ends p and q of the edge, then the corners r and s that face it, as in the picture above.
     corners: [u32; 4],
-    /// Where they are [m], side by side.
+    /// Places of the corners [m], side by side.
     places: [[f64; 2]; 4],
     /// Edges qr, rp of the first triangle, and ps, sq of the second.
     edges: [u32; 4],

@@ -1,4 +1,4 @@
-//! Which triangle holds a point, and where in it.
+//! Finds the triangle that holds a point, and the place of the point in it.
 
 mod bounds;
 

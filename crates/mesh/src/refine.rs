@@ -40,7 +40,7 @@ pub struct Refined {
     pub lineage: Vec<Child>,
 }
 
-/// Where a triangle lies in its parent.
+/// Place of a triangle in its parent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Child {
     /// Triangle of the coarser mesh.

@@ -29,9 +29,9 @@ use crate::wall::{GapTangent, Grid, Pressing};
 use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that
-/// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md);
+/// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md).
 const WORTH_MULTIGRID: usize = 8_000;
-/// the same where a factor serves many right-hand sides.
+/// Unknowns from which on multigrid replaces a factor that serves many right-hand sides.
 const WORTH_MULTIGRID_OFTEN: usize = 150_000;
 /// A triangle with a longer edge than this many times the height on it is a needle.
 const NEEDLE: f64 = 5.0;
@@ -41,7 +41,7 @@ const MANY_NEEDLES: f64 = 0.02;
 /// How viscosity that depends on pressure enters the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// Under the divergence, as mass balance has it; the unknown is the reduced pressure q.
+    /// Viscosity under the divergence, as mass balance has it; the unknown is the reduced pressure q.
     Conservative,
     /// On the right-hand side, `div(h^3/(12 mu0) grad p) = mu(p)/mu0 div(U h/2)`, as the FlexPDE
     /// study prints it; the unknown is p. No mass balance; it has a fold and no solution past it.
@@ -53,7 +53,7 @@ pub enum Form {
 pub struct FilmProblem {
     /// Dimensions and end pressure.
     pub bearing: Bearing,
-    /// Which pressure flows there are.
+    /// The directions in which pressure drives oil.
     pub theory: Theory,
     /// Position and rotation of the journal.
     pub journal: JournalState,
@@ -71,7 +71,7 @@ pub struct FilmProblem {
     pub cavitation: Cavitation,
     /// What a film that conserves oil held before; `None`: it is steady, or its thickness alone changes.
     pub storage: Option<Arc<Storage>>,
-    /// Where rough surfaces touch; `None`: they do not.
+    /// Contact of rough surfaces; `None`: they do not touch.
     pub contact: Option<Contact>,
 }
 
@@ -80,13 +80,13 @@ pub struct FilmProblem {
 pub struct FilmSystem {
     /// Assembles on the space of the unknown.
     pub assembler: Assembler,
-    /// Where pressure is given.
+    /// Regions where pressure is given.
     pub supply: Supply,
     /// The next coarser mesh, to start from; none where a solve needs no start.
     pub coarser: Option<Box<Coarser>>,
     /// The analysed pattern of the Cholesky factor.
     pub(crate) analysis: Arc<LazyAnalysis>,
-    /// From how many unknowns on multigrid is worth while.
+    /// Unknowns from which on multigrid is worth while.
     worth_multigrid: usize,
     /// Made when a film is first solved; none where multigrid does not serve.
     between: OnceLock<Option<Arc<LinearProlongation>>>,
@@ -107,7 +107,7 @@ pub struct FilmSystem {
 pub struct CubicSystem {
     /// Assembles cubic elements; never factorised.
     pub system: Arc<FilmSystem>,
-    /// From quadratic elements.
+    /// Prolongation from quadratic elements.
     pub prolongation: Arc<Prolongation>,
 }
 
@@ -241,7 +241,7 @@ pub struct FilmSolution {
     pub gap_tangent: OnceLock<Arc<GapTangent>>,
     /// One entry a linear solve on the way.
     pub history: Vec<HistoryStep>,
-    /// Where the time went.
+    /// Time of each part of the solution.
     pub seconds: Seconds,
     /// Films solved on coarser levels to start from.
     pub levels: usize,

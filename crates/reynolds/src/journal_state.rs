@@ -1,4 +1,4 @@
-//! Where the journal is and how it moves.
+//! Place and motion of the journal.
 
 /// Position, inclination, rotation and velocity of the journal in the frame of the bearing.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

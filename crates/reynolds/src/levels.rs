@@ -25,7 +25,7 @@ const RATIO: f64 = 2.0;
 /// How the triangles of coarser meshes lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
-    /// Of a film that conserves oil in rows along the flow, where its own mesh lies in rows: oil that triangles spread
+    /// Rows along the flow for a film that conserves oil, where its own mesh lies in rows: oil that triangles spread
     /// across the flow would feed a film that should starve.
     Rows,
     /// Anyhow.

@@ -11,9 +11,9 @@ pub enum ReferenceFilm {
     /// In cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its
     /// quantities are reported.
     Cubic(SolvedFilm),
-    /// Of models that conserve oil.
+    /// The film that judges models which conserve oil.
     Coarse {
-        /// On [`FilmSystem::vertices_only`](crate::FilmSystem::vertices_only): less accurate than the film.
+        /// Film on [`FilmSystem::vertices_only`](crate::FilmSystem::vertices_only): less accurate than the film itself.
         film: SolvedFilm,
         /// What it shows of the errors of the film; none where it shows nothing.
         error: Option<Box<ConservingError>>,

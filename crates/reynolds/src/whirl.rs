@@ -44,7 +44,7 @@ enum Cavity {
 }
 
 impl<'a> Whirl<'a> {
-    /// At a frequency [rad/s]; zero: in the limit of slow motions.
+    /// The response at a frequency [rad/s]; zero stands for the limit of slow motions.
     ///
     /// # Errors
     /// The linear systems do not fit in memory.

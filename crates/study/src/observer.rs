@@ -10,13 +10,13 @@ use crate::quantities::Unit;
 pub struct Reached {
     /// Number of the mesh, from 1.
     pub level: usize,
-    /// Its unknown pressures.
+    /// Unknown pressures of the mesh.
     pub unknowns: usize,
     /// Quantity whose bar is the widest for what is asked.
     pub quantity: String,
     /// Unit of its bar.
     pub unit: Unit,
-    /// Its bar; `None` where the mesh does not resolve it.
+    /// Bar of the value; `None` where the mesh does not resolve it.
     pub error: Option<f64>,
     /// The bar that is asked for, where there is one.
     pub asked: Option<f64>,

@@ -43,7 +43,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// That of a run without an answer.
+    /// The status of a run without an answer.
     pub fn without(answer: &NoAnswer) -> Self {
         match answer.is_unreached() {
             true => Self::NotConverged,
@@ -51,7 +51,7 @@ impl Status {
         }
     }
 
-    /// Its name in files.
+    /// Name of the status in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -186,7 +186,7 @@ pub struct RunResult {
     pub levels: Vec<LevelFacts>,
     /// What must vanish.
     pub balances: Balances,
-    /// Which assumptions the film meets; `null` where there is none.
+    /// Assumptions that the film meets; `null` where there is none.
     pub regime: Option<Regime>,
     /// How the orbit was followed; absent in JSON where none was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]

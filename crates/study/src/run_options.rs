@@ -37,7 +37,7 @@ pub struct RunOptions {
 /// An orbit that an earlier run has left before it was closed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EarlierOrbit {
-    /// Its complete cycles.
+    /// Complete cycles of the orbit.
     pub cycles: usize,
     /// Where the last of them ended, over the clearance [1], as in [`crate::orbit::OrbitFacts::end`].
     pub end: [f64; 4],
@@ -89,7 +89,7 @@ impl RunOptions {
         }
     }
 
-    /// Where the film is drawn.
+    /// Surface on which the film is drawn.
     pub(crate) fn surface(&self) -> Surface {
         match self.unrolled {
             true => Surface::Developed,

@@ -53,7 +53,7 @@ pub enum Sense {
 }
 
 impl Sense {
-    /// That of the flow which a surface drags along that moves along x at this speed, of any unit.
+    /// The sense of the flow that a surface moving along x at this speed, of any unit, drags along.
     pub fn of(speed: f64) -> Self {
         match speed < 0.0 {
             true => Self::Backwards,

@@ -192,7 +192,7 @@ impl DrawnFilm {
         self.lines.iter().filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
     }
 
-    /// Where the film breaks and where it forms again.
+    /// The lines at which the film breaks, and those at which it forms again.
     pub(crate) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
         [RUPTURE, REFORMATION].map(|name| self.line(name))
     }

@@ -30,14 +30,14 @@ const WALL: Colour = Colour([120, 150, 180]);
 #[derive(Debug, Clone, Copy)]
 struct Throw {
     shape: ThrowShape,
-    /// Where its first web begins [m].
+    /// Axial position at which the first web of the throw begins [m].
     from: f64,
-    /// Its angle in the axes of the shaft, with the first throw that fires at 0 towards x [rad].
+    /// Angle of the throw in the axes of the shaft, with the first throw that fires at 0 towards x [rad].
     angle: f64,
 }
 
 impl Throw {
-    /// Where the webs lie [m].
+    /// Extents of the webs [m].
     fn webs(&self) -> [[f64; 2]; 2] {
         let ThrowShape { web_thickness, pin_length, .. } = self.shape;
         let second = self.from + web_thickness + pin_length;

@@ -22,7 +22,7 @@
 /// What holds the outer surface of a ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OuterSurface {
-    /// It does not move.
+    /// The outer surface does not move.
     Clamped,
     /// Nothing.
     Free,

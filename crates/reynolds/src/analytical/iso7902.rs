@@ -129,8 +129,8 @@ pub fn feed_flow_number(feed: Feed, eccentricity: f64, slenderness: f64) -> f64 
 mod tests {
     use super::*;
 
-    /// So falls back on Ocvirk's for short bearings, where the last factor of the fit tends to 1.1642 only: the fit is
-    /// for b from 0.25 on.
+    /// The Sommerfeld number falls back on Ocvirk's for short bearings, where the last factor of the fit tends to
+    /// 1.1642 only: the fit is for b from 0.25 on.
     #[test]
     fn numbers_by_hand() {
         // b = 0.345, eps = 0.8: So 1.040, beta 30.0 deg; a finite-difference film has 1.022 and 31.9 deg.

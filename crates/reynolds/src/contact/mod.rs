@@ -92,7 +92,7 @@ pub struct Contact {
 /// How finely a pressure of contact is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fineness {
-    /// For numbers that are reported: to about 1e-10 of the hardness.
+    /// Fine enough for numbers that are reported: to about 1e-10 of the hardness.
     Reported,
     /// For places on the way to a balance: to about 1e-6 of it.
     Tried,

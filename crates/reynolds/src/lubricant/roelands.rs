@@ -20,7 +20,7 @@ use super::PressureViscosity;
 const PANELS_PER_REFERENCE: f64 = 32.0;
 /// The table ends where viscosity has grown by this factor: what is left of `q` is below rounding.
 const GREATEST_RATIO: f64 = 1e18;
-/// It ends at this many reference pressures in any case.
+/// Most reference pressures at which the law ends in any case.
 const GREATEST_PRESSURE: f64 = 1e9;
 
 /// Roelands' law with its table of reduced pressures.

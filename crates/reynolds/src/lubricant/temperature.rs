@@ -32,7 +32,7 @@ pub enum TemperatureLaw {
 pub struct ThermalOil {
     /// How viscosity falls with temperature.
     pub law: TemperatureLaw,
-    /// Its density.
+    /// Density of the oil.
     pub density: Density,
     /// What the shear rate of the film leaves of the viscosity [1], the same at all temperatures; 1 at low shear.
     pub sheared: f64,

@@ -74,7 +74,7 @@ mod tests {
         }
     }
 
-    /// By hand for 55 and 8.19 mm2/s: `lg lg 55.7 = 0.242008`, `lg lg 8.89 = -0.022779`, at 70 degrees C
+    /// A calculation by hand for 55 and 8.19 mm2/s: `lg lg 55.7 = 0.242008`, `lg lg 8.89 = -0.022779`, at 70 degrees C
     /// `nu = 17.923 mm2/s`.
     #[test]
     fn a_viscosity_between_is_that_of_the_chart() {

@@ -125,13 +125,13 @@ fn film_share(film: &SolvedFilm) -> Share {
 /// Integrals over the film of a density [Pa].
 #[derive(Debug, Clone, Copy, Default)]
 struct Integral {
-    /// With `(cos phi, sin phi)` [N].
+    /// Integral with the weight `(cos phi, sin phi)` [N].
     force: [f64; 2],
-    /// With `z (cos phi, sin phi)` [N m].
+    /// Integral with the weight `z (cos phi, sin phi)` [N m].
     moment: [f64; 2],
-    /// By itself [N].
+    /// Integral with the weight one [N].
     thrust: f64,
-    /// Without its sign [N].
+    /// Integral of the magnitude [N].
     magnitude: f64,
     /// Area of the film [m2].
     area: f64,

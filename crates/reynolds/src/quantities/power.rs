@@ -127,9 +127,9 @@ impl std::ops::AddAssign for Work {
 /// its place along a tilted axis, about the axis of the bearing: `omega/2 (e_y W_x - e_x W_y + g_y m_x - g_x m_y)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PressurePower {
-    /// For each force towards x and y [W/N].
+    /// Power for each force towards x and y [W/N].
     pub force: [f64; 2],
-    /// For each moment towards x and y [W/(N m)].
+    /// Power for each moment towards x and y [W/(N m)].
     pub moment: [f64; 2],
 }
 

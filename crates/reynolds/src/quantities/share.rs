@@ -57,7 +57,7 @@ impl std::ops::AddAssign for Resultant {
 }
 
 impl Share {
-    /// This share less another one.
+    /// The share less another one.
     pub fn less(&self, other: &Self) -> Self {
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
         Self {
@@ -68,7 +68,7 @@ impl Share {
         }
     }
 
-    /// Its force and moment.
+    /// Force and moment of the share.
     pub fn resultant(&self) -> Resultant {
         Resultant { force: self.force, moment: self.moment }
     }

@@ -9,7 +9,7 @@ use oilwedge_fem::integrate::Nodal;
 /// For each triangle its functions, and for each of these the entries with all of its dofs.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Blocks {
-    /// Where the functions of each triangle end.
+    /// End of the functions of each triangle.
     ends: Vec<usize>,
     functions: Vec<u32>,
     /// All dofs of one function after those of the one before.

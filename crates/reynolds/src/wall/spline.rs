@@ -22,12 +22,12 @@ pub(super) struct Local {
 pub struct Around {
     /// How many there are.
     pub number: usize,
-    /// Where the first one begins [rad].
+    /// Angle at which the first spline begins [rad].
     pub start: f64,
 }
 
 impl Around {
-    /// Those whose cells are centred at `number` equally spaced angles from `first` [rad] on.
+    /// The splines whose cells are centred at `number` equally spaced angles from `first` [rad] on.
     pub fn centred(number: usize, first: f64) -> Self {
         let width = std::f64::consts::TAU / number as f64;
         Self { number, start: first - 1.5 * width }
@@ -128,7 +128,7 @@ impl Along {
         cell
     }
 
-    /// Those that interpolate at at least three growing `points` [m] of a liner between its `ends` [m].
+    /// The splines that interpolate at at least three growing `points` [m] of a liner between its `ends` [m].
     pub fn through(points: &[f64], [low, high]: [f64; 2]) -> Self {
         let inner = points[1..points.len() - 1].windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
         let breaks: Vec<f64> = std::iter::once(low).chain(inner).chain(Some(high)).collect();

@@ -24,7 +24,7 @@ impl Column {
         Self { name, dimension, presence: Presence::Needed }
     }
 
-    /// Its values are zero where it is not there.
+    /// A column whose values are zero where it is not there.
     pub(crate) const fn optional(name: &'static str, dimension: Dimension) -> Self {
         Self { presence: Presence::Optional, ..Self::needed(name, dimension) }
     }

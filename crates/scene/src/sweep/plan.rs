@@ -25,7 +25,7 @@ pub struct Plan {
     pub columns: Option<Vec<WantedColumn>>,
     /// Text of the scene.
     pub text: String,
-    /// Where the scene stands.
+    /// Path of the scene.
     pub path: PathBuf,
 }
 

@@ -33,7 +33,7 @@ impl CoefficientErrors {
         self
     }
 
-    /// These parts, each times a factor.
+    /// The errors of these parts, each times a factor.
     pub(super) fn of_parts(parts: impl IntoIterator<Item = (f64, Coefficients)>) -> Self {
         let scaled = |(factor, part): (f64, Coefficients)| part.scaled(factor);
         Self { parts: parts.into_iter().map(scaled).collect() }

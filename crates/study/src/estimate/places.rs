@@ -75,17 +75,17 @@ pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
     }
 }
 
-/// Where the greatest pressure may be.
+/// Places at which the greatest pressure may be.
 struct High {
     /// Triangles at whose nodes the cubic film comes as near to its greatest pressure as `depth`.
     triangles: Vec<usize>,
-    /// d [Pa].
+    /// Depth d of the pressure below the greatest one [Pa].
     depth: f64,
     /// How far [m] these nodes are from its place, around and along the axis.
     reach: [f64; 2],
 }
 
-/// Where the greatest pressure may be, whose bar is `bar` [Pa].
+/// Places at which the greatest pressure may be, whose bar is `bar` [Pa].
 fn high(pair: &PlacedPair, bar: f64) -> High {
     let (space, extremes) = (pair.film.system.cubic().system.space(), pair.measured[1].extremes);
     let pressure = |dof: usize| pair.film.problem.pressure_at(pair.solutions[1].solution.unknown[dof]);

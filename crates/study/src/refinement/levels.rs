@@ -39,7 +39,7 @@ const MOST_WANTED_ON_WALL: usize = 5_000;
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
 impl Level {
-    /// It is the answer.
+    /// The level as the answer.
     fn answer(self, levels: Vec<LevelFacts>, limit: Option<Limit>) -> Answer {
         Answer { film: self.solved.film.clone(), outcome: Ok((self.solved, self.estimated)), levels, limit }
     }

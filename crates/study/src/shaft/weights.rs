@@ -28,7 +28,7 @@ const CYCLES: usize = 3;
 const PLACES: u32 = 6;
 /// The search asks for so many shafts at most.
 const MOST: usize = 600;
-/// Its first steps, of the mean counterweight.
+/// First steps of the search, over the mean counterweight.
 const STEP: f64 = 0.3;
 
 /// What the search has found.
@@ -57,7 +57,7 @@ pub struct CounterweightReport {
 pub struct WebReport {
     /// Number of its throw, from 1.
     pub throw: usize,
-    /// Its number on the throw, 1 or 2.
+    /// Number of the web on the throw, 1 or 2.
     pub web: usize,
     /// Mass times radius before and after [kg m].
     pub moment: [f64; 2],

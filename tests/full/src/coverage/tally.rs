@@ -51,9 +51,9 @@ const FINE: usize = 500;
 /// Whose bar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Of {
-    /// Of the value reported.
+    /// The value that is reported.
     Reported,
-    /// Of the value of the quadratic film.
+    /// The value of the quadratic film.
     Quadratic,
 }
 
@@ -62,9 +62,9 @@ pub enum Of {
 pub struct Pair {
     /// Name of the bearing.
     pub bearing: String,
-    /// Its family.
+    /// Family of the bearing.
     pub family: Family,
-    /// Its model of cavitation.
+    /// Cavitation model of the bearing.
     pub model: &'static str,
     /// One of [`COUNTED`].
     pub quantity: &'static str,

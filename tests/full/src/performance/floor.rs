@@ -66,7 +66,7 @@ pub enum Path {
 }
 
 impl Sizes {
-    /// Those of an assembled and analysed system whose mesh came from `file` bytes.
+    /// The sizes of an assembled and analysed system whose mesh came from `file` bytes.
     pub fn of(assembler: &Assembler, analysis: &Analysis, file: u64) -> Self {
         let mesh = assembler.space().mesh();
         Self {
