@@ -88,7 +88,7 @@ pub struct Link {
     pub what: &'static str,
     /// How it follows from those above.
     pub formula: &'static str,
-    /// As printed.
+    /// Result as printed.
     pub printed: f64,
     /// One in the last digit printed.
     pub digit: f64,

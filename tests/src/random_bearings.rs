@@ -37,7 +37,7 @@ impl Dice {
         shifted.rotate_right((old >> 59) as u32)
     }
 
-    /// Between two numbers.
+    /// A random number between two.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * f64::from(self.next()) / f64::from(u32::MAX)
     }

@@ -4,9 +4,9 @@ use crate::{Anchor, Colour, Figure, GREY, Label, Letters, SMALLEST_LETTERS};
 
 /// Height of a cell [mm].
 pub const CELL_HEIGHT: f64 = 5.0;
-/// Between cells [mm].
+/// Gap between cells [mm].
 const GAP: f64 = 0.3;
-/// Above the cells, below them, and right of them [mm].
+/// Room above the cells, below them, and right of them [mm].
 const ABOVE: f64 = 9.5;
 const BELOW: f64 = 10.0;
 const RIGHT: f64 = 1.5;

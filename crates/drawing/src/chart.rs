@@ -8,7 +8,7 @@ use crate::{
 /// Height of a chart over its width, and between charts [mm].
 const ASPECT: f64 = 0.68;
 const GAP: f64 = 5.0;
-/// Around the sheet [mm].
+/// Margin around the sheet [mm].
 const MARGIN: f64 = 1.0;
 /// Half of the cross-stroke of an error bar [mm].
 const CROSS: f64 = 0.7;

@@ -2,7 +2,7 @@
 
 use crate::{Anchor, Axis, Colour, ColourMap, Figure, GRID, INK, Label, Letters, Pen, Rectangle, SMALLEST_LETTERS};
 
-/// Between the frame and numbers, and between those and the name of an axis [mm].
+/// Gap between the frame and numbers, and between those and the name of an axis [mm].
 const GAP: f64 = 1.2;
 /// Length of a tick [mm].
 const TICK: f64 = 0.8;

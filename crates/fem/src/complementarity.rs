@@ -32,7 +32,7 @@ pub struct Obstacle {
 }
 
 impl Obstacle {
-    /// At every node: for linear and for cubic elements, none of whose functions has a negative mean.
+    /// An obstacle at every node: for linear and for cubic elements, none of whose functions has a negative mean.
     pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
         Self { value, candidates: vec![true; space.dofs()] }
     }

@@ -13,7 +13,7 @@ use crate::{Matrix, Pattern, Space};
 /// Rows that one task computes.
 const ROWS_A_TASK: usize = 8192;
 
-/// Between the linear and the quadratic space of one mesh.
+/// Prolongation from the linear to the quadratic space of one mesh.
 #[derive(Debug)]
 pub struct LinearProlongation {
     /// The pattern of the quadratic space.
@@ -27,7 +27,7 @@ pub struct LinearProlongation {
 }
 
 impl LinearProlongation {
-    /// Below the quadratic `space`, whose matrices have the pattern `quadratic`.
+    /// The prolongation to the quadratic `space`, whose matrices have the pattern `quadratic`.
     pub fn new(space: &Space, quadratic: Arc<Pattern>) -> Self {
         let mesh = space.mesh();
         let vertex_dofs: Vec<u32> = (0..mesh.points().len() as u32).map(|v| space.vertex_dof(v) as u32).collect();

@@ -47,7 +47,7 @@ pub struct Linearisation {
     matrix: Matrix,
     factor: Factor,
     constraints: Constraints,
-    /// Made when it first preconditions.
+    /// Factor in single precision that is made when it first preconditions.
     rough: OnceLock<SingleFactor>,
 }
 

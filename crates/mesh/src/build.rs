@@ -1,4 +1,4 @@
-//! From listed triangles to a [`Mesh`]: orientation, numbering, edges, groups, and every defect at once.
+//! Makes a [`Mesh`] of listed triangles: orientation, numbering, edges, groups, and every defect at once.
 
 mod checks;
 

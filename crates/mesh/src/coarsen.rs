@@ -20,8 +20,8 @@ const ASKED: f64 = 1.1;
 pub struct Coarser {
     /// The coarser mesh: regions `film`, `end_low`, `end_high`, and of an arc `arc_from`, `arc_to`.
     pub mesh: Mesh,
-    /// For each triangle of the coarser mesh the triangle of the finer one that holds its centroid, or the
-    /// nearest where that lies in a cut-out.
+    /// Triangle of the finer mesh for each triangle of the coarser one: it holds its centroid, or is the nearest where
+    /// that lies in a cut-out.
     pub parents: Vec<u32>,
 }
 

@@ -18,7 +18,7 @@ const IN_A_BOX: usize = 4;
 #[derive(Debug, Clone)]
 pub struct Locator<'a> {
     mesh: &'a Mesh,
-    /// Around consecutive triangles; then, level by level, around consecutive boxes.
+    /// Boxes around consecutive triangles; then, level by level, around consecutive boxes.
     levels: Vec<Vec<Bounds>>,
 }
 

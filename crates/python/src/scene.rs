@@ -12,7 +12,7 @@ use crate::node::{Values, document, lines};
 /// A scene that was read and checked.
 #[pyclass(frozen, module = "oilwedge._native")]
 pub(crate) struct Scene {
-    /// As the program reads it.
+    /// The scene as the program reads it.
     pub(crate) scene: oilwedge_scene::Scene,
     /// Path at which the scene stands.
     #[pyo3(get)]

@@ -43,8 +43,8 @@ const MANY_NEEDLES: f64 = 0.02;
 pub enum Form {
     /// Viscosity under the divergence, as mass balance has it; the unknown is the reduced pressure q.
     Conservative,
-    /// On the right-hand side, `div(h^3/(12 mu0) grad p) = mu(p)/mu0 div(U h/2)`, as the FlexPDE
-    /// study prints it; the unknown is p. No mass balance; it has a fold and no solution past it.
+    /// Viscosity on the right-hand side, `div(h^3/(12 mu0) grad p) = mu(p)/mu0 div(U h/2)`, as the FlexPDE study prints
+    /// it; the unknown is p. No mass balance; it has a fold and no solution past it.
     AsPrinted,
 }
 
@@ -88,17 +88,17 @@ pub struct FilmSystem {
     pub(crate) analysis: Arc<LazyAnalysis>,
     /// Unknowns from which on multigrid is worth while.
     worth_multigrid: usize,
-    /// Made when a film is first solved; none where multigrid does not serve.
+    /// Prolongation that is made when a film is first solved; none where multigrid does not serve.
     between: OnceLock<Option<Arc<LinearProlongation>>>,
-    /// Made when a mass-conserving film is first solved.
+    /// Control volumes that are made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// The analysed pattern of the LU factor of a hill, made when one is first solved.
     unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
     /// What presses on the grids of a wall, made when it first gives way.
     pressing: Mutex<Vec<Arc<Pressing>>>,
-    /// Made when an error bar is first estimated.
+    /// Cubic elements, made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
-    /// Made when the error of a mass-conserving film is first judged.
+    /// System of the vertices alone, made when the error of a mass-conserving film is first judged.
     pub(crate) vertices: OnceLock<Arc<FilmSystem>>,
 }
 

@@ -79,8 +79,8 @@ pub struct Gap {
 struct Shaped {
     mesh: Arc<Mesh>,
     film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes;
-    /// made for the first of many journals.
+    /// Film of each triangle at its nodes [m]: with the journal in the middle, and what each coordinate changes; made
+    /// for the first of many journals.
     nodes: OnceLock<Vec<[Quadratic; 5]>>,
 }
 

@@ -28,7 +28,7 @@ pub enum Layout {
     /// Rows along the flow for a film that conserves oil, where its own mesh lies in rows: oil that triangles spread
     /// across the flow would feed a film that should starve.
     Rows,
-    /// Anyhow.
+    /// Free triangles.
     Free,
 }
 
@@ -38,7 +38,7 @@ pub struct Coarser {
     /// Unknowns and given pressures there.
     pub system: Arc<FilmSystem>,
     pub(crate) film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle the one of the finer mesh in which it lies.
+    /// Triangle of the finer mesh in which each triangle lies.
     pub(crate) parents: Vec<u32>,
     /// Where each dof of the finer mesh lies: triangle of the coarser mesh and reference point.
     places: Vec<(u32, [f64; 2])>,

@@ -8,7 +8,7 @@ use crate::{NoFilm, SolvedFilm};
 /// A second film of the same problem on the same mesh.
 #[derive(Debug)]
 pub enum ReferenceFilm {
-    /// In cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its
+    /// Film in cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its
     /// quantities are reported.
     Cubic(SolvedFilm),
     /// The film that judges models which conserve oil.

@@ -17,12 +17,12 @@
 /// The directions in which pressure drives oil.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Theory {
-    /// Both.
+    /// Pressure drives oil around and along the axis.
     #[default]
     Full,
-    /// Along the axis only.
+    /// Pressure drives oil along the axis only.
     Short,
-    /// Around only: its ends are sealed ([`crate::supply::BoundaryKind::Sealed`]).
+    /// Pressure drives oil around only: the ends are sealed ([`crate::supply::BoundaryKind::Sealed`]).
     Long,
 }
 

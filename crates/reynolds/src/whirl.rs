@@ -35,7 +35,7 @@ pub struct Whirl<'a> {
 
 /// What a cavity holds.
 enum Cavity {
-    /// Nothing.
+    /// The cavity holds nothing.
     Empty,
     /// Oil, in the limit of slow motions: the volume [m3] of each node of the cavity when it is full.
     Slow(Vec<f64>),

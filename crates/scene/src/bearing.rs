@@ -80,12 +80,12 @@ pub struct Arc {
 /// The directions in which pressure drives oil.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Theory {
-    /// Both.
+    /// Pressure drives oil around and along the axis.
     #[default]
     Full,
-    /// Along the axis only.
+    /// Pressure drives oil along the axis only.
     Short,
-    /// Around only: its ends are sealed.
+    /// Pressure drives oil around only: the ends are sealed.
     Long,
 }
 

@@ -40,7 +40,7 @@ const GREATEST_POISSON: f64 = 0.499;
 pub enum OuterSurface {
     /// A rigid housing.
     Clamped,
-    /// Nothing.
+    /// The outer surface is free of stress.
     Free,
 }
 
@@ -60,7 +60,7 @@ pub struct Material {
 pub enum Layer {
     /// Displacement for each pressure [m/Pa].
     Given(f64),
-    /// As a thin layer of this material on a rigid housing.
+    /// Displacement of a thin layer of this material on a rigid housing.
     Of(Material),
 }
 

@@ -47,7 +47,7 @@ pub enum MeshSource {
 /// Where the triangles of a mesh file lie if the film conserves oil, which is carried along the flow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Layout {
-    /// In rows along the flow: generated anew where those of the file are not.
+    /// Rows along the flow: generated anew where those of the file are not.
     #[default]
     Rows,
     /// The layout in the file.

@@ -27,7 +27,7 @@ pub struct Reached {
 /// The deadline of the searches of a run, and the observer that is notified of their positions.
 #[derive(Debug, Clone, Copy)]
 pub struct Watch {
-    /// When they must end.
+    /// Deadline of the searches.
     pub deadline: Deadline,
     /// Most unknowns of the meshes that are made for them.
     pub most_unknowns: usize,
@@ -41,7 +41,7 @@ impl From<Deadline> for Watch {
     }
 }
 
-/// Is notified by a run; from any thread.
+/// Notified by a run, from any thread.
 pub trait RunObserver: SearchObserver + OrbitObserver {
     /// A mesh with so many unknowns is solved next; meshes are counted from 1.
     fn level(&self, number: usize, unknowns: usize);

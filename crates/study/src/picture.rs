@@ -235,7 +235,7 @@ fn numbered(film: &Film, surface: Surface) -> (Nodes, Vec<[u32; 6]>) {
     (nodes, cells)
 }
 
-/// On which side of the cut and in which pocket a node stands.
+/// Side of the cut and pocket in which a node stands.
 type Side = (bool, u8);
 
 /// The side of most nodes.

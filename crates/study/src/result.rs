@@ -33,7 +33,7 @@ pub const RESULT_FORMAT: &str = "oilwedge-result/1";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
-    /// Solved.
+    /// The scene is solved.
     Converged,
     /// The problem has no solution; the reason says why, and there are no quantities.
     NoSolution,
@@ -96,8 +96,8 @@ pub struct Balances {
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
     #[serde(rename = "heat")]
     pub thermal: f64,
-    /// Over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to the
-    /// heat; absent in JSON without an orbit.
+    /// Energy over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to
+    /// the heat; absent in JSON without an orbit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy: Option<f64>,
 }

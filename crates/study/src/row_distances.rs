@@ -21,7 +21,7 @@ pub(crate) fn column(longest: f64, scale: &FilmScale, x: f64) -> f64 {
 
 /// How far rows along the flow are apart.
 pub(crate) struct RowDistances {
-    /// Far from all layers [m].
+    /// Distance of the rows far from all layers [m].
     far: f64,
     /// Distance of the rows of a mesh without a wanted size [m].
     usual: f64,

@@ -57,7 +57,7 @@ impl RunOptions {
         }
     }
 
-    /// With a limit of the caller [s] in place of the usual one, if there is one.
+    /// The options with a limit of the caller [s] in place of the usual one, if there is one.
     pub fn limited(self, seconds: Option<f64>) -> Self {
         seconds.map_or(self, |max_seconds| Self { max_seconds, clock: Clock::Wall, ..self })
     }

@@ -14,7 +14,7 @@ use crate::observer::{RunObserver, Watch};
 pub struct SolveOptions<'a> {
     /// Whether errors are to be estimated.
     pub errors: Errors,
-    /// When searches must end.
+    /// Deadline of the searches.
     pub deadline: Deadline,
     /// Position at which a search begins.
     pub guess: InitialGuess<'a>,

@@ -103,7 +103,7 @@ pub enum LawForm {
 }
 
 impl LawForm {
-    /// As the scene has it.
+    /// Name of the law as the scene has it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Conservative => "conservative",
@@ -186,7 +186,7 @@ pub enum Expect {
 }
 
 impl Expect {
-    /// As results and pages have it.
+    /// Name of the end as results and pages have it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -216,7 +216,7 @@ pub enum Against {
     Finer,
     /// The scene with other keys (and without some), and how far both may differ beside their bars.
     Other(Other),
-    /// Known values alone.
+    /// The answers are held against known values alone.
     Known,
 }
 

@@ -16,7 +16,7 @@ pub enum Kind {
     Flipped,
     /// Moved by up to a quarter of a cell in both directions.
     Random,
-    /// As random, and nearer to each other towards the ends and the thinnest film.
+    /// Points as random, and nearer to each other towards the ends and the thinnest film.
     Graded,
 }
 

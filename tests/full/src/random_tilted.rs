@@ -159,7 +159,7 @@ fn feeds(text: &mut String, dice: &mut Dice, length: f64, minimum: f64) {
 }
 
 impl TiltedBearing {
-    /// As one of those whose bars are counted.
+    /// The bearing as one of those whose bars are counted.
     ///
     /// # Panics
     /// If the text is no TOML.

@@ -42,7 +42,7 @@ impl Outcome {
         }
     }
 
-    /// As JSON, without the bearing.
+    /// The outcome as JSON, without the bearing.
     pub fn to_json(&self) -> Value {
         json!({
             "status": self.status.name(),

@@ -31,7 +31,7 @@ fn motion<'a>(film: &'a (FilmProblem, Arc<FilmSystem>), cycle: &'a DutyCycle) ->
     Motion { problem: &film.0, system: &film.1, gap: Gap::of(&film.0, &film.1), cycle, support: None, mass: 0.0 }
 }
 
-/// Until it closes to 1e-5, from 0.3 of the clearance towards the first load.
+/// Follows a journal until its path closes to 1e-5, from 0.3 of the clearance towards the first load.
 fn follow(film: &(FilmProblem, Arc<FilmSystem>), cycle: &DutyCycle, tolerance: f64, cycles: usize) -> Orbit {
     follow_from([0.3, 0.0], film, cycle, tolerance, cycles)
 }

@@ -51,7 +51,7 @@ pub struct Domain {
 
 /// Domain in which crankshaft bearings work.
 pub const CORE: Domain = Domain { eccentricity: [0.8, 0.96], slenderness: [0.25, 0.75], allowed: 0.1 };
-/// Everywhere.
+/// Domain of the whole fit.
 pub const WIDE: Domain = Domain { eccentricity: [0.5, 0.99], slenderness: [0.125, 1.3], allowed: 0.3 };
 
 /// One characteristic of a parallel journal.

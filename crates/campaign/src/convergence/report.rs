@@ -61,7 +61,7 @@ pub struct GoalFacts {
 /// The finest answer, which errors are measured against.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Reference {
-    /// Whose it is.
+    /// Strategy of the course.
     pub strategy: Strategy,
     /// Level on which the reference was computed.
     pub level: usize,

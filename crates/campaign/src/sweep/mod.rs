@@ -46,7 +46,7 @@ pub enum Event {
 
 /// A chain that is walked along, and may be left and taken up again.
 struct Walk<'a> {
-    /// Who walks along it; none before its first case.
+    /// The walker along the chain; none before its first case.
     walker: Option<Walker<'a>>,
     /// Cases left.
     cases: Range<usize>,

@@ -34,7 +34,7 @@ use oilwedge_study::warnings::all_warnings;
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseStatus {
-    /// As a run ends.
+    /// The status at the end of a run.
     Run(Status),
     /// The scene of the case does not fit its mesh, or cannot be meshed.
     BadScene,
@@ -252,8 +252,8 @@ impl<'a> Walker<'a> {
         reused.map_or_else(|| graded(scene, self.deadline.into()), Ok)
     }
 
-    /// From the case before, if there is one and it leads to an answer; with the position for which the mesh was
-    /// graded.
+    /// Solves a case from the case before, if there is one and it leads to an answer; with the position for which the
+    /// mesh was graded.
     fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(JournalState, Solved)>, CompileError> {
         let position = match scene.journal.load() {
             None => Some(Position::start(scene)),

@@ -12,7 +12,7 @@ const FLAT: f64 = 1e-9;
 pub(super) enum Shape {
     /// A plane z = constant.
     Plane,
-    /// On a cylinder along coordinate `axis`, with the circle of its section in the next two.
+    /// A cylinder along coordinate `axis`, with the circle of its section in the next two.
     Cylinder { axis: usize, section: Circle },
 }
 

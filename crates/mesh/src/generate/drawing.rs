@@ -147,7 +147,7 @@ pub enum DrawingError {
     Failed {
         /// Size asked for [m].
         size: f64,
-        /// Why.
+        /// The cause, in words.
         reason: String,
     },
     /// The mesh has defects.

@@ -46,9 +46,9 @@ pub struct Rows<'a> {
 /// Sense of a flow along x.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
-    /// Towards greater x.
+    /// The flow goes towards greater x.
     Forwards,
-    /// Towards lesser x.
+    /// The flow goes towards lesser x.
     Backwards,
 }
 

@@ -106,8 +106,8 @@ fn count_triangles(blocks: &[Block]) -> (usize, usize) {
 
 /// The physical groups that each entity belongs to.
 struct Groups {
-    /// In the order of `$PhysicalNames`; groups without a name follow. A name of both a curve and a
-    /// surface stands here twice.
+    /// Names in the order of `$PhysicalNames`; groups without a name follow. A name of both a curve and a surface
+    /// stands here twice.
     names: Vec<String>,
     of_entity: HashMap<(i32, i32), Vec<usize>>,
 }

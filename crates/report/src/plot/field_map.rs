@@ -14,7 +14,7 @@ use super::liner::Liner;
 use super::sample::Finder;
 use crate::readable::{axis_label, readable_unit_of};
 
-/// Around the sheet, and room for the bar of colours [mm].
+/// Margin around the sheet, and room for the bar of colours [mm].
 const MARGIN: f64 = 1.0;
 const BAR: f64 = 17.0;
 /// Most bands of a map.

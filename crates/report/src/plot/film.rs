@@ -38,7 +38,7 @@ pub struct DrawnFilm {
 }
 
 impl DrawnFilm {
-    /// From the object of `result.json` and the picture of the same run, on the cylinder or unrolled.
+    /// A film from the object of `result.json` and the picture of the same run, on the cylinder or unrolled.
     ///
     /// # Errors
     /// [`Error::Format`]: the object has no shape of the bearing, as those of older versions of the program.

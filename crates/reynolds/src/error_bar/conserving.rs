@@ -65,9 +65,9 @@ const CARRIED_IN_SHEAR: f64 = 0.1;
 const OF_FRONT: f64 = 0.2;
 const OF_CARRIED: f64 = 0.3;
 const OF_DOUBT: f64 = 0.3;
-/// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of
-/// beta; the bar ends at zero oil, but is no less than the last, by which the transport over- and undershoots at edges
-/// of streaks.
+/// Weights in the bar of the least film fraction: of the greatest difference where there is least oil, in that part of
+/// the cavity, and of beta; the bar ends at zero oil, but is no less than the last, by which the transport over- and
+/// undershoots at edges of streaks.
 const LEAST_OIL: f64 = 0.9;
 const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;

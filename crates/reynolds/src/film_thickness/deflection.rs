@@ -173,7 +173,7 @@ impl FilmContribution for Deflection {
         Arc::new(self.clone())
     }
 
-    /// While the wall is not bent.
+    /// Circles are kept while the wall is not bent.
     fn keeps_circles(&self) -> bool {
         self.coefficients.iter().all(|&coefficient| coefficient == 0.0)
     }

@@ -36,7 +36,7 @@ pub struct Roelands {
 }
 
 impl Roelands {
-    /// From the viscosity mu0 [Pa s] (above 6.3e-5), the index z in (0, 1.2] or so, and p_r [Pa].
+    /// The law from the viscosity mu0 [Pa s] (above 6.3e-5), the index z in (0, 1.2] or so, and p_r [Pa].
     pub fn new(viscosity: f64, index: f64, reference_pressure: f64) -> Self {
         let mut law = Self {
             exponent: viscosity.ln() + 9.67,

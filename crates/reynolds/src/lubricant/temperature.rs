@@ -69,8 +69,8 @@ pub struct ViscosityTable {
 }
 
 impl ViscosityTable {
-    /// Through points `(T [K], nu [m2/s])` in any order; none where they are fewer than two, or where between two of
-    /// them viscosity does not fall with temperature.
+    /// The law through points `(T [K], nu [m2/s])` in any order; none where they are fewer than two, or where between
+    /// two of them viscosity does not fall with temperature.
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -31,13 +31,13 @@ const MOST_QUARTERINGS: usize = 5;
 /// law over each, where the pressure is the hardness; an error that falls with the tenth power of the parts is the same
 /// for parts that are longer by the tenth root where the pressure is less.
 const ORDER: f64 = 10.0;
-/// Below this part of the least pressure at which triangles are quartered, which is far below what a film or a load is
-/// known to, there is no contact.
+/// Part of the least pressure at which triangles are quartered, below which, as it is far below what a film or a load
+/// is known to, there is no contact.
 const NOTHING: f64 = 1e-4;
 /// Parts in which the law has a kink are quartered at least so often. With two quarterings on the way to a balance what
 /// the weights of quarters add to the tangent, which leaves it out, would make Newton's method slow.
 const KINK_QUARTERINGS: usize = 4;
-/// From this part of the greatest change of the gap on the quarters of a part take over.
+/// Part of the greatest change of the gap from which on the quarters of a part take over.
 const STEADY: f64 = 0.85;
 
 /// Accuracy to which contact is integrated.
@@ -156,7 +156,7 @@ pub(super) enum Division {
     Quarters(f64),
 }
 
-/// From 0 to 1 between 0 and 1, with a continuous slope.
+/// A step from 0 to 1 between 0 and 1, with a continuous slope.
 fn smooth_step(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)

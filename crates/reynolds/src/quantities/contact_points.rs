@@ -70,7 +70,7 @@ enum Serves {
     Load,
     /// The splines of the wall.
     Wall,
-    /// Both.
+    /// Load and wall.
     Both,
 }
 

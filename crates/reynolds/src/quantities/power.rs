@@ -67,7 +67,7 @@ pub struct Power {
 }
 
 impl Power {
-    /// With the friction of contact under a `thrust` Int p_a dA [N].
+    /// The power with the friction of contact under a `thrust` Int p_a dA [N].
     pub fn with_contact(self, problem: &FilmProblem, thrust: f64) -> Self {
         let [x, z] = problem.surface_velocity();
         let friction = problem.contact.map_or(0.0, |contact| contact.friction);
@@ -105,7 +105,7 @@ pub(crate) struct Work {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
-    /// Done by what is dragged along; that against the pressure, unless the oil has another gap than the shear.
+    /// Power of what is dragged along; equal to that against the pressure, unless the oil has another gap than the shear.
     pub(crate) dragged: f64,
     pub(crate) motion: f64,
     pub(crate) driven: f64,

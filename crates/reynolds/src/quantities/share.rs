@@ -29,7 +29,7 @@ pub struct Share {
 /// Force and moment about mid-length, or their changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Resultant {
-    /// Towards x and y [N].
+    /// Force towards x and y [N].
     pub force: [f64; 2],
     /// Force towards x and y times its arm along the axis [N m].
     pub moment: [f64; 2],

@@ -23,11 +23,11 @@ const LEAST_ALONG: f64 = 0.15;
 pub(super) struct Nodes {
     /// Given pressures above that of the cavity [Pa].
     pub(super) given: Constraints,
-    /// In the middle of a cavity: v = 0, and the oil that is let in there.
+    /// Nodes in the middle of a cavity: v = 0, and the oil that is let in there.
     pub(super) pinned: Vec<bool>,
     /// Whether each node is on the side of rupture: v >= 0.
     pub(super) may_touch: Vec<bool>,
-    /// Given ones at which a cavity meets an end: nothing flows there.
+    /// Nodes of given pressure at which a cavity meets an end: nothing flows there.
     pub(super) closed: Vec<bool>,
 }
 

@@ -223,7 +223,7 @@ impl SolvedFilm {
         })
     }
 
-    /// In cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
+    /// The hill in cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
     fn hill_near(&self, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
         let (problem, cubic_system) = (&self.problem, &self.system.cubic().system);
         let Frame { rays, nodes, cavity } = near.frame;

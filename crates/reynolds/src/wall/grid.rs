@@ -21,9 +21,9 @@ pub(super) enum Part {
 pub struct Grid {
     /// Radius R of the liner [m].
     pub radius: f64,
-    /// Around the liner.
+    /// Splines around the liner.
     pub around: Around,
-    /// Along it.
+    /// Splines along the liner.
     pub along: Along,
 }
 

@@ -43,7 +43,7 @@ impl Around {
         std::f64::consts::TAU / self.number as f64
     }
 
-    /// At an angle [rad]; slopes by radian. Numbers from `first` on count modulo the number of splines.
+    /// Splines at an angle [rad]; slopes by radian. Numbers from `first` on count modulo the number of splines.
     #[inline]
     pub(super) fn at(&self, angle: f64) -> Local {
         let per_width = self.number as f64 / std::f64::consts::TAU;
@@ -75,7 +75,7 @@ pub struct Along {
     cells: Vec<usize>,
     /// Parts by metre.
     per_part: f64,
-    /// For each cell one over its length, and one over those of the two pairs of cells that it is in [1/m]; it is
+    /// One over the length of each cell, and one over those of the two pairs of cells that it is in [1/m]; it is
     /// numbered as the knot before it.
     inverse: Vec<[f64; SUPPORT]>,
 }
@@ -84,7 +84,7 @@ pub struct Along {
 const PARTS: usize = 4;
 
 impl Along {
-    /// On these growing breaks [m], the ends of the liner first and last.
+    /// The splines on these growing breaks [m], the ends of the liner first and last.
     pub fn on_breaks(breaks: &[f64]) -> Self {
         let (Some(&low), Some(&high)) = (breaks.first(), breaks.last()) else {
             return Self::on_knots(vec![0.0; 2 * SUPPORT]);
@@ -151,7 +151,7 @@ impl Along {
         &self.knots[SUPPORT - 1..=self.number()]
     }
 
-    /// At an axial position [m], that of the nearer end outside of the liner; slopes by metre.
+    /// Splines at an axial position [m], that of the nearer end outside of the liner; slopes by metre.
     #[inline]
     pub(super) fn at(&self, z: f64) -> Local {
         let (knots, cell) = (&self.knots, self.cell(z));

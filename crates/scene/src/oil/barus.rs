@@ -29,7 +29,7 @@ pub enum BarusForm {
     /// The viscosity stands under the divergence: a balance of mass.
     #[default]
     Conservative,
-    /// On the right-hand side, div(h^3 grad p) = 12 mu(p) (...), as the FlexPDE study prints it.
+    /// The viscosity stands on the right-hand side, div(h^3 grad p) = 12 mu(p) (...), as the FlexPDE study prints it.
     AsPrinted,
 }
 

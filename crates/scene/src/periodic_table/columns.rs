@@ -29,7 +29,7 @@ impl Column {
         Self { presence: Presence::Optional, ..Self::needed(name, dimension) }
     }
 
-    /// As it is written in a header.
+    /// The column as it is written in a header.
     fn example(&self) -> String {
         let unit = match self.dimension {
             Dimension::Angle => "deg",

@@ -166,7 +166,8 @@ impl Serialize for Effect {
 /// What was computed and what was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Effects {
-    /// In the order of the sockets, those that close around the film and those that are asked of it last.
+    /// Effects that are simulated, in the order of the sockets; those that close around the film and those that are
+    /// asked of it stand last.
     pub simulated: Vec<&'static Effect>,
     /// Names of effects that are not simulated, in the order of reports.
     pub not_simulated: Vec<&'static str>,

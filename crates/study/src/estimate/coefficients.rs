@@ -24,7 +24,7 @@ impl CoefficientErrors {
         Self { parts: single(differences, film.order) }
     }
 
-    /// With a part of the size of each entry of a `film`.
+    /// The errors with a part of the size of each entry of a `film`.
     pub(super) fn and_share(mut self, film: &Coefficients, share: f64) -> Self {
         if share > 0.0 {
             let bars = [&film.stiffness, &film.damping].map(|of| bars(of, share));

@@ -46,7 +46,7 @@ const PER_EDGE: f64 = 0.4;
 /// Where the mesh shows no edge: part of the share of the triangles in which one may hide.
 const PER_HIDDEN: f64 = 0.08;
 
-/// In the law of extremes of a smooth pressure; measured: up to 2.5.
+/// Weight in the law of extremes of a smooth pressure; measured: up to 2.5.
 const PER_EXTREME: f64 = 3.0;
 
 impl Estimate for CubicPair<'_> {

@@ -30,7 +30,7 @@ pub(super) struct PlacedPair<'a> {
 const LATTICE: u32 = 4;
 /// Share of the difference of the gradients that the cubic film is off by.
 const OF_GRADIENTS: f64 = 0.5;
-/// In d: of the bar of the greatest pressure, and of what the highest node is below it.
+/// Weights in d: of the bar of the greatest pressure, and of what the highest node is below it.
 const PER_BAR: f64 = 2.0;
 const PER_NODE: f64 = 4.0;
 /// Share of the triangle in which a free boundary is found.

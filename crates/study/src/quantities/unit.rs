@@ -46,7 +46,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// As results write it.
+    /// Name of the unit as results write it.
     pub fn name(self) -> &'static str {
         self.texts()[0]
     }

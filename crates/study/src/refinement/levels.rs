@@ -56,7 +56,7 @@ struct Refining<'a> {
     scene: &'a Scene,
     targets: &'a Targets,
     options: &'a RunOptions,
-    /// When the run began, by its clock.
+    /// Time at which the run began, by its clock.
     begun: Moment,
     watch: Watch,
     /// Is told of each mesh but the last.

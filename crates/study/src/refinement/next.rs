@@ -130,15 +130,15 @@ fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), Compil
 
 /// The next mesh.
 pub(super) enum Next {
-    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment
-    /// takes.
+    /// A mesh made of the scene with longest edges times this, from what a coarser one has shown of the way that a
+    /// moment takes.
     Drawn(f64, Option<Shown>),
-    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the
-    /// film found before.
+    /// A mesh made of the scene with longest edges times this or less, so that it has about as many triangles as this,
+    /// for the film found before.
     DrawnFiner(f64, usize, Known),
     /// The mesh of the scene as it is.
     Given,
-    /// One at hand, for the film found before.
+    /// A mesh at hand, for the film found before.
     Divided(Arc<Mesh>, Refinement, Known),
 }
 
@@ -377,7 +377,8 @@ mod tests {
         assert_eq!(locally.triangles(), once.triangles());
     }
 
-    /// With and without rows, for a parallel journal and for one near contact at an end.
+    /// About as many triangles are drawn as are expected, with and without rows, for a parallel journal and for one
+    /// near contact at an end.
     #[test]
     fn about_as_many_triangles_are_expected_as_are_drawn() {
         let parallel = Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [0.0; 2] };

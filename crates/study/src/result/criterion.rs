@@ -76,9 +76,9 @@ pub struct Criterion {
     pub value: f64,
     /// Error bar of the value, in `unit`; `None`: it was not estimated, or could not be.
     pub bar: Option<f64>,
-    /// From which value on it is met; `None`: there is no such bound.
+    /// Value from which on the criterion is met; `None`: there is no such bound.
     pub least: Option<f64>,
-    /// Up to which value.
+    /// Value up to which the criterion is met; `None`: there is no such bound.
     pub most: Option<f64>,
     /// Unit of all four, one that people read.
     pub unit: String,

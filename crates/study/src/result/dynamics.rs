@@ -43,7 +43,8 @@ pub struct CoefficientReport {
     /// Coefficients in bearing axes [N/m, N/rad, N.m/rad, and these times s].
     #[serde(flatten)]
     pub in_bearing: Pair,
-    /// In axes along the load and 90 degrees on in the sense of rotation, likewise; `null` without a load.
+    /// Coefficients in axes along the load and 90 degrees on in the sense of rotation [N/m, N/rad, N.m/rad, and these
+    /// times s]; `null` without a load.
     pub along_load: Option<Pair>,
     /// Coefficients without dimension, `K c/W` and `C c omega/W`; `null` without a load or at rest.
     pub without_dimension: Option<Pair>,
@@ -70,11 +71,11 @@ pub struct RotorReport {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stable {
-    /// Whatever its mass.
+    /// The rotor is stable with any mass.
     WithAnyMass,
-    /// Below a critical mass.
+    /// The rotor is stable below a critical mass.
     BelowCriticalMass,
-    /// Never.
+    /// The rotor is stable with no mass.
     WithNoMass,
     /// Stability is not known.
     Undetermined,

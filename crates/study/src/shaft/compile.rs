@@ -16,7 +16,7 @@ use crate::effects::Sockets;
 use crate::film::Film;
 use crate::orbit::on_mesh_for;
 
-/// At how many angles of a period it is checked that loads are finite.
+/// Number of angles of a period at which it is checked that loads are finite.
 const CHECKED: u32 = 1440;
 
 /// A bearing of a shaft.

@@ -23,7 +23,7 @@ pub enum ShaftError {
     Film {
         /// File of the bearing's scene.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         source: CompileError,
     },
     /// The scene of a bearing has what is not solved on a shaft.

@@ -95,8 +95,8 @@ pub struct ShaftBalances {
     pub moment: f64,
     /// What is left of the equations of all journals, over the loads [1].
     pub journals: f64,
-    /// Over a cycle: power of the loads and of what turns the journals, less what the films dissipate and the shaft
-    /// stores, over the greatest dissipation [1]; zero at rest.
+    /// Balance of power over a cycle: power of the loads and of what turns the journals, less what the films dissipate
+    /// and the shaft stores, over the greatest dissipation [1]; zero at rest.
     pub power: f64,
 }
 
@@ -136,8 +136,8 @@ pub struct BearingReport {
     pub tilt_max: f64,
     /// Error bar of the greatest tilt [rad], of a shaft at rest with bars; `null` where there is none.
     pub tilt_max_error: Option<f64>,
-    /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft
-    /// at rest.
+    /// Balance of energy over a cycle: what turns the journal and the work of the load, less the heat, over that [1];
+    /// `null` for a shaft at rest.
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,

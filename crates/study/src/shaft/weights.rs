@@ -74,7 +74,7 @@ pub enum NoWeights {
     /// The loads do not change.
     #[error("the scene has no [crank], so counterweights have no effect")]
     AtRest,
-    /// Too few may change.
+    /// The counterweights that may change are too few.
     #[error(
         "counterweights on {0} webs leave no choice where force and moment of the shaft stay; give [[crankshaft.counterweight]] on three webs or more, be their mass zero"
     )]
@@ -84,7 +84,7 @@ pub enum NoWeights {
     NoMap {
         /// Name of the bearing.
         bearing: String,
-        /// Why.
+        /// The cause, in words.
         reason: String,
     },
     /// The orbits by maps lead nowhere.

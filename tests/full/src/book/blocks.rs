@@ -6,7 +6,7 @@ use super::Page;
 /// How a block is tested.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum How {
-    /// As a whole: run, or solved.
+    /// The block is used as a whole: run, or solved.
     Whole,
     /// A part of a scene, checked within another one.
     Fragment,

@@ -26,7 +26,7 @@ const BEARINGS: u64 = 300;
 enum Bearings {
     /// Bearings with rigid, round bores and smooth surfaces.
     Plain,
-    /// With walls that give way, rough surfaces and bores out of round.
+    /// Bearings with walls that give way, rough surfaces and bores out of round.
     Walls,
 }
 

@@ -48,7 +48,7 @@ const ROUNDING: f64 = 1e-9;
 /// Unknowns from which on a difference of two degrees should tell the error of a smooth film's load.
 const FINE: usize = 500;
 
-/// Whose bar.
+/// Value that a bar belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Of {
     /// The value that is reported.
@@ -68,7 +68,7 @@ pub struct Pair {
     pub model: &'static str,
     /// One of [`COUNTED`].
     pub quantity: &'static str,
-    /// Whose bar.
+    /// Value that the bar belongs to.
     pub of: Of,
     /// How the mesh was made.
     pub kind: Kind,
