@@ -51,7 +51,8 @@ impl SolvedFilm {
     /// `following`. None where a coarse film does not exist: this one may be sound without it.
     ///
     /// # Errors
-    /// [`NoFilm`]: cubic elements have no film, or the mesh does not resolve on which side of the limit of the viscosity law it lies.
+    /// [`NoFilm`]: cubic elements have no film, or the mesh does not resolve on which side of the limit of the
+    /// viscosity law it lies.
     pub fn reference_film(&self, following: Option<&FollowingWall>) -> Result<Option<ReferenceFilm>, NoFilm> {
         if self.problem.cavitation.is_symmetric() {
             return Ok(Some(ReferenceFilm::Cubic(self.cubic_film(None)?)));

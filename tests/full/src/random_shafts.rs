@@ -101,8 +101,8 @@ pub fn solved(scene: &str, max_seconds: f64) -> ShaftResult {
     run_shaft(&read, &options).unwrap_or_else(|error| panic!("{error}\n{scene}")).result
 }
 
-/// Those of `count` even crank angles of a cycle [deg] at which the films have no balance under the loads of that angle
-/// if these last; the second list has those at which a search takes longer than [`REST_SECONDS`].
+/// Crank angles [deg], of `count` even ones in a cycle, at which the films have no balance under the loads there if
+/// these last; the second list has those at which a search takes longer than [`REST_SECONDS`].
 ///
 /// # Panics
 /// The scene is refused.

@@ -11,7 +11,8 @@
 //! |---|---|---|
 //! | h (gap of the mean planes) | m | `gap` |
 //! | sigma (root mean square roughness of both surfaces together) | m | `roughness` |
-//! | eta, beta (asperities per area, radius of their tips) | 1/m2, m | `density` is `eta beta sigma`, `sharpness` is `sigma/beta` |
+//! | eta (asperities per area) | 1/m2 | `density` is `eta beta sigma` |
+//! | beta (radius of the tips of asperities) | m | `sharpness` is `sigma/beta` |
 //! | E' (`1/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2`) | Pa | `modulus` |
 //! | H | Pa | `hardness` |
 //!

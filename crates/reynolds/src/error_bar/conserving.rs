@@ -18,7 +18,8 @@
 //! | d | Pa | `difference` |
 //! | chi: share of the mesh at vertices that are in the cavity of one film only | 1 | `doubt` |
 //! | beta: share of the mesh in sub-triangles at the edge of the cavity | 1 | `front` |
-//! | sigma, n: oil that may be carried across the flow, over what the journal drags through the clearance, and how often | 1 | `spread` |
+//! | sigma: oil that may be carried across the flow, over what the journal drags through the clearance | 1 | `spread` |
+//! | n: how often oil may be carried across the flow | 1 | `spread` |
 //! | delta: mean difference of the film fraction at the vertices | 1 | `carried` |
 //!
 //! **Source.** Constants: measured on random bearings, held against others, `docs/theory/error_estimation_jfo.md`.

@@ -105,7 +105,8 @@ pub(crate) struct Work {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
-    /// Power of what is dragged along; equal to that against the pressure, unless the oil has another gap than the shear.
+    /// Power of what is dragged along; equal to that against the pressure, unless the oil has another gap than the
+    /// shear.
     pub(crate) dragged: f64,
     pub(crate) motion: f64,
     pub(crate) driven: f64,

@@ -4,7 +4,8 @@
 //! ```text
 //! R_i(v) = Int k grad v . grad phi_i - F T/h . grad phi_i dA,      F = U h/2,  v = q - q(p_cav)
 //! T = h                    on the side of rupture
-//! T = g + (h - g) chi      on the side of reformation while g < h,      chi = clip(v/e0, 0, 1),  e0 = |F| (1 - g/h) n_x l/k
+//! T = g + (h - g) chi      on the side of reformation while g < h
+//! chi = clip(v/e0, 0, 1),  e0 = |F| (1 - g/h) n_x l/k
 //! ```
 //! l is the size of a triangle over the degree, n_x how far the gradient of the pressure lies along the flow. In a film
 //! of thickness h that takes the place of oil g the pressure rises by `|F| (1 - g/h)/k` a length: the front is as wide

@@ -3,7 +3,7 @@
 //! | film | estimate | value reported |
 //! |---|---|---|
 //! | pressure film | `cubic.rs`: by the film in cubic elements on the same mesh | the cubic one |
-//! | mass-conserving film | `coarse.rs`: by its coarse comparison on the vertices alone | that of the film itself, or of its sharp hill where that has the narrower bar |
+//! | mass-conserving film | `coarse.rs`: by its coarse comparison on the vertices | its own, or of its sharp hill |
 //!
 //! `docs/theory/error_estimation.md` has the rules and how often they hold.
 
