@@ -1,7 +1,8 @@
 """Writes the bill of materials (CycloneDX) of a release, and the licence texts of what is compiled into it.
 
-Packages are those of the registry that the program and the Python module reach by normal dependencies on one platform, as
-`cargo metadata` resolves them; macros and what runs while compiling are left out, for nothing of them is in a binary.
+Packages are those of the registry that the program and the Python module reach by normal dependencies on one platform,
+as `cargo metadata` resolves them; macros and what runs while compiling are left out, for nothing of them is in a
+binary.
 """
 
 import argparse

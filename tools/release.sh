@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds what is handed out of a release, into one folder. It needs Rust, Python with venv and binutils; maturin is installed below target/.
+# Builds what is handed out of a release, into one folder. It needs Rust, Python with venv and binutils; maturin is
+# installed below target/.
 set -euo pipefail
 
 usage="usage: tools/release.sh [--out DIR]

@@ -1,8 +1,8 @@
 """The film of `film.py` in scikit-fem's cubic triangles, on the same (curved) quadratic geometry.
 
-Swift-Stieber films are bounded at all ten nodes of a triangle, none of whose functions has a negative mean, and solved by
-a primal-dual active set. At the end the conditions of the least functional are checked; only one film meets them, however it
-was found.
+Swift-Stieber films are bounded at all ten nodes of a triangle, none of whose functions has a negative mean, and solved
+by a primal-dual active set. At the end the conditions of the least functional are checked; only one film meets them,
+however it was found.
 """
 
 from dataclasses import dataclass
@@ -115,7 +115,8 @@ class CubicFilm(Film):
         return self._solve_linear(self.stiffness, self._couette(), fixed)[self.unknown]
 
     def greatest(self, q):
-        """The greatest value of the polynomials, between nodes too: around each high triangle's best point ever closer."""
+        """The greatest value of the polynomials, between nodes too: around each high triangle's best point ever
+        closer."""
         values = q[self.basis.element_dofs]
         lattice = np.array([(i, j) for i in range(13) for j in range(13 - i)]) / 12
         high = np.flatnonzero(values.max(axis=0) >= values.max() - 0.02 * np.ptp(values))

@@ -2,9 +2,9 @@
 
     /usr/bin/python3 dolfinx_film.py RING.msh        (Debian: python3-dolfinx, python3-gmsh)
 
-Quadratic elements on a closed ring of straight triangles, conjugate gradients with hypre's BoomerAMG to a residual of 1e-10.
-The forms are compiled before the clock starts. Triangles are chords of the cylinder here, so the load differs by the square of the cell size.
-Prints the seconds and the load [N].
+Quadratic elements on a closed ring of straight triangles, conjugate gradients with hypre's BoomerAMG to a residual of
+1e-10. The forms are compiled before the clock starts. Triangles are chords of the cylinder here, so the load differs by
+the square of the cell size. Prints the seconds and the load [N].
 """
 
 import os

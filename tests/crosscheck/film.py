@@ -246,7 +246,8 @@ def curve_integral(mesh, group, radius):
 
 
 def curve_area(mesh, group):
-    """Area [m2] of the region inside a closed curve of edges: x dz is a cubic along each, so Simpson's rule is exact."""
+    """Area [m2] of the region inside a closed curve of edges: x dz is a cubic along each, so Simpson's rule is
+    exact."""
     start, end, middle = (mesh.points[mesh.curves[group][:, k]] for k in range(3))
     slopes = (4 * middle - 3 * start - end, end - start, 3 * end + start - 4 * middle)  # by t at t = 0, 1/2, 1
     return -sum(

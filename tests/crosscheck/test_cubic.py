@@ -1,8 +1,8 @@
 """The numbers that the Rust solver reports with their error bars: those of the film in cubic triangles.
 
-Value: `cubic.py` on the same mesh with scikit-fem's rule of degree 8, whose points are those of the program's, so nothing
-but round-off and the program's iterations stands between the two. Bar: the difference of the cubic and the quadratic
-film of scikit-fem, which enters it, and an answer of scikit-fem on cells a quarter as wide.
+Value: `cubic.py` on the same mesh with scikit-fem's rule of degree 8, whose points are those of the program's, so
+nothing but round-off and the program's iterations stands between the two. Bar: the difference of the cubic and the
+quadratic film of scikit-fem, which enters it, and an answer of scikit-fem on cells a quarter as wide.
 """
 
 from functools import cache
@@ -91,7 +91,8 @@ def test_reported_numbers_are_those_of_the_cubic_film(name, solved):
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_bar_holds_the_difference_of_the_two_films(name, solved):
-    """`discretisation = (1 + 100/n) (0.3 |eta| + 0.05 S + corners)` (0.4 across the load), n the number of triangles, with S the sum of the |eta_K|, so S >= |eta|.
+    """`discretisation = (1 + 100/n) (0.3 |eta| + 0.05 S + corners)` (0.4 across the load), n the number of triangles,
+    with S the sum of the |eta_K|, so S >= |eta|.
 
     eta is computed here, with one rule for both films. Where there are neither corners nor a cavity, the sum
     of the indicator, the greater |eta_K| of along and across, is no less than S: a limit from above."""

@@ -83,7 +83,8 @@ def deadly(folder, seen, packed, number):
 
 @pytest.mark.full
 def test_workers_are_killed(client, wanted, tmp_path, monkeypatch):
-    """The table is that of one process but for the part that ends every worker, and what was gathered before is not computed again."""
+    """The table is that of one process but for the part that ends every worker, and what was gathered before is not
+    computed again."""
     out, seen = tmp_path / "map", tmp_path / "seen.json"
     cloudpickle.register_pickle_by_value(sys.modules[__name__])
     monkeypatch.setattr(oilwedge.dask, "_part", functools.partial(deadly, str(out), str(seen)))

@@ -60,7 +60,8 @@ def pocketed_pad(cells):
 
 
 def test_pocketed_pad_has_the_closed_form():
-    """Conductances are those of the middles of cells: errors of order 2, here 1e-8 of the flow. The front is found to a cell."""
+    """Conductances are those of the middles of cells: errors of order 2, here 1e-8 of the flow. The front is found to a
+    cell."""
     film, expected = pocketed_pad(1000)
     x, p = film.film.x, film.pressure[:, 0]
     assert film.inflow[0, 0] == pytest.approx(expected["flow_per_width_m2_s"], rel=1e-8)
@@ -135,8 +136,8 @@ def test_starved_pad():
 
 
 def test_engine_bearing_carries_its_load():
-    """Scene 17: at the position that the program finds, the film of the structured code carries the load. Barus' pressure
-    by the reduced one, p = -ln(1 - alpha q)/alpha."""
+    """Scene 17: at the position that the program finds, the film of the structured code carries the load. Barus'
+    pressure by the reduced one, p = -ln(1 - alpha q)/alpha."""
     table = scene("17_engine_main_bearing")
     result, _ = solve(SCENES / "17_engine_main_bearing.toml", unrolled=True)
     liner = bearing(table, quantity(result, "eccentricity"))

@@ -231,7 +231,8 @@ LETTERS = """() => [...document.querySelectorAll('text')].map((it) => {
 
 @pytest.mark.parametrize("name", ("pressure", "film_fraction", "error_indicator", "mesh", "section", "profiles"))
 def test_pictures_are_the_same_in_the_browser(browser, report, name, tmp_path):
-    """The PNG is that of resvg, at 300 dots per inch. Letters are left out, for their typefaces differ; a dot may be one dot away."""
+    """The PNG is that of resvg, at 300 dots per inch. Letters are left out, for their typefaces differ; a dot may be
+    one dot away."""
     plotted = report(ENGINE) / "plot"
     dots = np.asarray(Image.open(plotted / f"{name}.png").convert("RGB"), dtype=float) / 255
     height, width = dots.shape[:2]

@@ -1,11 +1,12 @@
 """A rotor of ROSS on two of our bearings becomes unstable at the speed that our own critical mass says.
 
-The table that a sweep over the speed writes is read by `ross.BearingElement`. A disc in the middle of an elastic shaft without mass (Jeffcott's rotor) whirls
-at the threshold with the frequency of the rigid rotor, `nu_w omega`, for there the film is a spring of the stiffness `k = M_crit (nu_w omega)^2`: each bearing
-carries the mass `k k_s/(k + k_s)/(nu_w omega)^2`, k_s the stiffness of half of the shaft.
+The table that a sweep over the speed writes is read by `ross.BearingElement`. A disc in the middle of an elastic shaft
+without mass (Jeffcott's rotor) whirls at the threshold with the frequency of the rigid rotor, `nu_w omega`, for there
+the film is a spring of the stiffness `k = M_crit (nu_w omega)^2`: each bearing carries the mass
+`k k_s/(k + k_s)/(nu_w omega)^2`, k_s the stiffness of half of the shaft.
 
-ROSS 2 draws a smoothing spline through its tables, which misses them by about one unit; the bearing here has a hundred times the viscosity and the load of the
-shipped scene, so that this is nothing.
+ROSS 2 draws a smoothing spline through its tables, which misses them by about one unit; the bearing here has a hundred
+times the viscosity and the load of the shipped scene, so that this is nothing.
 """
 
 import json
@@ -88,7 +89,8 @@ def rotor(own, mass):
 
 
 def growth(of, speed, spring):
-    """Greatest growth rate of the lateral motions over the speed; the system is solved in units of the speed and of the stiffness `spring`."""
+    """Greatest growth rate of the lateral motions over the speed; the system is solved in units of the speed and of the
+    stiffness `spring`."""
     lateral = [dof for dof in range(of.ndof) if of.number_dof == 4 or dof % of.number_dof in (0, 1, 3, 4)]
     at = np.ix_(lateral, lateral)
     mass, stiffness = speed**2 * of.M(speed)[at] / spring, of.K(speed)[at] / spring
@@ -131,7 +133,8 @@ def test_the_rigid_rotor_of_the_scene_whirls_where_its_decrement_vanishes(swept)
 
 @pytest.mark.parametrize("with_whirl", [False, True])
 def test_version_3_gets_speed_and_whirl(with_whirl, swept, tmp_path, monkeypatch):
-    """Without version 3 a stand-in takes what it documents: 1-D tables over `speed`, or arrays of a row a speed over `speed` and `frequency`."""
+    """Without version 3 a stand-in takes what it documents: 1-D tables over `speed`, or arrays of a row a speed over
+    `speed` and `frequency`."""
     out, block = swept[0], documented(3)[int(with_whirl)]
     if with_whirl:
         text = (SCENES / "25_whirl.toml").read_text()

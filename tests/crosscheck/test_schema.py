@@ -1,4 +1,5 @@
-"""The JSON schema of scenes, by a validator that is not ours: taplo, which editors use, accepts all scenes, and refuses wrong keys, units and words."""
+"""The JSON schema of scenes, by a validator that is not ours: taplo, which editors use, accepts all scenes, and refuses
+wrong keys, units and words."""
 
 import json
 import re

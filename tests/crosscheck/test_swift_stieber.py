@@ -34,7 +34,8 @@ def hanging_string(nodes, gravity, height):
 
 
 def test_a_string_lies_on_the_floor_where_it_should():
-    """Parabolas meet the floor smoothly at sqrt(2 height/gravity) from the ends: on a node, so differences are exact."""
+    """Parabolas meet the floor smoothly at sqrt(2 height/gravity) from the ends: on a node, so differences are
+    exact."""
     nodes, gravity, place = 401, 8.0, 0.25
     height = gravity * place**2 / 2
     matrix, right, fixed = hanging_string(nodes, gravity, height)
@@ -79,7 +80,8 @@ def write_mesh(scene, folder):
 
 
 def check_ring(film, row):
-    """What 2000 to 8000 nodes leave. The largest nodal value misses a part of the reduced pressure, so that is compared."""
+    """What 2000 to 8000 nodes leave. The largest nodal value misses a part of the reduced pressure, so that is
+    compared."""
     assert film.load * 1e-6 / (0.01 * row["B_over_D"] * 2) == pytest.approx(row["So"], rel=5e-4)
     assert np.degrees(film.attitude_angle) == pytest.approx(row["attitude_deg"], abs=0.02)
     found, expected = (reduced_pressure(p, row.get("G", 0)) for p in (film.pressure.max() / 2e6, row["P_max"]))
@@ -153,7 +155,8 @@ SHIPPED = sorted(path.stem for path in SCENES.glob("*.toml") if uses_the_model(p
 
 
 def compare(path, folder):
-    """Both films of a scene on a mesh file. The bounded film is unique, so they agree to what the methods leave (1e-10)."""
+    """Both films of a scene on a mesh file. The bounded film is unique, so they agree to what the methods leave
+    (1e-10)."""
     result, grid = solve(path, unrolled=True, bars=False)
     rule, _ = crosscheck_data(path, folder / "data")
     film = solve_film(read_scene(path), rule)

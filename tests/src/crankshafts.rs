@@ -16,7 +16,7 @@ use crate::program::repository;
 
 /// Radial clearance [m] and radius [m] of the bearings of `three_films.toml`.
 pub const CLEARANCE: f64 = 30e-6;
-/// As [`CLEARANCE`].
+/// Radius of the journals, for the [`CLEARANCE`] above [m].
 pub const RADIUS: f64 = 30e-3;
 
 /// Path of a file in `scenes/engines/`.

@@ -41,7 +41,7 @@ pub fn by_standard(heat: &[Quantity]) -> [f64; 7] {
     std::array::from_fn(|k| units[k] * heat[k].value)
 }
 
-/// The same of a film.
+/// The numbers of [`CAR`] by a film.
 ///
 /// # Panics
 /// If it lacks one.
@@ -88,11 +88,11 @@ pub struct Link {
     pub what: &'static str,
     /// How it follows from those above.
     pub formula: &'static str,
-    /// As printed.
+    /// Result as printed.
     pub printed: f64,
     /// One in the last digit printed.
     pub digit: f64,
-    /// From the numbers as printed.
+    /// Result from the numbers as printed.
     pub value: f64,
 }
 

@@ -60,9 +60,9 @@ pub struct Limit {
     pub liner: String,
     /// Eccentricity.
     pub eccentricity: f64,
-    /// Of a conservative film.
+    /// Limits of a conservative film.
     pub conservative: [f64; 2],
-    /// Of a film of the printed equation.
+    /// Limits of a film of the printed equation.
     pub as_printed: [f64; 2],
 }
 

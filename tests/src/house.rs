@@ -18,9 +18,9 @@ pub struct Source {
     pub path: String,
     /// The crate, as `fem`.
     pub package: String,
-    /// Its lines.
+    /// Text of the file.
     pub text: String,
-    /// Its lines without comments and test modules; a line that is not code is empty.
+    /// Lines of the file without comments and test modules; a line that is not code is empty.
     pub code: Vec<String>,
 }
 

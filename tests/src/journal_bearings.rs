@@ -68,7 +68,7 @@ pub fn each<T: Sync>(rows: &[T], check: impl Fn(&T) -> Result<(), String> + Sync
 pub struct Ring {
     /// B/D.
     pub slenderness: f64,
-    /// eps; where it is negative and the journal moves radially, it moves towards the centre.
+    /// Eccentricity eps; where it is negative and the journal moves radially, it moves towards the centre.
     pub eccentricity: f64,
     /// True if the line at the widest film is held at the pressure of the ends.
     pub film_start: bool,
@@ -88,7 +88,8 @@ impl Ring {
         Self::new(number(row, "B_over_D"), number(row, "eps"))
     }
 
-    /// The same from numbers. The mesh leaves some 5e-5 of So and 0.003 degrees (halved sizes tell).
+    /// The ring with B/D and eps: turning, periodic, constant viscosity, Swift-Stieber. The mesh leaves some 5e-5 of So
+    /// and 0.003 degrees (halved sizes tell).
     pub fn new(slenderness: f64, eccentricity: f64) -> Self {
         Self {
             slenderness,
@@ -142,7 +143,7 @@ impl Ring {
 pub struct SolvedRing {
     /// The ring.
     pub ring: Ring,
-    /// Its film.
+    /// Film of the ring.
     pub solved: Solved,
 }
 

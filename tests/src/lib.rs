@@ -154,7 +154,7 @@ pub fn ring_system(columns: u32, rows: u32, length: f64, film_start: Option<f64>
     Arc::new(ring_alone(columns, rows, length, film_start))
 }
 
-/// The same system, to have coarser ones put behind it.
+/// The system of [`ring_system`], to have coarser ones put behind it.
 pub fn ring_alone(columns: u32, rows: u32, length: f64, film_start: Option<f64>) -> FilmSystem {
     let mesh = ring(columns, rows, length, film_start.unwrap_or(0.0));
     let regions = ends(&mesh, length, film_start);

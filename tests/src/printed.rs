@@ -23,7 +23,7 @@ pub fn rows(path: &str) -> Vec<Row> {
 }
 
 impl Row {
-    /// From headings and what is printed under them.
+    /// The row of headings and what is printed under them.
     pub fn new(cells: &[(&str, &str)]) -> Self {
         let owned = |&(heading, text): &(&str, &str)| (heading.to_owned(), text.to_owned());
         Self { cells: cells.iter().map(owned).collect() }

@@ -59,12 +59,12 @@ pub fn python() -> PathBuf {
     PYTHON.get_or_init(make).clone()
 }
 
-/// Which tests of `tests/crosscheck` are run.
+/// The tests of `tests/crosscheck` that are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tier {
-    /// Those without the mark `full`.
+    /// Tests without the mark `full`.
     Quick,
-    /// Those with the mark `full`.
+    /// Tests with the mark `full`.
     Full,
 }
 

@@ -37,7 +37,7 @@ impl Dice {
         shifted.rotate_right((old >> 59) as u32)
     }
 
-    /// Between two numbers.
+    /// A random number between two.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * f64::from(self.next()) / f64::from(u32::MAX)
     }
@@ -78,7 +78,7 @@ enum Given {
 /// A bearing by chance.
 #[derive(Debug, Clone)]
 pub struct RandomBearing {
-    /// Its number.
+    /// Number of the bearing.
     pub number: u64,
     /// The scene, with the model `jfo`.
     pub text: String,

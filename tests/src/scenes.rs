@@ -60,7 +60,7 @@ pub fn table<'a>(scene: &'a mut toml::Table, name: &str) -> &'a mut toml::Table 
 pub struct Solved {
     /// The compiled scene.
     pub study: Film,
-    /// Its film.
+    /// Film of the scene.
     pub film: SolvedFilm,
     /// What was measured.
     pub measured: Measured,

@@ -43,7 +43,7 @@ pub fn orbit(
     motion.orbit([x, y, 0.0, 0.0], &options).expect("an orbit")
 }
 
-/// Where the last cycle ends, over the clearance.
+/// Place at which the last cycle ends, over the clearance.
 ///
 /// # Panics
 /// If the orbit has no step.

@@ -27,6 +27,7 @@ mod oil_balance;
 mod orbit;
 mod pages;
 mod pictures;
+mod prose;
 mod refinement;
 #[cfg(target_os = "linux")]
 mod reported_numbers;

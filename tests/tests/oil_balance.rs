@@ -153,7 +153,7 @@ fn a_growing_film_takes_oil_up() {
     assert!((jfo.measured.flows.taken_up - taken).abs() > 0.02 * taken.abs());
 }
 
-/// Without rotation all oil is pressed out by the squeeze.
+/// A journal that does not turn presses all oil out by the squeeze.
 #[test]
 fn oil_that_is_pressed_out_counts_as_passing() {
     for radial in ["2 mm/s", "-2 mm/s"] {

@@ -7,10 +7,10 @@ use oilwedge_study::result::Status;
 /// A record of the result file, its entries in their order.
 pub type Record = Value;
 
-/// Other answers beside a film: the film without each effect, by other theories, or by a standard.
+/// Further answers beside a film: the film without each effect, by other theories, or by a standard.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AddOn {
-    /// Its key in the result file.
+    /// Key of the add-on in the result file.
     pub key: &'static str,
     /// One sentence about what is compared.
     pub title: String,
@@ -22,16 +22,16 @@ pub struct AddOn {
     pub lists: Vec<(&'static str, Vec<Quantity>)>,
     /// Reasons and conclusions, in sentences.
     pub notes: Vec<String>,
-    /// Its record in the result file.
+    /// Record of the add-on in the result file.
     pub record: Record,
 }
 
 /// One other answer, number beside number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Alternative {
-    /// Its name, as `without barus`.
+    /// Name of the alternative, as `without barus`.
     pub name: String,
-    /// Its numbers beside those of the film; none where there is no answer.
+    /// Numbers of the alternative beside those of the film; none where there is no answer.
     pub comparisons: Vec<Comparison>,
     /// Wall times of the film and of this answer [s], where they are compared.
     pub seconds: Option<[f64; 2]>,

@@ -15,7 +15,7 @@ use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
 
 /// Runs of one scene at most, of which the median time is reported.
 const RUNS: usize = 9;
-/// After this time [s] a scene is not run again.
+/// Time [s] after which a scene is not run again.
 const ENOUGH: f64 = 1.0;
 
 /// The run without one effect, beside that with all.

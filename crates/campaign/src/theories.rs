@@ -39,7 +39,7 @@ const COMPARED: [&Row; 11] = [
     &CYCLE_PRESSURE_MAX,
     &CYCLE_POWER_LOSS,
 ];
-/// Those that the scene gives, where it gives a position and where it gives a load.
+/// Rows that a scene gives: where it gives a position, and where it gives a load.
 const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 
 /// The film by one theory.
@@ -94,7 +94,7 @@ impl TheoryFilm {
         self.quantities.iter().find(|it| it.row == row)
     }
 
-    /// Its numbers beside those of the full film, and those of the full film that it lacks.
+    /// Numbers of this film beside those of the full film, and those of the full film that it lacks.
     fn beside(&self, full: &Self) -> Alternative {
         let own = self.quantities.iter().map(|it| (full.quantity(it.row), Some(it)));
         let lacking = full.quantities.iter().filter(|it| self.quantity(it.row).is_none());
@@ -325,7 +325,7 @@ cavitation = { model = "guembel" }
         assert_eq!(fed.0, bare.0);
     }
 
-    /// Under a load it is the position that differs.
+    /// Theories are compared at one load by the positions that carry it.
     #[test]
     fn under_a_load_positions_are_compared() {
         let text = RING.replacen(

@@ -25,7 +25,7 @@ pub(crate) enum Failure {
     Message(String),
     /// The run was interrupted.
     Interrupted(String),
-    /// stdout cannot be written to.
+    /// The program cannot write to stdout.
     Output {
         /// The operating system's message.
         error: std::io::Error,

@@ -21,7 +21,7 @@ pub(crate) struct Diff {
     #[arg(value_name = "A")]
     a: PathBuf,
 
-    /// Another one.
+    /// The scene, or the folder of its results, that is compared with A.
     #[arg(value_name = "B")]
     b: PathBuf,
 

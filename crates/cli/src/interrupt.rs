@@ -56,7 +56,7 @@ fn refused(error: io::Error) -> Failure {
 
 /// The answer of a run that does not end by itself.
 pub(crate) struct Best {
-    /// Its numbers.
+    /// Numbers of the best film.
     pub(crate) result: RunResult,
     /// Content of `orbit.csv`, if it is that of an orbit.
     pub(crate) orbit: Option<Vec<u8>>,

@@ -45,7 +45,8 @@ impl Mesh {
         Ok(ExitCode::SUCCESS)
     }
 
-    /// gmsh and `[mesh] file` know the form by the name. What is no plain file (`/dev/stdout`) has none.
+    /// Refuses a name that gmsh and `[mesh] file` do not know the form by. What is no plain file (`/dev/stdout`) has
+    /// none.
     fn check_form(&self) -> Result<(), Failure> {
         let is_msh = (self.output.extension()).is_some_and(|ending| ending.eq_ignore_ascii_case("msh"));
         let is_plain = self.output.is_file() || !self.output.exists();

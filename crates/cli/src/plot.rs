@@ -35,7 +35,7 @@ pub(crate) struct Plot {
     #[arg(value_name = "SCENE|DIR")]
     of: PathBuf,
 
-    /// Another folder of solve with an orbit: draw both orbits side by side.
+    /// A second folder of solve with an orbit: draw both orbits side by side.
     #[arg(value_name = "DIR")]
     beside: Option<PathBuf>,
 

@@ -23,10 +23,10 @@ pub(crate) struct Steps {
     now: Mutex<Now>,
 }
 
-/// Where a run is.
+/// Place at which a run is.
 #[derive(Debug)]
 struct Now {
-    /// When the last line was written where there is no terminal.
+    /// Time at which the last line was written where there is no terminal.
     told: Instant,
     /// The cycle of an orbit that is followed, and when it began.
     cycle: Option<(usize, Instant)>,
@@ -50,7 +50,7 @@ impl Now {
         }
     }
 
-    /// When the cycle `number` began, which now is where the cycle before was another one.
+    /// Time at which the cycle `number` began, which now is where the cycle before was another one.
     fn begin_of_cycle(&mut self, number: usize) -> Instant {
         match self.cycle {
             Some((before, begun)) if before == number => begun,
@@ -160,7 +160,7 @@ fn bars(reached: &Reached) -> String {
 pub(crate) struct Progress {
     bar: ProgressBar,
     begun: Instant,
-    /// When the last line was written where there is no terminal.
+    /// Time at which the last line was written where there is no terminal.
     told: Instant,
 }
 
@@ -225,7 +225,7 @@ impl Progress {
         self.turns_to(task);
     }
 
-    /// So many cases have ended of so many.
+    /// Shows how many cases have ended of how many.
     pub(crate) fn cases(&mut self, now: Cases) {
         self.bar.set_length(now.cases as u64);
         self.bar.set_position(now.done as u64);

@@ -41,9 +41,9 @@ pub(crate) struct RunArguments {
 /// Whether error bars are estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Bars {
-    /// For every quantity whose error can be resolved.
+    /// Bars for every quantity whose error can be resolved.
     Auto,
-    /// For none.
+    /// No bars.
     None,
 }
 

@@ -79,12 +79,12 @@ pub(crate) struct Solve {
     #[arg(long)]
     fresh: bool,
 
-    /// Of a crankshaft: seek the counterweights that make the least film of all bearings greatest, on the webs that
-    /// have one, and show both.
+    /// Seek the counterweights of a crankshaft that make the least film of all bearings greatest, on the webs that have
+    /// one, and show both.
     #[arg(long)]
     counterweights: bool,
 
-    /// Of a crankshaft: solve it cut at its bearings too, and show both.
+    /// Solve a crankshaft cut at its bearings too, and show both.
     #[arg(long)]
     cut: bool,
 
@@ -97,11 +97,11 @@ pub(crate) struct Solve {
 /// How film.vtu is compressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Vtu {
-    /// Not at all.
+    /// No file of fields.
     None,
-    /// By LZ4: fast.
+    /// Compressed by LZ4: fast.
     Lz4,
-    /// By zlib: the smallest files.
+    /// Compressed by zlib: the smallest files.
     Zlib,
 }
 

@@ -151,7 +151,7 @@ fn part(text: &str) -> Result<Part, String> {
     part.ok_or_else(|| format!("a part is written K/N, such as 3/40, with 1 <= K <= N and N at most {}", Part::MOST))
 }
 
-/// That a part has no case.
+/// The complaint that a part has no case, if so.
 fn empty(cases: &Cases, part: Part) -> Option<String> {
     cases.cases_of(part).is_empty().then(|| {
         format!(

@@ -5,13 +5,13 @@ use crate::Label;
 /// How values are placed and numbered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// In proportion, with decimal numbers.
+    /// Linear, with decimal numbers.
     Linear,
-    /// In proportion, angles in degrees.
+    /// Linear, with angles in degrees.
     Degrees,
-    /// By logarithm, with powers of ten.
+    /// Logarithmic, with powers of ten.
     Powers,
-    /// By logarithm, with times in seconds.
+    /// Logarithmic, with times in seconds.
     Seconds,
 }
 

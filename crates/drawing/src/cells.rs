@@ -4,9 +4,9 @@ use crate::{Anchor, Colour, Figure, GREY, Label, Letters, SMALLEST_LETTERS};
 
 /// Height of a cell [mm].
 pub const CELL_HEIGHT: f64 = 5.0;
-/// Between cells [mm].
+/// Gap between cells [mm].
 const GAP: f64 = 0.3;
-/// Above the cells, below them, and right of them [mm].
+/// Room above the cells, below them, and right of them [mm].
 const ABOVE: f64 = 9.5;
 const BELOW: f64 = 10.0;
 const RIGHT: f64 = 1.5;
@@ -14,9 +14,9 @@ const RIGHT: f64 = 1.5;
 /// A cell: its colour and its word.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
-    /// Its colour.
+    /// Colour of the cell.
     pub fill: Colour,
-    /// Its word, left out where it does not fit.
+    /// Word in the cell, left out where it does not fit.
     pub word: Label,
 }
 
@@ -40,7 +40,7 @@ pub struct CellGrid {
 }
 
 impl CellGrid {
-    /// Its height [mm].
+    /// Height of the grid [mm].
     pub fn height(&self) -> f64 {
         ABOVE + CELL_HEIGHT * self.rows.len() as f64 + BELOW
     }

@@ -8,7 +8,7 @@ use crate::{
 /// Height of a chart over its width, and between charts [mm].
 const ASPECT: f64 = 0.68;
 const GAP: f64 = 5.0;
-/// Around the sheet [mm].
+/// Margin around the sheet [mm].
 const MARGIN: f64 = 1.0;
 /// Half of the cross-stroke of an error bar [mm].
 const CROSS: f64 = 0.7;
@@ -18,13 +18,13 @@ const CROSS: f64 = 0.7;
 pub struct Series {
     /// What it is; empty: not in the legend. Series of one name share an entry.
     pub name: Label,
-    /// Its colour.
+    /// Colour of the series.
     pub colour: Colour,
     /// The line through its points, where there is one. It breaks where a coordinate is no number.
     pub stroke: Option<Stroke>,
     /// The mark at each point, where there is one.
     pub mark: Option<Mark>,
-    /// Its points, x and y.
+    /// Points of the series, x and y.
     pub points: Vec<[f64; 2]>,
     /// Half lengths of the error bars in y, one for each point; none at all where it is empty, none of a point where it
     /// is no number.
@@ -42,13 +42,13 @@ impl Series {
         Self { stroke: None, mark: Some(mark), ..Self::line(name, colour, points) }
     }
 
-    /// With this stroke.
+    /// The series drawn with this stroke.
     #[must_use]
     pub fn stroked(self, stroke: Stroke) -> Self {
         Self { stroke: Some(stroke), ..self }
     }
 
-    /// With this mark at each point.
+    /// The series drawn with this mark at each point.
     #[must_use]
     pub fn marked(self, mark: Mark) -> Self {
         Self { mark: Some(mark), ..self }
@@ -77,7 +77,7 @@ pub struct Note {
     pub at: [f64; 2],
     /// The label.
     pub label: Label,
-    /// Its colour.
+    /// Colour of the note.
     pub colour: Colour,
 }
 
@@ -101,7 +101,7 @@ pub struct Chart {
     pub y: (Label, Scale),
     /// What kind of picture it is.
     pub kind: Kind,
-    /// Behind the curves.
+    /// Bands drawn behind the curves.
     pub bands: Vec<Band>,
     /// What is drawn, the uppermost last.
     pub series: Vec<Series>,

@@ -35,7 +35,7 @@ pub const YELLOW: Colour = Colour([240, 228, 66]);
 pub const SERIES: [Colour; 7] = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, INK];
 
 impl Colour {
-    /// As `#rrggbb`.
+    /// The colour as `#rrggbb`.
     pub fn hex(self) -> String {
         let [red, green, blue] = self.0;
         format!("#{red:02x}{green:02x}{blue:02x}")

@@ -36,7 +36,7 @@ fn root([start, middle, end]: [f64; 3]) -> f64 {
 /// A patch that runs against the clock, with what its sides share with their neighbours.
 struct Cell {
     patch: Patch,
-    /// Of each side, whether it runs from its lesser place to its greater.
+    /// Whether each side runs from its lesser place to its greater.
     forwards: [bool; 3],
     /// Bounds of the values.
     bounds: [f64; 2],

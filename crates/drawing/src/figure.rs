@@ -9,11 +9,11 @@ pub type Rectangle = [f64; 4];
 /// How a line is stroked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
-    /// Without gaps.
+    /// A line without gaps.
     Solid,
-    /// In dashes.
+    /// A line of dashes.
     Dashed,
-    /// In dots.
+    /// A line of dots.
     Dotted,
 }
 
@@ -34,7 +34,7 @@ impl Pen {
         Self { width, colour, stroke: Stroke::Solid }
     }
 
-    /// With another stroke.
+    /// The pen with another stroke.
     #[must_use]
     pub fn stroked(self, stroke: Stroke) -> Self {
         Self { stroke, ..self }
@@ -58,13 +58,13 @@ impl Pen {
 /// Which part of a label stands at its place, its capitals' middle at the height of the place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// Its left end.
+    /// The left end of the label.
     Left,
-    /// Its middle.
+    /// The middle of the label.
     Centre,
-    /// Its right end.
+    /// The right end of the label.
     Right,
-    /// Its middle, read from below.
+    /// The middle of a label that is read from below.
     Upright,
 }
 

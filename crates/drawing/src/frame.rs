@@ -2,7 +2,7 @@
 
 use crate::{Anchor, Axis, Colour, ColourMap, Figure, GRID, INK, Label, Letters, Pen, Rectangle, SMALLEST_LETTERS};
 
-/// Between the frame and numbers, and between those and the name of an axis [mm].
+/// Gap between the frame and numbers, and between those and the name of an axis [mm].
 const GAP: f64 = 1.2;
 /// Length of a tick [mm].
 const TICK: f64 = 0.8;
@@ -19,7 +19,7 @@ const FINE: Colour = Colour([241, 241, 241]);
 /// Axes around a rectangle of the sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
-    /// Where it is [mm].
+    /// Rectangle that the frame encloses on the sheet [mm].
     pub inner: Rectangle,
     /// The axis across.
     pub x: Axis,
@@ -82,7 +82,7 @@ impl Frame {
         self.y.ticks((self.inner[3] / UPWARDS).max(2.0))
     }
 
-    /// Where a point of values is on the sheet [mm].
+    /// Place on the sheet [mm] of a point of values.
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [left, top, width, height] = self.inner;
         [left + width * self.x.place(x), top + height * (1.0 - self.y.place(y))]

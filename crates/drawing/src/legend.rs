@@ -10,11 +10,11 @@ const SAMPLE: [f64; 3] = [7.0, 1.5, 4.0];
 pub struct Entry {
     /// What it is.
     pub name: Label,
-    /// Its colour.
+    /// Colour of the entry.
     pub colour: Colour,
-    /// Its line, where it has one.
+    /// Line of the entry, where it has one.
     pub stroke: Option<Stroke>,
-    /// Its mark, where it has one.
+    /// Mark of the entry, where it has one.
     pub mark: Option<Mark>,
     /// Whether an area is filled with the colour.
     pub area: Option<Colour>,

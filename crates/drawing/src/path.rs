@@ -8,9 +8,9 @@ pub(crate) const PARTS: f64 = 100.0;
 /// How lines end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum End {
-    /// Where the last point is.
+    /// The line ends at its last point.
     Open,
-    /// Where the line began.
+    /// The line ends where it began.
     Closed,
 }
 

@@ -133,7 +133,7 @@ fn path(lines: &Polylines) -> Option<Path> {
     path.finish()
 }
 
-/// From the line of a label to the sheet.
+/// Transform from the line of a label to the sheet.
 fn placed([x, y]: [f64; 2], letters: Letters, anchor: Anchor) -> Transform {
     let drop = 0.5 * letters.capital();
     match anchor {

@@ -18,7 +18,7 @@ const ADVANCES: [u16; 95] = [
     1266, 528, 528, 1094, 528, 1915, 1266, 1239, 1260, 1260, 846, 981,
     739, 1266, 1040, 1610, 1083, 1044, 963, 778, 1128, 778, 1171,
 ];
-/// Of other letters [1/2048 of the height].
+/// Advance of a letter that the table lacks [1/2048 of the height].
 const OTHER_ADVANCE: f64 = 1220.0;
 /// Bold letters are wider.
 const BOLD: f64 = 1.07;
@@ -105,19 +105,19 @@ impl Label {
         self.parts.is_empty()
     }
 
-    /// Its letters without their style.
+    /// Letters of the label without their style.
     pub fn text(&self) -> String {
         self.parts.iter().map(|(_, text)| text.as_str()).collect()
     }
 
-    /// This label and another one behind it.
+    /// The label with another one behind it.
     #[must_use]
     pub fn and(mut self, other: Label) -> Self {
         self.parts.extend(other.parts);
         self
     }
 
-    /// Its width [mm] in Noto Sans; other typefaces differ by some percent.
+    /// Width of the label [mm] in Noto Sans; other typefaces differ by some percent.
     pub fn width(&self, letters: Letters) -> f64 {
         let width = |(style, text): &(Style, String)| style.size(letters) * text.chars().map(advance).sum::<f64>();
         let width: f64 = self.parts.iter().map(width).sum();
@@ -156,7 +156,7 @@ impl Label {
         lines.iter().map(|line| Self::plain(line)).collect()
     }
 
-    /// Its parts, each in one style.
+    /// Parts of the label, each in one style.
     pub(crate) fn parts(&self) -> &[(Style, String)] {
         &self.parts
     }
@@ -232,19 +232,19 @@ impl Letters {
         Self { size: size.max(SMALLEST_LETTERS), ..Self::default() }
     }
 
-    /// In this colour.
+    /// The letters in this colour.
     #[must_use]
     pub fn coloured(self, colour: Colour) -> Self {
         Self { colour, ..self }
     }
 
-    /// In bold type.
+    /// The letters in bold type.
     #[must_use]
     pub fn bold(self) -> Self {
         Self { weight: Weight::Bold, ..self }
     }
 
-    /// With a white line of half a millimetre around them.
+    /// The letters with a white line of half a millimetre around them.
     #[must_use]
     pub fn with_halo(self) -> Self {
         Self { halo: 0.7, ..self }

@@ -27,7 +27,7 @@ pub(crate) struct Groups {
 }
 
 impl Groups {
-    /// Of the unknowns of `matrix` that are not masked.
+    /// Groups of the unknowns of `matrix` that are not masked.
     pub(crate) fn new(matrix: &Matrix, masked: &[bool]) -> Self {
         let n = matrix.pattern.dimension();
         let roots: Vec<f64> = (0..n).map(|i| matrix.diagonal(i).max(0.0).sqrt()).collect();

@@ -46,7 +46,7 @@ struct Owed {
 }
 
 impl Assembler {
-    /// With the quadrature rule that suits the degree of the space ([`crate::Quadrature::for_degree`]).
+    /// An assembler with the quadrature rule that suits the degree of the space ([`crate::Quadrature::for_degree`]).
     pub fn new(space: Space) -> Self {
         let sparsity = Sparsity::new(&space);
         let kernel = ElementKernel::new(space.degree());

@@ -32,7 +32,7 @@ pub struct Obstacle {
 }
 
 impl Obstacle {
-    /// At every node: for linear and for cubic elements, none of whose functions has a negative mean.
+    /// An obstacle at every node: for linear and for cubic elements, none of whose functions has a negative mean.
     pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
         Self { value, candidates: vec![true; space.dofs()] }
     }
@@ -267,7 +267,7 @@ fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
 
-/// Which dofs change sides, with a memory against cycling.
+/// Rule by which dofs change sides, with a memory against cycling.
 #[derive(Debug, Default)]
 struct Exchange {
     seen: HashSet<u64>,

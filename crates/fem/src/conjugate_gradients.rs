@@ -34,7 +34,7 @@ impl Enough {
     }
 }
 
-/// When to end.
+/// Conditions on which an iteration ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Ending {
     /// The accuracy that will do.

@@ -111,7 +111,7 @@ pub struct ControlVolumes {
     pub analysis: Arc<UnsymmetricAnalysis>,
     /// Pieces of the boundary that bound a dof's cell.
     pub faces: Vec<BoundaryFace>,
-    /// Made when a harmonic motion is first asked for.
+    /// Analysis that is made when a harmonic motion is first asked for.
     harmonic: OnceLock<Result<HarmonicAnalysis, Error>>,
 }
 
@@ -120,7 +120,7 @@ pub struct ControlVolumes {
 pub struct BoundaryFace {
     /// The dof.
     pub dof: usize,
-    /// Its triangle.
+    /// Triangle that the face belongs to.
     pub cell: usize,
     /// The middle of the piece [m].
     pub middle: [f64; 2],

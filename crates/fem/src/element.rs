@@ -46,7 +46,7 @@ pub struct ElementKernel {
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
 /// Pairs of shape functions `i <= j` of a cubic element.
 const CUBIC_PAIRS: usize = MOST_SHAPES * (MOST_SHAPES + 1) / 2;
-/// For each pair at one point: products of the derivatives by xi, mixed ones in both orders, and those by eta.
+/// Products of the derivatives of each pair at one point: by xi, mixed ones in both orders, and those by eta.
 type GradientProducts = [[f64; CUBIC_PAIRS]; 3];
 
 /// Geometry at the quadrature points of one element.
@@ -58,7 +58,7 @@ struct Geometry {
 }
 
 impl ElementKernel {
-    /// For elements of that degree, with the rule that suits it.
+    /// The kernel of elements of this degree, with the rule that suits it.
     pub fn new(degree: usize) -> Self {
         let rule = Quadrature::for_degree(degree);
         let shapes = lagrange::shapes(degree);

@@ -7,7 +7,7 @@ pub enum Error {
     /// A matrix or vector has an entry that is NaN or infinite.
     #[error("the {what} is not finite; look for a film thickness or viscosity that is zero or overflows")]
     NotFinite {
-        /// Which object.
+        /// Name of the object.
         what: &'static str,
     },
     /// The Cholesky factorisation met a pivot that is not positive.

@@ -1,4 +1,4 @@
-//! Where the polynomial of one triangle may be greatest.
+//! Candidates for the place at which the polynomial of one triangle is greatest.
 //!
 //! A polynomial lies below its greatest Bernstein coefficient; where that does not decide, its stationary points do.
 //! Those of a quadratic, and of a cubic along an edge, are roots in closed form. Inside a triangle a cubic is
@@ -50,7 +50,7 @@ pub(crate) fn bound(degree: usize, nodal: &[f64; MOST_SHAPES]) -> f64 {
     }
 }
 
-/// Where the polynomial may be greatest, besides its nodes.
+/// Places, besides the nodes, at which the polynomial may be greatest.
 pub(crate) fn candidates(degree: usize, nodal: &[f64; MOST_SHAPES]) -> Vec<[f64; 2]> {
     match degree {
         1 => Vec::new(),

@@ -122,7 +122,7 @@ pub struct LazyAnalysis {
 }
 
 impl LazyAnalysis {
-    /// Of matrices with `pattern` on `space`.
+    /// The analysis of matrices with `pattern` on `space`.
     pub fn new(space: Space, pattern: Arc<Pattern>) -> Self {
         Self { space, pattern, made: OnceLock::new() }
     }
@@ -176,7 +176,7 @@ pub struct SingleFactor {
 }
 
 impl Factorization {
-    /// This factor in single precision.
+    /// The factor in single precision.
     pub fn single(&self) -> SingleFactor {
         SingleFactor {
             analysis: Arc::clone(&self.analysis),

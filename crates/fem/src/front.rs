@@ -27,7 +27,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// Of the whole front.
+    /// Number of rows of the whole front.
     pub(crate) fn rows(self) -> usize {
         self.own + self.below
     }

@@ -22,7 +22,7 @@ pub struct HarmonicSystem {
 }
 
 impl HarmonicAnalysis {
-    /// Of tangents with the pattern of `analysis`.
+    /// The analysis of tangents with the pattern of `analysis`.
     ///
     /// # Errors
     /// [`Error::TooLarge`] if the factor's indices do not fit in memory.

@@ -16,7 +16,7 @@ const WORTH_A_FACTOR: usize = 30;
 pub(crate) struct Iterated {
     solver: MultigridSolver,
     multigrid: Multigrid,
-    /// Made where multigrid is slow.
+    /// Factor that is made where multigrid is slow.
     factor: OnceLock<Result<Factorization, Error>>,
     /// Steps of conjugate gradients made so far.
     steps: AtomicUsize,

@@ -25,7 +25,7 @@ pub const QUARTERINGS: usize = 4;
 /// A rule for triangles through which a kink may run; see the [module](self).
 #[derive(Debug)]
 pub struct KinkRule {
-    /// By how often the triangle is quartered.
+    /// Rules of the levels: level `k` has the triangle quartered `k` times.
     levels: Vec<Level>,
 }
 
@@ -34,7 +34,7 @@ pub struct KinkRule {
 struct Level {
     /// The points of all parts, one after the other.
     rule: Rule,
-    /// Of each part the shape functions at its nodes.
+    /// Shape functions at the nodes of each part.
     nodes: Vec<Vec<Nodal>>,
 }
 

@@ -13,12 +13,12 @@ use crate::{Matrix, Pattern, Space};
 /// Rows that one task computes.
 const ROWS_A_TASK: usize = 8192;
 
-/// Between the linear and the quadratic space of one mesh.
+/// Prolongation from the linear to the quadratic space of one mesh.
 #[derive(Debug)]
 pub struct LinearProlongation {
     /// The pattern of the quadratic space.
     quadratic: Arc<Pattern>,
-    /// That of the linear one.
+    /// The pattern of the linear space.
     linear: Arc<Pattern>,
     /// Dof of each vertex.
     vertex_dofs: Vec<u32>,
@@ -27,7 +27,7 @@ pub struct LinearProlongation {
 }
 
 impl LinearProlongation {
-    /// Below the quadratic `space`, whose matrices have the pattern `quadratic`.
+    /// The prolongation to the quadratic `space`, whose matrices have the pattern `quadratic`.
     pub fn new(space: &Space, quadratic: Arc<Pattern>) -> Self {
         let mesh = space.mesh();
         let vertex_dofs: Vec<u32> = (0..mesh.points().len() as u32).map(|v| space.vertex_dof(v) as u32).collect();
@@ -48,7 +48,7 @@ impl LinearProlongation {
         &self.quadratic.columns[first..first + degree]
     }
 
-    /// Which vertices are masked.
+    /// Whether each vertex is masked.
     pub(crate) fn masked(&self, fixed: &[bool]) -> Vec<bool> {
         let mut masked = vec![false; self.vertex_dofs.len()];
         for (&fixed, ends) in fixed.iter().zip(&self.ends) {

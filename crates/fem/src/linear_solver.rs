@@ -23,9 +23,9 @@ pub enum LinearSolver {
 /// What multigrid needs, whatever the matrix.
 #[derive(Debug, Clone)]
 pub struct MultigridSolver {
-    /// From the vertices to the quadratic elements.
+    /// Prolongation from the vertices to the quadratic elements.
     pub between: Arc<LinearProlongation>,
-    /// For the factor that takes over where multigrid is slow.
+    /// Analysis for the factor that takes over where multigrid is slow.
     pub direct: Arc<LazyAnalysis>,
 }
 
@@ -34,13 +34,14 @@ const IMBALANCE: f64 = 3e-11;
 
 /// Parts of the first residual down to which an iteration solves its systems.
 struct Ends {
-    /// At last,
+    /// The part that ends an iteration in any case.
     enough: f64,
-    /// where the balance of the law is not reached before,
+    /// The part where the balance of the law is not reached before.
     round_off: f64,
-    /// while a set of contact is still sought,
+    /// The part while a set of contact is still sought.
     rough: f64,
-    /// and the part of what is natural by which solutions may be off then: signs below it mean nothing.
+    /// Error that solutions have at this part, over the natural size of the unknowns: signs of smaller values mean
+    /// nothing.
     accuracy: f64,
 }
 

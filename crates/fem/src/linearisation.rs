@@ -22,11 +22,11 @@ const ONE_DIGIT: f64 = 1e-1;
 /// How linear systems are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Route {
-    /// By a factor.
+    /// A factor.
     Direct,
-    /// By conjugate gradients with multigrid.
+    /// Conjugate gradients with multigrid.
     Multigrid,
-    /// By a factor, after multigrid was found to be slow.
+    /// A factor, after multigrid was found to be slow.
     Switched,
 }
 
@@ -47,7 +47,7 @@ pub struct Linearisation {
     matrix: Matrix,
     factor: Factor,
     constraints: Constraints,
-    /// Made when it first preconditions.
+    /// Factor in single precision that is made when it first preconditions.
     rough: OnceLock<SingleFactor>,
 }
 
@@ -78,7 +78,7 @@ impl Linearisation {
         }
     }
 
-    /// This tangent with other given dofs.
+    /// The tangent with other given dofs.
     ///
     /// # Errors
     /// As [`crate::LinearSolver::linearise`].

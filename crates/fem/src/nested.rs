@@ -23,9 +23,9 @@ const WORTH_A_FACTOR: usize = 80;
 pub struct Nested {
     /// The tangent of the quadratic elements, factorised; its given dofs may differ from those of the cubic system.
     pub quadratic: Arc<Linearisation>,
-    /// Between the two spaces.
+    /// Prolongation between the two spaces.
     pub prolongation: Arc<Prolongation>,
-    /// For the factor of the cubic elements that takes over where steps are too many.
+    /// Analysis for the factor of the cubic elements that takes over where steps are too many.
     pub direct: Arc<LazyAnalysis>,
 }
 
@@ -33,7 +33,7 @@ pub struct Nested {
 #[derive(Debug)]
 pub(crate) struct NestedSystem {
     pub(crate) nested: Nested,
-    /// Made where conjugate gradients are slow.
+    /// Factor that is made where conjugate gradients are slow.
     factor: OnceLock<Result<Factorization, Error>>,
 }
 

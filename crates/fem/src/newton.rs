@@ -42,7 +42,7 @@ pub enum Failure {
         /// What was tried.
         history: Vec<HistoryStep>,
     },
-    /// Too many steps.
+    /// The method has taken too many steps.
     #[error("no convergence within {} steps", history.len())]
     TooManySteps {
         /// What was tried.
@@ -57,7 +57,7 @@ pub enum Failure {
     /// A linear system could not be solved.
     #[error("{error}")]
     Linear {
-        /// Why.
+        /// The cause.
         error: Error,
         /// What was tried; the last entry is where it happened.
         history: Vec<HistoryStep>,
@@ -97,7 +97,7 @@ pub struct Solution {
     pub seconds: Seconds,
 }
 
-/// Where the time went [s].
+/// Time of each part of a solution [s].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Seconds {
     /// Element loops.

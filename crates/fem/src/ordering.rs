@@ -115,7 +115,7 @@ struct Vertex {
 }
 
 impl Vertex {
-    /// By coordinate `axis`, then by the other, then by number: a strict order.
+    /// Order of the vertices by coordinate `axis`, then by the other coordinate, then by number: a strict order.
     fn compare(&self, other: &Self, axis: usize) -> std::cmp::Ordering {
         self.point[axis]
             .total_cmp(&other.point[axis])

@@ -1,4 +1,4 @@
-//! Where a sparse square matrix has entries.
+//! The entries of a sparse square matrix.
 
 /// Rows of a pattern: the columns of row `i` are `columns[row_start[i]..row_start[i + 1]]`, in any order.
 #[derive(Debug, Clone, PartialEq, Eq)]

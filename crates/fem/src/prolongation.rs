@@ -45,7 +45,7 @@ pub struct Hierarchical {
 }
 
 impl Prolongation {
-    /// Between the spaces of degree 2 and 3 on the mesh of `space`.
+    /// The prolongation between the spaces of degree 2 and 3 on the mesh of `space`.
     pub fn new(space: &Space) -> Self {
         let (quadratic, cubic) = (Space::new(space.mesh().clone(), 2), Space::new(space.mesh().clone(), 3));
         let topology = space.mesh().topology();

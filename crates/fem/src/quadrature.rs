@@ -56,8 +56,8 @@ impl Quadrature {
         self
     }
 
-    /// From orbits of the triangle's symmetry: its centre (weight), three points `(a, a)`
-    /// (weight, a), six points `(a, b)` (weight, a, b). Weights relative to area one.
+    /// A rule from orbits of the triangle's symmetry: its centre (weight), three points `(a, a)` (weight, a), six
+    /// points `(a, b)` (weight, a, b). Weights relative to area one.
     fn from_orbits(degree: usize, centre: Option<f64>, three: &[(f64, f64)], six: &[(f64, f64, f64)]) -> Self {
         let mut rule = Self { degree, points: Vec::new(), weights: Vec::new() };
         let mut add = |weight: f64, points: &[[f64; 2]]| {

@@ -3,7 +3,7 @@
 //! | row of | columns, in this order |
 //! |---|---|
 //! | vertex | itself, neighbours, dofs of incident edges, dofs of opposite edges, dofs of incident triangles |
-//! | edge | lesser end, greater end, its dofs; for each of its one or two triangles: opposite vertex, dofs of the next edge, of the one after, of the triangle |
+//! | edge | lesser end, greater end, own dofs; by triangle: opposite vertex, dofs of the next two edges, its dofs |
 //! | triangle | corners, dofs of its edges, its dofs |
 //!
 //! Columns are not sorted. Where an edge stands among those of its ends, and a triangle among

@@ -38,7 +38,7 @@ struct Block {
     rows: Range<usize>,
     /// Entries of the block's own columns left of the diagonal, columns counted from the first row of the block.
     lower: Triangle,
-    /// Those right of it.
+    /// Entries of the block's own columns right of the diagonal.
     upper: Triangle,
     /// Entries in columns of other blocks, row by row.
     cross: Vec<Cross>,
@@ -116,7 +116,7 @@ impl Block {
 }
 
 impl Sweeps {
-    /// Of `matrix` times `scale`, nothing masked yet.
+    /// The sweeps of `matrix` times `scale`, nothing masked yet.
     pub(crate) fn new(matrix: &Matrix, scale: f64) -> Self {
         let rows = matrix.pattern.dimension();
         let count = if rows < WORTH_CUTTING { 1 } else { BLOCKS };

@@ -36,11 +36,11 @@ pub struct UnsymmetricAnalysis {
     pattern: Arc<Pattern>,
     /// The dof that is eliminated `k`-th.
     order: Vec<u32>,
-    /// Those below come after those above.
+    /// The fronts from the leaves up: each stands before its parent.
     fronts: Vec<Front>,
     /// The rows below the own ones of each front, by their place in the order.
     below: Vec<u32>,
-    /// Their places in the front above.
+    /// Places of the rows of `below` in the parent front.
     in_parent: Vec<u32>,
     /// Entries of the matrix, front by front, and their places among the panels.
     entries: Vec<u32>,

@@ -1,4 +1,4 @@
-//! From listed triangles to a [`Mesh`]: orientation, numbering, edges, groups, and every defect at once.
+//! Makes a [`Mesh`] of listed triangles: orientation, numbering, edges, groups, and every defect at once.
 
 mod checks;
 
@@ -18,7 +18,7 @@ const STRAIGHT: f64 = 1e-9;
 /// Most triangles at one vertex. Edges are sought among those of a vertex, one after the other.
 const MOST_AT_VERTEX: u32 = 1000;
 
-/// Where the vertices and triangles of a [`RawMesh`] went.
+/// Numbers that the vertices and triangles of a [`RawMesh`] are given in the mesh.
 #[derive(Debug, Clone)]
 pub(crate) struct Numbering {
     /// Number in the mesh of each listed vertex; `u32::MAX` for those dropped.

@@ -20,8 +20,8 @@ const ASKED: f64 = 1.1;
 pub struct Coarser {
     /// The coarser mesh: regions `film`, `end_low`, `end_high`, and of an arc `arc_from`, `arc_to`.
     pub mesh: Mesh,
-    /// For each triangle of the coarser mesh the triangle of the finer one that holds its centroid, or the
-    /// nearest where that lies in a cut-out.
+    /// Triangle of the finer mesh for each triangle of the coarser one: it holds its centroid, or is the nearest where
+    /// that lies in a cut-out.
     pub parents: Vec<u32>,
 }
 
@@ -36,8 +36,8 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
     made(mesh, liner, line, |blueprint| generate(blueprint, &size))
 }
 
-/// As [`coarser`], in rows along a flow in this sense, columns and rows as unlike as those of `mesh`: oil is not spread
-/// across the flow.
+/// The mesh of [`coarser`] in rows along a flow in this sense, with columns and rows as unlike as those of `mesh`: oil
+/// is not spread across the flow.
 pub fn coarser_in_rows(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64, sense: Sense) -> Option<Coarser> {
     made(mesh, liner, line, |blueprint| generate_in_rows_like(blueprint, mesh, ratio, sense))
 }

@@ -1,6 +1,6 @@
 //! What can be wrong with a mesh. All defects are found at once; each names what, where and the way out.
 
-/// Of each kind no more are kept than this.
+/// Most defects of one kind that are kept.
 pub(crate) const MOST_DEFECTS: usize = 1000;
 
 /// One defect of a mesh. Positions are `(x, z)` [m] on the developed surface unless said.
@@ -68,13 +68,13 @@ pub enum Defect {
         /// Axial position [m].
         z: f64,
     },
-    /// More than two triangles share an edge.
+    /// An edge is shared by more than two triangles.
     #[error("more than two triangles share the edge between nodes {nodes:?}; remove the overlapping surface")]
     CrowdedEdge {
         /// Node tags of the edge.
         nodes: [u64; 2],
     },
-    /// So many triangles stand on one vertex that they are needles.
+    /// A vertex carries so many triangles that they are needles.
     #[error("{triangles} triangles share node {node}, more than {most}; mesh the surface again")]
     CrowdedNode {
         /// Node tag.
@@ -105,7 +105,7 @@ pub enum Defect {
         cells: usize,
         /// Developed position of a corner of that piece [m].
         x: f64,
-        /// Its axial position [m].
+        /// Axial position of the vertex [m].
         z: f64,
     },
     /// A triangle spans half a turn or more.

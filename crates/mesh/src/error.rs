@@ -68,7 +68,7 @@ pub enum Error {
     Damaged {
         /// Section of the file, without the dollar sign.
         section: String,
-        /// Where.
+        /// Position in the file.
         position: Position,
         /// What was found.
         what: String,
@@ -88,9 +88,9 @@ pub enum Error {
     Element {
         /// Name of the element.
         element: &'static str,
-        /// gmsh's number of the type.
+        /// The number that gmsh gives the type.
         kind: i32,
-        /// Where.
+        /// Position in the file.
         position: Position,
         /// What to do.
         remedy: &'static str,
@@ -157,7 +157,7 @@ pub enum Error {
     NotALiner {
         /// Tag of the node farthest off.
         node: u64,
-        /// Its distance, in file units.
+        /// Distance of the node, in file units.
         distance: f64,
         /// Axis of the best cylinder.
         axis: char,
@@ -215,9 +215,9 @@ pub enum Error {
         group: &'static str,
         /// "x" or "z".
         direction: char,
-        /// Where it should lie [m].
+        /// Coordinate at which the node should lie [m].
         expected: f64,
-        /// Where the node lies [m].
+        /// Coordinate at which the node lies [m].
         found: f64,
         /// Tag of the node.
         node: u64,
@@ -241,11 +241,11 @@ pub enum Error {
         count: usize,
         /// Tag of the first.
         node: u64,
-        /// Its seam group.
+        /// Seam group of the node.
         group: &'static str,
-        /// Its developed position [m].
+        /// Developed position of the node [m].
         x: f64,
-        /// Its axial position [m].
+        /// Axial position of the node [m].
         z: f64,
         /// The nearest node of the other seam, in words.
         nearest: String,
@@ -253,7 +253,7 @@ pub enum Error {
     /// A value of the liner or the unit that cannot be.
     #[error("{what} is {value}, which cannot be; give {needed}")]
     Impossible {
-        /// Which value.
+        /// Name of the value.
         what: &'static str,
         /// The value.
         value: f64,
@@ -291,7 +291,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// This error, with the file it arose from.
+    /// The error with the name of the file that it arose from.
     pub fn in_file(self, path: &std::path::Path) -> Self {
         Self::InFile { path: path.to_owned(), error: Box::new(self) }
     }

@@ -40,7 +40,8 @@ const MOST_FLIPS: usize = 100;
 pub struct Flipped {
     /// The mesh: vertices, boundary, circles and named edges of the one before.
     pub mesh: Mesh,
-    /// For each of its triangles one of the mesh before that belongs to the same surfaces: itself if it is an old one.
+    /// Triangle of the mesh before for each triangle: it belongs to the same surfaces, and is itself if it is an old
+    /// one.
     pub parents: Vec<u32>,
     /// Number of flips.
     pub flips: usize,
@@ -77,7 +78,7 @@ struct Pair {
     triangles: [usize; 2],
     /// Ends p and q of the edge, then the corners r and s that face it, as in the picture above.
     corners: [u32; 4],
-    /// Where they are [m], side by side.
+    /// Places of the corners [m], side by side.
     places: [[f64; 2]; 4],
     /// Edges qr, rp of the first triangle, and ps, sq of the second.
     edges: [u32; 4],
@@ -258,7 +259,7 @@ fn relative_jacobian(corners: [[f64; 2]; 3], bulges: [[f64; 2]; 3]) -> f64 {
     least_jacobian(&nodes) / doubled_area(corners)
 }
 
-/// For each triangle a number that it shares with those that belong to the same surfaces.
+/// A number for each triangle that it shares with those that belong to the same surfaces.
 fn surfaces(mesh: &Mesh) -> Vec<u32> {
     let mut numbers = vec![0u32; mesh.triangles().len()];
     let mut used = 0;

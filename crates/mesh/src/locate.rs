@@ -1,4 +1,4 @@
-//! Which triangle holds a point, and where in it.
+//! Finds the triangle that holds a point, and the place of the point in it.
 
 mod bounds;
 
@@ -18,7 +18,7 @@ const IN_A_BOX: usize = 4;
 #[derive(Debug, Clone)]
 pub struct Locator<'a> {
     mesh: &'a Mesh,
-    /// Around consecutive triangles; then, level by level, around consecutive boxes.
+    /// Boxes around consecutive triangles; then, level by level, around consecutive boxes.
     levels: Vec<Vec<Bounds>>,
 }
 

@@ -36,11 +36,11 @@ const WHOLE: u32 = u32::MAX;
 pub struct Refined {
     /// The finer mesh; regions, circles and the names of vertices are inherited.
     pub mesh: Mesh,
-    /// For each triangle of the finer mesh its place in the coarser one.
+    /// Place in the coarser mesh of each triangle of the finer one.
     pub lineage: Vec<Child>,
 }
 
-/// Where a triangle lies in its parent.
+/// Place of a triangle in its parent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Child {
     /// Triangle of the coarser mesh.

@@ -29,7 +29,7 @@ pub(crate) struct Cases {
 
 #[pymethods]
 impl Cases {
-    /// Those of a scene.
+    /// The cases of a scene.
     #[new]
     fn of(py: Python<'_>, scene: &Scene) -> PyResult<Self> {
         let (own, path) = (Arc::new(scene.scene.clone()), scene.path.clone());

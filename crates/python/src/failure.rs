@@ -48,7 +48,7 @@ impl Failure {
         move |error| Self::Compile(path.to_path_buf(), error)
     }
 
-    /// As an exception.
+    /// The failure as an exception.
     pub(crate) fn raised(self, py: Python<'_>) -> PyErr {
         match self {
             Self::Scene(error) => scene(py, error),

@@ -81,7 +81,7 @@ impl Node {
         )))
     }
 
-    /// In a line, as it stands behind `=`.
+    /// The value in a line, as it stands behind `=`.
     fn line(&self) -> PyResult<String> {
         let mut text = String::new();
         let inner = toml::ser::ValueSerializer::new(&mut text);

@@ -39,7 +39,7 @@ impl Numbers {
 
 #[pymethods]
 impl Numbers {
-    /// From the texts that another process made.
+    /// The numbers from the texts that another process made.
     #[new]
     fn of_texts(json: String, headlines: String, whole: String) -> Self {
         Self { json, tables: Tables::Texts([headlines, whole]) }

@@ -32,7 +32,7 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// As the program has it.
+    /// The options as the program has them.
     pub(crate) fn options(&self, scene: &oilwedge_scene::Scene, interrupt: Interrupt) -> RunOptions {
         let usual = RunOptions::of(scene);
         RunOptions {

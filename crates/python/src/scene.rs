@@ -12,9 +12,9 @@ use crate::node::{Values, document, lines};
 /// A scene that was read and checked.
 #[pyclass(frozen, module = "oilwedge._native")]
 pub(crate) struct Scene {
-    /// As the program reads it.
+    /// The scene as the program reads it.
     pub(crate) scene: oilwedge_scene::Scene,
-    /// Where it stands.
+    /// Path at which the scene stands.
     #[pyo3(get)]
     pub(crate) path: PathBuf,
 }
@@ -58,13 +58,13 @@ impl Scene {
         scene.map_err(|failure| failure.raised(py))
     }
 
-    /// Its text.
+    /// Text of the scene.
     #[getter]
     fn text(&self) -> &str {
         &self.scene.text
     }
 
-    /// Its title.
+    /// Title of the scene.
     #[getter]
     fn title(&self) -> &str {
         &self.scene.title

@@ -47,7 +47,7 @@ impl Drop for Flag {
 pub(crate) struct Pool(Option<ThreadPool>);
 
 impl Pool {
-    /// So many threads that nobody else has; one for each core where no number is given.
+    /// A pool of this many threads that nobody else has; one for each core where no number is given.
     ///
     /// # Errors
     /// They cannot be started.

@@ -36,9 +36,9 @@ static WORDS: [(&str, &[&str]); 8] = [
 /// One row of a catalogue in words.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Entry {
-    /// Which catalogue it is of: `key`, `quantity`, `effect`, `field` or `warning`.
+    /// The catalogue that the entry is of: `key`, `quantity`, `effect`, `field` or `warning`.
     pub kind: &'static str,
-    /// Its name there.
+    /// Name of the entry in its catalogue.
     pub name: String,
     /// What it is, in a sentence.
     pub what: String,
@@ -71,7 +71,7 @@ impl Entry {
         }
     }
 
-    /// Its kind, name and sentence, in a line.
+    /// Kind, name and sentence of the entry, in a line.
     pub fn line(&self) -> String {
         format!("{:8}  {:34}  {}\n", self.kind, self.name, self.what)
     }
@@ -96,7 +96,7 @@ impl Entry {
             || self.columns.contains(&(SYMBOL, name.to_owned()))
     }
 
-    /// Its name, that of a family without the region.
+    /// Name of the entry, without the region for a family.
     fn family(&self) -> &str {
         self.name.strip_suffix(REGION).unwrap_or(&self.name)
     }

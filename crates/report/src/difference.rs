@@ -10,18 +10,18 @@ use serde_json::{Map, Value};
 pub struct Changed {
     /// The key with its tables.
     pub key: String,
-    /// Its value in the first; `null` where it is absent.
+    /// Value in the first scene or result; `null` where it is absent.
     pub a: Value,
-    /// Its value in the second; `null` where it is absent.
+    /// Value in the second scene or result; `null` where it is absent.
     pub b: Value,
 }
 
 /// A quantity whose value differs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangedQuantity {
-    /// Its name.
+    /// Name of the quantity.
     pub name: String,
-    /// Its unit.
+    /// Unit of the quantity.
     pub unit: String,
     /// Value of the first; `null` where it is absent.
     pub a: Option<f64>,
@@ -59,7 +59,7 @@ const ROUND_OFF: f64 = 1e-12;
 
 /// The facts of a result that are compared.
 const FACTS: [&str; 3] = ["status", "reason", "mesh_sha256"];
-/// Those that follow from the scene, and are compared where a result does not hold its text.
+/// Facts that follow from the scene, and are compared where a result does not hold its text.
 const FACTS_OF_SCENE: [&str; 2] = ["scene_sha256", "geometry"];
 
 /// What differs between two results, the texts of `result.json` as values.

@@ -14,7 +14,7 @@ pub enum Error {
     /// A number is NaN or infinite.
     #[error("{name} is {value}, which is not a finite number; this is a fault of the program, please report the scene")]
     NotFinite {
-        /// Where the number stands.
+        /// Name under which the number stands.
         name: String,
         /// The number.
         value: f64,
@@ -30,7 +30,7 @@ pub enum Error {
     Length {
         /// Name of the field.
         name: String,
-        /// Its length.
+        /// Length of the array.
         values: usize,
         /// Number of nodes or triangles.
         wanted: usize,
@@ -44,7 +44,7 @@ pub enum Error {
     /// The writer of a file format failed.
     #[error("the {format} cannot be written: {message}; this is a fault of the program, please report the scene")]
     Format {
-        /// Which format.
+        /// Name of the format.
         format: &'static str,
         /// The writer's message.
         message: String,
@@ -52,7 +52,7 @@ pub enum Error {
     /// A file is not what this program writes.
     #[error("the {format} cannot be read: {message}")]
     Unreadable {
-        /// Which format.
+        /// Name of the format.
         format: &'static str,
         /// What is wrong with it.
         message: String,
@@ -65,7 +65,7 @@ pub enum Error {
         /// The system's message.
         source: io::Error,
     },
-    /// Another run keeps writing into the folder.
+    /// The folder stays locked: another run keeps writing into it.
     #[error("cannot write into {}: another run has been writing there for some time", path.display())]
     Busy {
         /// The folder.

@@ -17,7 +17,7 @@ use crate::Error;
 const BESIDE: &str = ".oilwedge-";
 /// How long another run is waited for that writes into the same folder.
 const LONGEST_WAIT: Duration = Duration::from_secs(10);
-/// Between two looks whether it has ended.
+/// Time between two looks whether the other run has ended.
 const LOOK: Duration = Duration::from_millis(2);
 
 /// Replaces and removes files of the folder `dir`, which is made if need be, step by step in this order: a name and its

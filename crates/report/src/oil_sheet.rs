@@ -88,7 +88,7 @@ impl OilSheet {
     }
 }
 
-/// Where the numbers of a grade come from.
+/// Source of the numbers of a grade.
 fn source(grade: &Grade) -> String {
     let window = grade.window;
     format!(
@@ -103,7 +103,7 @@ fn source(grade: &Grade) -> String {
     )
 }
 
-/// Without the rounding of a tenth.
+/// The value without the rounding of a tenth.
 fn tidy(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }

@@ -37,7 +37,7 @@ pub struct OrbitCourse {
 }
 
 impl OrbitCourse {
-    /// That of a run.
+    /// The course of the path that a run has followed.
     pub fn of_path(path: &OrbitPath) -> Self {
         let of_row = |row: &Row| {
             let value = |quantities: &Vec<_>| value(quantities, row);
@@ -46,7 +46,7 @@ impl OrbitCourse {
         Self { angles: path.crank_angles.clone(), offsets: path.offsets.clone(), numbers: DRAWN.map(of_row) }
     }
 
-    /// That of a table.
+    /// The course in a table of an orbit.
     ///
     /// # Errors
     /// It is no table of an orbit.

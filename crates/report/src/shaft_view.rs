@@ -24,7 +24,7 @@ pub struct ShaftView {
 /// The shaft of a scene, and those beside it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShaftViews {
-    /// That of the scene.
+    /// The shaft of the scene itself.
     pub own: ShaftView,
     /// The others.
     pub beside: Vec<(Variant, ShaftView)>,
@@ -36,7 +36,7 @@ pub fn is_of_shaft(result: &Value) -> bool {
 }
 
 impl ShaftViews {
-    /// Those of runs.
+    /// The views of runs.
     ///
     /// # Errors
     /// A number is not finite.
@@ -45,7 +45,7 @@ impl ShaftViews {
         Ok(Self { own: ShaftView::of_run(run)?, beside: others.collect::<Result<_, Error>>()? })
     }
 
-    /// Those in a folder of results.
+    /// The views in a folder of results.
     ///
     /// # Errors
     /// [`Error`]: a file cannot be read.
@@ -83,12 +83,12 @@ impl ShaftView {
         ShaftScene::parse(self.result["scene"].as_str()?, Path::new("scene.toml")).ok()
     }
 
-    /// Its title.
+    /// Title of the shaft.
     pub fn title(&self) -> &str {
         self.result["title"].as_str().unwrap_or_default()
     }
 
-    /// Its bearings along the axis, as objects.
+    /// Bearings of the shaft along the axis, as objects.
     pub fn bearings(&self) -> &[Value] {
         self.result["bearings"].as_array().map_or(&[], Vec::as_slice)
     }

@@ -19,11 +19,11 @@ const QUADRATIC_TRIANGLE: u8 = 22;
 /// How the arrays of a VTU file are compressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Compression {
-    /// Not at all.
+    /// No compression.
     None,
     /// LZ4: fast.
     Lz4,
-    /// zlib: the smallest files.
+    /// Compressed by zlib: the smallest files.
     Zlib,
 }
 
@@ -263,7 +263,7 @@ mod tests {
         assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::NotFinite { .. })));
     }
 
-    /// There is no rest after the last block.
+    /// Arrays whose last block is full have no rest behind it.
     #[test]
     fn arrays_of_whole_blocks_are_read_back() -> Result<(), Box<dyn std::error::Error>> {
         let mut picture = square();

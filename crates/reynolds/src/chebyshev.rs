@@ -12,7 +12,7 @@ const TERMS: usize = 8;
 pub(crate) struct Piecewise {
     from: f64,
     length: f64,
-    /// For each piece the coefficients of the powers of its coordinate t, which runs from -1 to 1.
+    /// Coefficients of the powers of the coordinate t of each piece, which runs from -1 to 1.
     pieces: Vec<[f64; TERMS]>,
 }
 

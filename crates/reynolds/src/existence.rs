@@ -28,9 +28,9 @@ pub enum NoFilm {
         reached: f64,
         /// Limit of the law [Pa].
         limit: f64,
-        /// Their ratio.
+        /// Ratio of the pressure reached to the limit.
         ratio: f64,
-        /// Which law it is.
+        /// Kind of the viscosity law.
         law: LawKind,
         /// Speed [rad/s] up to which there is a film, where it can be computed.
         greatest_speed: Option<f64>,

@@ -1,4 +1,4 @@
-//! By what a film is varied, to first order.
+//! What a film is varied by, to first order.
 
 use crate::JournalChange;
 use crate::film_thickness::FilmContribution;

@@ -22,7 +22,7 @@ impl FilmProblem {
     }
 }
 
-/// As many points as a law is asked for at once.
+/// Values at as many points as a law is asked for at once.
 pub(crate) type AtPoints<T> = [T; MOST_POINTS];
 
 /// Film and flows, or their changes, at some points.
@@ -200,8 +200,9 @@ impl ConservationLaw for FilmLaw<'_> {
         }
     }
 
-    /// As printed: `div(flux - conductance grad p) + storage + (mu(p)/mu0 - 1) (div(flux) + storage) = 0` in the
-    /// pressure p: the balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
+    /// Response of the law as printed: `div(flux - conductance grad p) + storage + (mu(p)/mu0 - 1) (div(flux) +
+    /// storage) = 0` in the pressure p: the balance of an oil of constant viscosity, with a source of oil that grows
+    /// with the pressure.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
         // In the conservative form the viscosity stands in q, and nothing is made.
         let law = (self.problem.form == Form::AsPrinted).then_some(&self.problem.lubricant.pressure_law);

@@ -29,9 +29,9 @@ use crate::wall::{GapTangent, Grid, Pressing};
 use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that
-/// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md);
+/// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md).
 const WORTH_MULTIGRID: usize = 8_000;
-/// the same where a factor serves many right-hand sides.
+/// Unknowns from which on multigrid replaces a factor that serves many right-hand sides.
 const WORTH_MULTIGRID_OFTEN: usize = 150_000;
 /// A triangle with a longer edge than this many times the height on it is a needle.
 const NEEDLE: f64 = 5.0;
@@ -41,10 +41,10 @@ const MANY_NEEDLES: f64 = 0.02;
 /// How viscosity that depends on pressure enters the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// Under the divergence, as mass balance has it; the unknown is the reduced pressure q.
+    /// Viscosity under the divergence, as mass balance has it; the unknown is the reduced pressure q.
     Conservative,
-    /// On the right-hand side, `div(h^3/(12 mu0) grad p) = mu(p)/mu0 div(U h/2)`, as the FlexPDE
-    /// study prints it; the unknown is p. No mass balance; it has a fold and no solution past it.
+    /// Viscosity on the right-hand side, `div(h^3/(12 mu0) grad p) = mu(p)/mu0 div(U h/2)`, as the FlexPDE study prints
+    /// it; the unknown is p. No mass balance; it has a fold and no solution past it.
     AsPrinted,
 }
 
@@ -53,7 +53,7 @@ pub enum Form {
 pub struct FilmProblem {
     /// Dimensions and end pressure.
     pub bearing: Bearing,
-    /// Which pressure flows there are.
+    /// The directions in which pressure drives oil.
     pub theory: Theory,
     /// Position and rotation of the journal.
     pub journal: JournalState,
@@ -71,7 +71,7 @@ pub struct FilmProblem {
     pub cavitation: Cavitation,
     /// What a film that conserves oil held before; `None`: it is steady, or its thickness alone changes.
     pub storage: Option<Arc<Storage>>,
-    /// Where rough surfaces touch; `None`: they do not.
+    /// Contact of rough surfaces; `None`: they do not touch.
     pub contact: Option<Contact>,
 }
 
@@ -80,25 +80,25 @@ pub struct FilmProblem {
 pub struct FilmSystem {
     /// Assembles on the space of the unknown.
     pub assembler: Assembler,
-    /// Where pressure is given.
+    /// Regions where pressure is given.
     pub supply: Supply,
     /// The next coarser mesh, to start from; none where a solve needs no start.
     pub coarser: Option<Box<Coarser>>,
     /// The analysed pattern of the Cholesky factor.
     pub(crate) analysis: Arc<LazyAnalysis>,
-    /// From how many unknowns on multigrid is worth while.
+    /// Unknowns from which on multigrid is worth while.
     worth_multigrid: usize,
-    /// Made when a film is first solved; none where multigrid does not serve.
+    /// Prolongation that is made when a film is first solved; none where multigrid does not serve.
     between: OnceLock<Option<Arc<LinearProlongation>>>,
-    /// Made when a mass-conserving film is first solved.
+    /// Control volumes that are made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// The analysed pattern of the LU factor of a hill, made when one is first solved.
     unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
     /// What presses on the grids of a wall, made when it first gives way.
     pressing: Mutex<Vec<Arc<Pressing>>>,
-    /// Made when an error bar is first estimated.
+    /// Cubic elements, made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
-    /// Made when the error of a mass-conserving film is first judged.
+    /// System of the vertices alone, made when the error of a mass-conserving film is first judged.
     pub(crate) vertices: OnceLock<Arc<FilmSystem>>,
 }
 
@@ -107,7 +107,7 @@ pub struct FilmSystem {
 pub struct CubicSystem {
     /// Assembles cubic elements; never factorised.
     pub system: Arc<FilmSystem>,
-    /// From quadratic elements.
+    /// Prolongation from quadratic elements.
     pub prolongation: Arc<Prolongation>,
 }
 
@@ -244,7 +244,7 @@ pub struct FilmSolution {
     pub wrong: Vec<usize>,
     /// One entry a linear solve on the way.
     pub history: Vec<HistoryStep>,
-    /// Where the time went.
+    /// Time of each part of the solution.
     pub seconds: Seconds,
     /// Films solved on coarser levels to start from.
     pub levels: usize,

@@ -30,9 +30,9 @@ use crate::film_thickness::FilmContribution;
 use crate::journal_state::{COORDINATES, JournalChange};
 use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 
-/// Triangles that are searched,
+/// Triangles that a search for the least film enters, of the [`LOOKED_AT`] it compares.
 const SEARCHED: usize = 8;
-/// of so many whose films may be least, where it is nearly even along a line.
+/// Triangles that are compared, whose films may be least where it is nearly even along a line.
 const LOOKED_AT: usize = 64;
 /// Smaller triangles in one of them, each at most three quarters of the one before, by which the least of them are
 /// told.
@@ -43,9 +43,9 @@ const SHRINKS: usize = 96;
 const EVEN: f64 = 1e-14;
 /// Halvings of the part of a line in which the film is least.
 const HALVINGS: usize = 32;
-/// The reach of a journal is known to this part of the clearance,
+/// Part of the clearance to which the reach of a journal is known.
 const EXACT: f64 = 1e-13;
-/// or after so many steps of Newton's method.
+/// Most steps of Newton's method for the reach of a journal.
 const MOST_STEPS: usize = 50;
 
 /// The place of the least gap between journal and liner.
@@ -79,8 +79,8 @@ pub struct Gap {
 struct Shaped {
     mesh: Arc<Mesh>,
     film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes;
-    /// made for the first of many journals.
+    /// Film of each triangle at its nodes [m]: with the journal in the middle, and what each coordinate changes; made
+    /// for the first of many journals.
     nodes: OnceLock<Vec<[Quadratic; 5]>>,
 }
 
@@ -123,7 +123,7 @@ impl Gap {
         self.thinnest(journal).thickness
     }
 
-    /// As [`Gap::least`], of a gap that is asked for one journal alone.
+    /// Least gap [m] of a gap that is asked for one journal alone; see [`Gap::least`].
     pub fn least_of_one(&self, journal: &JournalState) -> f64 {
         self.thinnest_by(journal, Shaped::thinnest_of_one).thickness
     }
@@ -231,7 +231,7 @@ impl Shaped {
         numbers
     }
 
-    /// Where the film on the mesh is least.
+    /// Place at which the film on the mesh is least.
     fn thinnest(&self, journal: &JournalState, radius: f64) -> Thinnest {
         let [e, g] = [journal.offset, journal.tilt];
         let place = [1.0, e[0], e[1], g[0], g[1]];

@@ -1,4 +1,4 @@
-//! Where the journal is and how it moves.
+//! Place and motion of the journal.
 
 /// Position, inclination, rotation and velocity of the journal in the frame of the bearing.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -63,9 +63,9 @@ impl JournalChange {
 /// Velocity of the journal's centre [m/s] in the frame of the line of centres.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct CentreVelocity {
-    /// Along the line of centres, outwards.
+    /// Velocity along the line of centres, outwards.
     pub radial: f64,
-    /// Across it, towards growing angles.
+    /// Velocity across the line of centres, towards growing angles.
     pub tangential: f64,
 }
 
@@ -92,7 +92,7 @@ impl CentreVelocity {
 }
 
 impl JournalState {
-    /// From the relative eccentricity `eps = |e|/c` and the angle `phi_min` [rad] of the minimum film; the
+    /// A journal at the relative eccentricity `eps = |e|/c` and the angle `phi_min` [rad] of the minimum film; the
     /// centre rests.
     pub fn at_eccentricity(eccentricity: f64, min_film_angle: f64, clearance: f64, speed: f64) -> Self {
         let (sin, cos) = min_film_angle.sin_cos();

@@ -26,10 +26,10 @@ const RATIO: f64 = 2.0;
 /// How the triangles of coarser meshes lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
-    /// Of a film that conserves oil in rows along the flow, where its own mesh lies in rows: oil that triangles spread
+    /// Rows along the flow for a film that conserves oil, where its own mesh lies in rows: oil that triangles spread
     /// across the flow would feed a film that should starve.
     Rows,
-    /// Anyhow.
+    /// Free triangles.
     Free,
 }
 
@@ -39,7 +39,7 @@ pub struct Coarser {
     /// Unknowns and given pressures there.
     pub system: Arc<FilmSystem>,
     pub(crate) film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle the one of the finer mesh in which it lies.
+    /// Triangle of the finer mesh in which each triangle lies.
     pub(crate) parents: Vec<u32>,
     /// Where each dof of the finer mesh lies: triangle of the coarser mesh and reference point.
     places: Vec<(u32, [f64; 2])>,

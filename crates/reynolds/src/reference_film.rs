@@ -8,12 +8,12 @@ use crate::{NoFilm, SolvedFilm};
 /// A second film of the same problem on the same mesh.
 #[derive(Debug)]
 pub enum ReferenceFilm {
-    /// In cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its
+    /// Film in cubic elements, on [`FilmSystem::cubic`](crate::FilmSystem::cubic): more accurate than the film, its
     /// quantities are reported.
     Cubic(SolvedFilm),
-    /// Of models that conserve oil.
+    /// The film that judges models which conserve oil.
     Coarse {
-        /// On [`FilmSystem::vertices_only`](crate::FilmSystem::vertices_only): less accurate than the film.
+        /// Film on [`FilmSystem::vertices_only`](crate::FilmSystem::vertices_only): less accurate than the film itself.
         film: SolvedFilm,
         /// What it shows of the errors of the film; none where it shows nothing.
         error: Option<Box<ConservingError>>,
@@ -51,7 +51,8 @@ impl SolvedFilm {
     /// `following`. None where a coarse film does not exist: this one may be sound without it.
     ///
     /// # Errors
-    /// [`NoFilm`]: cubic elements have no film, or the mesh does not resolve on which side of the limit of the viscosity law it lies.
+    /// [`NoFilm`]: cubic elements have no film, or the mesh does not resolve on which side of the limit of the
+    /// viscosity law it lies.
     pub fn reference_film(&self, following: Option<&FollowingWall>) -> Result<Option<ReferenceFilm>, NoFilm> {
         if self.problem.cavitation.is_symmetric() {
             return Ok(Some(ReferenceFilm::Cubic(self.cubic_film(None)?)));

@@ -18,9 +18,9 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 pub struct SolvedFilm {
     /// What was solved: where the journal is, how its wall is bent, what is simulated.
     pub problem: FilmProblem,
-    /// On which mesh, with which unknowns and given pressures.
+    /// Mesh, unknowns and given pressures of the film.
     pub system: Arc<FilmSystem>,
-    /// Its solution there.
+    /// Solution of the problem on the system.
     pub solution: Arc<FilmSolution>,
 }
 
@@ -30,7 +30,7 @@ impl SolvedFilm {
         Self { problem, system: system.clone(), solution: Arc::new(solution) }
     }
 
-    /// This film under a deflection that was found so.
+    /// The film under a deflection that was found so.
     #[must_use]
     pub fn closed_by(self, closing: Closing) -> Self {
         Self { problem: self.problem.closed_by(closing), ..self }

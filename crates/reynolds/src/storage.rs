@@ -24,7 +24,7 @@ use crate::{FilmProblem, FilmSystem, NoFilm, SolvedFilm};
 pub struct Storage {
     /// `1/(gamma dt)` [1/s].
     pub per_time: f64,
-    /// m: oil of the cell of each dof [m3].
+    /// Oil m of the cell of each dof [m3].
     pub known: Vec<f64>,
 }
 

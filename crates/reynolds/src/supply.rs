@@ -47,7 +47,7 @@ pub struct SupplyRegion {
     pub edges: Vec<u32>,
     /// Cells of the mesh.
     pub cells: Vec<u32>,
-    /// Its exact shape, where it is round.
+    /// Exact shape of the region, where it is round.
     pub disc: Option<Disc>,
     /// Film fraction of the oil that the journal carries in at a starved edge of an arc, where a mass-conserving
     /// film finds its pressure; none where the edge is flooded.
@@ -132,7 +132,7 @@ impl Supply {
         if errors.is_empty() { Ok(Self { regions, owner }) } else { Err(errors) }
     }
 
-    /// These given pressures on another space of their mesh.
+    /// The given pressures on another space of their mesh.
     pub(crate) fn on_space(&self, space: &Space) -> Self {
         let mut owner = vec![None; space.dofs()];
         for (index, region) in (0u16..).zip(&self.regions) {
@@ -143,8 +143,8 @@ impl Supply {
         Self { regions: self.regions.clone(), owner }
     }
 
-    /// These given pressures on a coarser mesh of the liner, which has ends and lines of its own but no
-    /// feeds: those take the dofs that lie in them, one at least. None if the coarser mesh lacks a line.
+    /// The given pressures on a coarser mesh of the liner, which has ends and lines of its own but no feeds: those take
+    /// the dofs that lie in them, one at least. None if the coarser mesh lacks a line.
     pub(crate) fn on_coarser(&self, fine: &Space, coarse: &Space, bearing: &Bearing) -> Option<Self> {
         let mut regions = self.regions.clone();
         for region in &mut regions {

@@ -14,15 +14,15 @@
 //! **Verified by** `literature/short_crankshaft_bearing`, `literature/short_bearing_finite_length`,
 //! `literature/sommerfeld_1904`.
 
-/// Which pressure flows a film has.
+/// The directions in which pressure drives oil.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Theory {
-    /// Both.
+    /// Pressure drives oil around and along the axis.
     #[default]
     Full,
-    /// Along the axis only.
+    /// Pressure drives oil along the axis only.
     Short,
-    /// Around only: its ends are sealed ([`crate::supply::BoundaryKind::Sealed`]).
+    /// Pressure drives oil around only: the ends are sealed ([`crate::supply::BoundaryKind::Sealed`]).
     Long,
 }
 
@@ -36,7 +36,7 @@ impl Theory {
         }
     }
 
-    /// Its name in scenes and reports.
+    /// Name of the theory in scenes and reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Full => "full",

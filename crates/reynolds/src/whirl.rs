@@ -35,7 +35,7 @@ pub struct Whirl<'a> {
 
 /// What a cavity holds.
 enum Cavity {
-    /// Nothing.
+    /// The cavity holds nothing.
     Empty,
     /// Oil, in the limit of slow motions: the volume [m3] of each node of the cavity when it is full.
     Slow(Vec<f64>),
@@ -44,7 +44,7 @@ enum Cavity {
 }
 
 impl<'a> Whirl<'a> {
-    /// At a frequency [rad/s]; zero: in the limit of slow motions.
+    /// The response at a frequency [rad/s]; zero stands for the limit of slow motions.
     ///
     /// # Errors
     /// The linear systems do not fit in memory.

@@ -57,7 +57,7 @@ pub struct Bearing {
     /// Young's modulus of journal and liner [Pa], for a warning where they deflect; `None`: that of steel. Nothing is
     /// computed with it.
     pub elastic_modulus: Option<f64>,
-    /// Which pressure flows there are.
+    /// The directions in which pressure drives oil.
     pub theory: Theory,
 }
 
@@ -71,21 +71,21 @@ impl Bearing {
 /// A part of the circumference, counted from +x towards +y; `from < to < from + 2 pi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
-    /// Where it begins [rad].
+    /// Angle at which the arc begins [rad].
     pub from: f64,
-    /// Where it ends [rad].
+    /// Angle at which the arc ends [rad].
     pub to: f64,
 }
 
-/// Which pressure flows a film has.
+/// The directions in which pressure drives oil.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Theory {
-    /// Both.
+    /// Pressure drives oil around and along the axis.
     #[default]
     Full,
-    /// Along the axis only.
+    /// Pressure drives oil along the axis only.
     Short,
-    /// Around only: its ends are sealed.
+    /// Pressure drives oil around only: the ends are sealed.
     Long,
 }
 

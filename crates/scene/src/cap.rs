@@ -64,7 +64,7 @@ pub struct Cap {
     pub rod_length: f64,
     /// Angle [rad] of the middle of the cap.
     pub angle: f64,
-    /// Its bolts.
+    /// Bolts of the cap.
     pub bolts: Bolts,
     /// The shell, if its halves stand out.
     pub shell: Option<Shell>,

@@ -138,7 +138,7 @@ impl Complaints {
     }
 }
 
-/// In the order of the text; complaints without a place come last.
+/// The complaints in the order of the text; those without a place come last.
 pub(crate) fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
     complaints.sort_by_key(|complaint| complaint.span.as_ref().map_or(usize::MAX, |span| span.start));
     complaints

@@ -85,7 +85,7 @@ pub enum Gas {
     Peak {
         /// Greatest pressure [Pa].
         peak: f64,
-        /// Its crank angle [rad].
+        /// Crank angle of the peak [rad].
         angle: f64,
         /// How narrow it is [1].
         sharpness: f64,

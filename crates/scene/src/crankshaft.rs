@@ -53,11 +53,11 @@ pub struct Crankshaft {
     pub tilt: ShaftTilt,
     /// Period of the gas pressure [rad].
     pub period: f64,
-    /// Its pieces from z = 0 on.
+    /// Pieces of the shaft from z = 0 on.
     pub pieces: Vec<ShaftPiece>,
     /// The shape of its throws; `None`: it has none.
     pub throw: Option<ThrowShape>,
-    /// Its bearings, in the order of the axis.
+    /// Bearings of the shaft, in the order of the axis.
     pub bearings: Vec<ShaftBearing>,
     /// Loads that do not change.
     pub loads: Vec<ShaftLoad>,
@@ -68,17 +68,17 @@ pub struct Crankshaft {
 /// How the loads of a shaft are borne.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Statics {
-    /// By shaft and films together.
+    /// Loads are shared by shaft and films together.
     #[default]
     Elastic,
-    /// By bearings at which the shaft is cut.
+    /// Loads are shared by bearings at which the shaft is cut.
     Cut,
 }
 
 /// Whether the films of a shaft resist its slopes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ShaftTilt {
-    /// They do.
+    /// The journals tilt with the shaft.
     #[default]
     Free,
     /// Journals stay parallel to their shells.
@@ -109,7 +109,7 @@ impl Crankshaft {
         throws.collect()
     }
 
-    /// From where to where each straight piece lies [m].
+    /// Extent of each straight piece [m].
     pub fn straight_spans(&self) -> Vec<[f64; 2]> {
         let mut z = 0.0;
         let mut spans = Vec::new();

@@ -81,7 +81,7 @@ impl Default for Criteria {
 }
 
 impl Criteria {
-    /// These limits, and the shared ones of `other` where there are none.
+    /// The limits, and the shared ones of `other` where there are none.
     pub(crate) fn or(self, other: Self) -> Self {
         Self {
             film_min: self.film_min.or(other.film_min),

@@ -49,7 +49,7 @@ pub enum SceneError {
     NotText {
         /// The file.
         path: PathBuf,
-        /// Where the first wrong byte stands.
+        /// Offset of the first wrong byte.
         offset: usize,
     },
     /// The text is not TOML.
@@ -57,7 +57,7 @@ pub enum SceneError {
     Syntax {
         /// The file.
         path: PathBuf,
-        /// Its text.
+        /// Text of the file.
         text: String,
         /// All faults, in the order of the text; their key is empty.
         complaints: Vec<Complaint>,
@@ -67,7 +67,7 @@ pub enum SceneError {
     Complaints {
         /// The file.
         path: PathBuf,
-        /// Its text.
+        /// Text of the file.
         text: String,
         /// All complaints, in the order of the text.
         complaints: Vec<Complaint>,

@@ -72,7 +72,7 @@ pub struct Housing {
 pub enum Mixing {
     /// Hot oil over fresh oil, q_0/q_1 [1].
     Ratio(f64),
-    /// This share [1] of the oil that the film carries around.
+    /// A share [1] of the oil that the film carries around.
     Share(f64),
 }
 

@@ -26,7 +26,7 @@ const POSITION: &str = "0.6 and min_film_angle = \"180 deg\", or [load] with for
 pub struct Journal {
     /// Angular speed omega [rad/s]; positive towards growing angles.
     pub speed: f64,
-    /// Where it is.
+    /// Position of the journal.
     pub position: Position,
     /// Velocity of its centre; `None`: the centre rests.
     pub squeeze: Option<squeeze::Squeeze>,
@@ -36,10 +36,10 @@ pub struct Journal {
     pub tilt_rate: Option<[f64; 2]>,
 }
 
-/// Where the journal is.
+/// How the position of the journal is known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Position {
-    /// At a fixed position.
+    /// A fixed position.
     Given {
         /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
         eccentricity: f64,
@@ -47,14 +47,14 @@ pub enum Position {
         /// and the scene gives none.
         min_film_angle: f64,
     },
-    /// Where the film carries this load: the position is found.
+    /// The position at which the film carries this load: it is found.
     Load {
         /// Force F on the journal [N], not negative.
         force: f64,
         /// Direction of the force [rad], from +x towards +y.
         angle: f64,
     },
-    /// On an orbit, under a load that changes over a cycle.
+    /// An orbit, under a load that changes over a cycle.
     #[default]
     Cycle,
 }

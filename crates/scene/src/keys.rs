@@ -23,15 +23,15 @@ pub enum Form<'a> {
     Tables,
     /// A value of the key that an axis of a sweep names.
     Value,
-    /// Such values in a list.
+    /// A list of such values.
     Values,
 }
 
 /// One key of a scene.
 #[derive(Debug)]
 pub struct Key {
-    /// Its tables and its name: `bearing.arc.from`. Keys of a list of tables are written once, `feed.group`; a word in
-    /// capitals stands for names that a user chooses.
+    /// Tables and name of the key: `bearing.arc.from`. Keys of a list of tables are written once, `feed.group`; a word
+    /// in capitals stands for names that a user chooses.
     pub path: &'static str,
     /// What it may hold: one form, or one of several.
     pub forms: &'static [Form<'static>],
@@ -39,7 +39,7 @@ pub struct Key {
     pub example: &'static str,
     /// What counts where it is not written; `required` where it must be.
     pub absent: &'static str,
-    /// Which values are accepted, beside their form.
+    /// Values that are accepted, beside their form.
     pub range: &'static str,
     /// What it is, in a sentence.
     pub what: &'static str,

@@ -40,7 +40,7 @@ const GREATEST_POISSON: f64 = 0.499;
 pub enum OuterSurface {
     /// A rigid housing.
     Clamped,
-    /// Nothing.
+    /// The outer surface is free of stress.
     Free,
 }
 
@@ -58,9 +58,9 @@ pub struct Material {
 /// A layer whose places move by themselves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Layer {
-    /// By this displacement for each pressure [m/Pa].
+    /// Displacement for each pressure [m/Pa].
     Given(f64),
-    /// As a thin layer of this material on a rigid housing.
+    /// Displacement of a thin layer of this material on a rigid housing.
     Of(Material),
 }
 
@@ -76,9 +76,9 @@ pub enum Liner {
         /// What holds its outer surface.
         outer: OuterSurface,
     },
-    /// By a matrix.
+    /// A matrix of compliances.
     Compliance {
-        /// Its file.
+        /// File of the matrix.
         file: PathBuf,
     },
 }

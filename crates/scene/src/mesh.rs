@@ -23,7 +23,7 @@ keys! {
         "unit of the file's coordinates";
 }
 
-/// Where the mesh comes from.
+/// Origin of the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MeshSource {
     /// A gmsh file.
@@ -34,7 +34,7 @@ pub enum MeshSource {
         unit: f64,
         /// Longest edges wanted [m] where its geometry is meshed anew; `None`: the mesh is used as it is.
         size: Option<f64>,
-        /// Where the triangles of a mass-conserving film lie.
+        /// Layout of the triangles of a mass-conserving film.
         layout: Layout,
     },
     /// The liner that the scene describes is meshed.
@@ -47,10 +47,10 @@ pub enum MeshSource {
 /// Where the triangles of a mesh file lie if the film conserves oil, which is carried along the flow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Layout {
-    /// In rows along the flow: generated anew where those of the file are not.
+    /// Rows along the flow: generated anew where those of the file are not.
     #[default]
     Rows,
-    /// Where they lie in the file.
+    /// The layout in the file.
     File,
 }
 

@@ -28,7 +28,7 @@ keys! {
 /// The oil.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Oil {
-    /// Its viscosity at gauge pressure zero.
+    /// Viscosity of the oil at gauge pressure zero.
     pub viscosity: Viscosity,
     /// How the viscosity depends on pressure.
     pub pressure_law: PressureLaw,
@@ -52,11 +52,11 @@ pub enum Viscosity {
 /// How the viscosity depends on pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PressureLaw {
-    /// mu = mu0.
+    /// Constant viscosity: mu = mu0.
     Constant,
-    /// mu = mu0 exp(alpha p).
+    /// Barus' law: mu = mu0 exp(alpha p).
     Barus(Barus),
-    /// mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
+    /// Roelands' law: mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
     Roelands(Roelands),
 }
 

@@ -89,7 +89,7 @@ pub struct Scene {
     pub bores: Vec<Bore>,
     /// The shape of the journal; `None`: a cylinder.
     pub shaft: Option<Shaft>,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     pub mesh: MeshSource,
     /// How small error bars must become by refinement of that mesh; `None`: it is used as it is.
     pub tolerance: Option<Tolerance>,
@@ -119,7 +119,7 @@ pub struct Scene {
     pub criteria: Criteria,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
-    /// Where rough surfaces touch; `None`: nowhere.
+    /// Contact of rough surfaces; `None`: they do not touch.
     pub contact: Option<Contact>,
     /// How roughness changes the flow of oil; `None`: the surfaces are smooth.
     pub roughness: Option<Roughness>,

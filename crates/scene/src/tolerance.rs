@@ -17,7 +17,7 @@ const KEY: &str = "tolerance";
 pub enum Tolerance {
     /// The scene gives neither a mesh nor a tolerance: the usual bar of the main quantity, where bars are wanted.
     Usual,
-    /// That of the main quantity relative to its value [1].
+    /// Tolerance of the main quantity relative to its value [1].
     Main(f64),
     /// One for each of these quantities, in the order of the text; never empty.
     ByName(Vec<Target>),

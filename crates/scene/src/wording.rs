@@ -3,8 +3,8 @@
 
 use crate::unit::ZERO_CELSIUS;
 
-/// Without control characters, which could steer a terminal, and characters of direction, which could show a text in
-/// another order; each is replaced.
+/// The text without control characters, which could steer a terminal, and characters of direction, which could show a
+/// text in another order; each is replaced.
 pub fn printable(text: &str) -> String {
     let shown = |letter: char| match letter {
         '\n' => letter,

@@ -10,7 +10,8 @@ use crate::thermal;
 /// temperature found.
 ///
 /// # Errors
-/// [`NoAnswer`]: the reason why there is no film or no position; from near another operating point also where a cold start finds an answer.
+/// [`NoAnswer`]: the reason why there is no film or no position; from near another operating point also where a cold
+/// start finds an answer.
 pub fn solve(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     match &film.thermal {
         Some(model) => thermal::solve(film, model, options),

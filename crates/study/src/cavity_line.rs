@@ -33,9 +33,9 @@ const OVERLAP: usize = 64;
 /// A piece of the edge of a cavity.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CavityPiece {
-    /// On the unrolled liner [m].
+    /// Piece of the line on the unrolled liner [m].
     pub(crate) piece: Piece,
-    /// Its normal towards the cavity, as long as the piece.
+    /// Normal of the piece towards the cavity, as long as the piece.
     pub(crate) normal: [f64; 2],
     /// Extents of its triangle [m].
     pub(crate) extent: [f64; 2],
@@ -65,7 +65,7 @@ pub(crate) fn smoothed(mut pieces: Vec<CavityPiece>, radius: f64, half_length: f
     pieces
 }
 
-/// On which side of a piece its normal points.
+/// The side of a piece to which its normal points.
 fn side([from, to]: Piece, normal: [f64; 2]) -> f64 {
     ((to[0] - from[0]) * normal[1] - (to[1] - from[1]) * normal[0]).signum()
 }

@@ -14,11 +14,11 @@ use crate::quantities::{CATALOGUE, Row, Unit, row};
 pub struct Column {
     /// Name of the quantity, as `feed_flow.hole`.
     pub quantity: Cow<'static, str>,
-    /// Its row of the catalogue.
+    /// Row of the column in the catalogue.
     pub row: &'static Row,
     /// How the column is called.
     pub name: Cow<'static, str>,
-    /// Its unit, as it is written.
+    /// Unit of the column, as it is written.
     pub unit: String,
     /// Size of that unit and its zero, both in the unit of the row.
     scale: [f64; 2],
@@ -79,7 +79,7 @@ impl Column {
         error / self.scale[0]
     }
 
-    /// Its heading: `h_min [um]`.
+    /// Heading of the column: `h_min [um]`.
     pub fn heading(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
     }

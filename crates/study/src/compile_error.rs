@@ -68,7 +68,7 @@ pub enum CompileError {
         "load.file: the columns Mx and My give a moment, but the tilt of the journal is not found; add load.at = \"0 mm\" to find it where the film carries the moment, or remove both columns"
     )]
     UnusedMoment,
-    /// There is no load over a cycle.
+    /// The load over a cycle cannot be made.
     #[error("{0}")]
     Duty(String),
     /// The table of a measured surface cannot be used.
@@ -81,7 +81,7 @@ pub enum CompileError {
     Touching {
         /// Angle of the least gap [rad].
         angle: f64,
-        /// Its axial position [m].
+        /// Axial position of the place [m].
         z: f64,
         /// The gap there [m].
         thickness: f64,
@@ -112,7 +112,7 @@ pub enum CompileError {
     BeyondLimit {
         /// Circumference of the liner [m].
         around: f64,
-        /// Its length [m].
+        /// Length of the piece [m].
         length: f64,
         /// Unknowns of the mesh, about.
         unknowns: f64,

@@ -27,7 +27,7 @@ pub enum NoDuty {
     },
 }
 
-/// At how many angles of a period it is checked that a load is finite.
+/// Number of angles of a period at which it is checked that a load is finite.
 const CHECKED: u32 = 1440;
 /// Crank angle [rad] of a cycle of a load that does not change: two turns.
 const CYCLE: f64 = 2.0 * std::f64::consts::TAU;

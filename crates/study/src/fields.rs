@@ -3,7 +3,7 @@
 /// How a field is interpolated between its values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
-    /// By the quadratic of each triangle.
+    /// Interpolated by the quadratic of each triangle.
     Quadratic,
     /// Linearly on the four parts of each triangle, as the scheme has it whose oil is conserved: a quadratic would
     /// overshoot where the film breaks.
@@ -17,7 +17,7 @@ pub enum Interpolation {
 pub struct FieldRow {
     /// Name in files.
     pub name: &'static str,
-    /// Its name for people.
+    /// Name of the field for people.
     pub label: &'static str,
     /// Symbol.
     pub symbol: &'static str,

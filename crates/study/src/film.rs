@@ -38,7 +38,7 @@ pub struct Film {
     pub dynamics: Option<Dynamics>,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     pub origin: MeshOrigin,
     /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
     pub seconds: Vec<(&'static str, f64)>,
@@ -47,19 +47,19 @@ pub struct Film {
 /// What is known of the position at which the search under a load begins.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Start {
-    /// It is an estimate.
+    /// The position is an estimate.
     #[default]
     Estimated,
-    /// It balances the load on a coarser mesh.
+    /// The position balances the load on a coarser mesh.
     NearlyBalanced,
     /// A growing moment leads into contact, or the journal tips over; another mesh has shown a balance on the way.
     Along(Arc<Waypoint>),
-    /// It is an estimate, from which a rough search on this mesh has found no balance: under a wall that gives way,
-    /// where that takes long.
+    /// The position is an estimate, from which a rough search on this mesh has found no balance: under a wall that
+    /// gives way, where that takes long.
     Failed,
 }
 
-/// Where the mesh of a film comes from.
+/// Origin of the mesh of a film.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MeshOrigin {
     /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that
@@ -72,7 +72,7 @@ pub struct MeshOrigin {
 }
 
 impl Film {
-    /// This film with the journal elsewhere.
+    /// The film with the journal elsewhere.
     pub fn with_journal(&self, journal: JournalState) -> Self {
         let mut film = self.clone();
         film.problem.journal = journal;
@@ -86,7 +86,7 @@ impl Film {
         film
     }
 
-    /// This film with the solution of one like it.
+    /// The film with the solution of one like it.
     pub fn solved_by(&self, solution: Arc<FilmSolution>) -> SolvedFilm {
         SolvedFilm { problem: self.problem.clone(), system: self.system.clone(), solution }
     }
@@ -99,7 +99,7 @@ impl Film {
         film
     }
 
-    /// This film, at whose position a coarser mesh balances the load.
+    /// The film, at whose position a coarser mesh balances the load.
     pub(crate) fn nearly_balanced(self) -> Self {
         Self { start: Start::NearlyBalanced, ..self }
     }
@@ -145,12 +145,12 @@ impl Film {
         })
     }
 
-    /// Where it is least, with the journal anywhere.
+    /// Gap of the film, with the journal anywhere.
     pub fn gap(&self) -> Gap {
         Gap::of(&self.problem, &self.system)
     }
 
-    /// Where the journal is.
+    /// Position of the journal.
     pub fn position(&self) -> Position {
         Position::of(&self.problem.journal, self.problem.bearing.clearance)
     }

@@ -38,7 +38,7 @@ pub(crate) fn film_lines(film: &Film, solved: &SolvedFilm) -> Vec<(String, Vec<P
 enum Node {
     Full,
     Cavity,
-    /// Its pressure is given and is no higher than that of the cavity: both meet there.
+    /// A node whose pressure is given and is no higher than that of the cavity: both meet there.
     Either,
 }
 

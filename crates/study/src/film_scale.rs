@@ -44,7 +44,7 @@ pub(crate) struct FilmScale<'a> {
 }
 
 impl<'a> FilmScale<'a> {
-    /// That of the film of a scene with the journal at `position`.
+    /// The scale of the film of a scene with the journal at `position`.
     ///
     /// # Errors
     /// A table of a measured surface cannot be used.

@@ -20,13 +20,14 @@ use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
 use crate::position::Position;
 
-/// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
+/// Factor between the least film found and the one that a mesh was graded for, from which on it is graded anew.
 const REGRADED: f64 = 1.3;
-/// or where the thinnest film lies elsewhere by this angle [rad].
+/// Angle [rad] between the thinnest film found and the one that a mesh was graded for, from which on it is graded anew.
 const ELSEWHERE: f64 = 0.2;
-/// A mesh for a journal in contact is graded for a film of this part of the clearance,
+/// Part of the clearance of the film that a mesh for a journal in contact is graded for.
 const THIN: f64 = 0.01;
-/// and, of a parallel journal, rows along the flow, which are as dense all along the bearing, for one of this part.
+/// Part of the clearance that rows along the flow are graded for with a parallel journal in contact: they are as dense
+/// all along the bearing.
 const THIN_IN_ROWS: f64 = 0.2;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
@@ -63,8 +64,8 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// By why a film has no answer, or by the way along which it was sought; none where the journal tips over: at which
-    /// tilt depends on the mesh.
+    /// What a film shows by the reason for which it has no answer, or by the way along which it was sought; none where
+    /// the journal tips over: at which tilt depends on the mesh.
     pub fn of(film: &Film, reason: &NoAnswer) -> Option<Self> {
         if reason.is_tilt_limit() {
             return None;
@@ -75,8 +76,8 @@ impl Shown {
     }
 }
 
-/// As [`graded`], with no more than about so many triangles on a mesh graded anew: a film found much thinner than
-/// expected asks for shorter edges everywhere. The search begins where another mesh has shown the way.
+/// The film of [`graded`] with no more than about so many triangles on a mesh graded anew: a film found much thinner
+/// than expected asks for shorter edges everywhere. The search begins where another mesh has shown the way.
 ///
 /// # Errors
 /// The scene does not become a film.
@@ -145,9 +146,9 @@ fn takes_long(problem: &FilmProblem, load: Load) -> bool {
 
 /// Whether a mesh suits the position that the load leads to.
 enum Suited {
-    /// To the position, and the wall, of this film, which balances the load roughly.
+    /// The mesh suits the position and the wall of this film, which balances the load roughly.
     To(Box<FilmProblem>),
-    /// It is better graded for this position.
+    /// The mesh does not suit this position, for which it is better graded.
     Not(Position, Known),
     /// No position is known, but perhaps the way of a growing moment.
     Unknown(Option<Arc<Waypoint>>),

@@ -39,7 +39,7 @@ pub enum LevelError {
     /// The scene does not become a film on this mesh.
     #[error(transparent)]
     Compile(#[from] CompileError),
-    /// There is no answer to what the scene asks.
+    /// The scene asks for something that has no answer.
     #[error(transparent)]
     NoAnswer(#[from] NoAnswer),
 }

@@ -1,7 +1,8 @@
 //! One scene to one answer: a compiled film, its analysis, its quantities with error bars, and the result as data.
 //!
 //! ```text
-//! Scene -> compile (sockets) -> analysis (position, temperature) -> film -> quantities, bars -> RunResult + FilmPicture
+//! Scene -> compile (sockets) -> analysis (position, temperature) -> film
+//! film  -> quantities, bars -> RunResult + FilmPicture
 //! ```
 //!
 //! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`],

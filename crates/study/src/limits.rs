@@ -73,7 +73,7 @@ pub fn design_criteria(
 struct Limited<'a> {
     what: &'a str,
     unit: &'a str,
-    /// This unit over that of the number.
+    /// Size of this unit over that of the number.
     scale: f64,
     value: Option<Judged>,
 }

@@ -76,8 +76,8 @@ impl Measured {
         product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
     }
 
-    /// With what is asked of `film` about small motions of its journal, found on the `solved` one that was measured: at
-    /// the frequencies of another film that stands for it too, if there is one.
+    /// The numbers with what is asked of `film` about small motions of its journal, found on the `solved` one that was
+    /// measured: at the frequencies of another film that stands for it too, if there is one.
     pub fn with_dynamics(self, film: &Film, solved: &SolvedFilm, beside: Option<&Self>) -> Self {
         let of = || {
             let asked = film.dynamics.as_ref()?;

@@ -17,13 +17,13 @@ const PAST_LAW: &str = "lower the load, use a viscosity law that grows slower ([
 /// Why there is nothing to report.
 #[derive(Debug)]
 pub enum NoAnswer {
-    /// There is no film at the given position.
+    /// No film at the given position.
     Film(NoFilm),
-    /// There is no position for the load.
+    /// No position for the load.
     Equilibrium(NoEquilibrium),
-    /// There is no orbit.
+    /// No orbit.
     Orbit(NoOrbit),
-    /// There is no temperature at which the balance closes.
+    /// No temperature at which the balance closes.
     Temperature(NoTemperature),
     /// A limit or an interrupt came before the first film, on a mesh with so many unknowns.
     NotBegun {

@@ -10,13 +10,13 @@ use crate::quantities::Unit;
 pub struct Reached {
     /// Number of the mesh, from 1.
     pub level: usize,
-    /// Its unknown pressures.
+    /// Unknown pressures of the mesh.
     pub unknowns: usize,
     /// Quantity whose bar is the widest for what is asked.
     pub quantity: String,
     /// Unit of its bar.
     pub unit: Unit,
-    /// Its bar; `None` where the mesh does not resolve it.
+    /// Bar of the value; `None` where the mesh does not resolve it.
     pub error: Option<f64>,
     /// The bar that is asked for, where there is one.
     pub asked: Option<f64>,
@@ -27,7 +27,7 @@ pub struct Reached {
 /// The deadline of the searches of a run, and the observer that is notified of their positions.
 #[derive(Debug, Clone, Copy)]
 pub struct Watch {
-    /// When they must end.
+    /// Deadline of the searches.
     pub deadline: Deadline,
     /// Most unknowns of the meshes that are made for them.
     pub most_unknowns: usize,
@@ -41,7 +41,7 @@ impl From<Deadline> for Watch {
     }
 }
 
-/// Is notified by a run; from any thread.
+/// Notified by a run, from any thread.
 pub trait RunObserver: SearchObserver + OrbitObserver {
     /// A mesh with so many unknowns is solved next; meshes are counted from 1.
     fn level(&self, number: usize, unknowns: usize);

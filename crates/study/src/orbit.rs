@@ -49,7 +49,7 @@ use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
 
-/// Where an orbit ends its search, as results have it.
+/// Place at which an orbit ends its search, as results have it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitFacts {
     /// Crank angle of a cycle [deg].
@@ -80,10 +80,11 @@ pub struct CycleFacts {
     pub rejected: usize,
     /// Films solved.
     pub films: usize,
-    /// Of films that conserve their oil: oil that lies elsewhere at the end, over all oil in the film [1].
+    /// Oil that lies elsewhere at the end of the cycle, over all oil in the film [1]; of films that conserve their oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oil_closure: Option<f64>,
-    /// Of films that conserve their oil: what is lost or made over the cycle, of the oil that passes or is held [1].
+    /// Oil that is lost or made over the cycle, of the oil that passes or is held [1]; of films that conserve their
+    /// oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oil_imbalance: Option<f64>,
 }
@@ -140,7 +141,7 @@ pub(crate) struct Followed {
     pub(crate) temperature: Option<CycleTemperature>,
     /// Whether the deadline has ended an orbit by which the bars of a film that conserves its oil are found.
     pub(crate) are_bars_ended: bool,
-    /// Where the last cycle ended [m].
+    /// Place at which the last cycle ended [m].
     pub(crate) begin: Vector,
     /// How it ended.
     pub(crate) end: OrbitEnd,

@@ -31,7 +31,7 @@ pub struct FilmPicture {
 /// A field of a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PictureField {
-    /// Its name. The unit in brackets belongs to the name, but for the fields that scripts know without one.
+    /// Name of the field. The unit in brackets belongs to the name, but for the fields that scripts know without one.
     pub name: Cow<'static, str>,
     /// Unit of the values, as `Pa`.
     pub unit: Cow<'static, str>,
@@ -86,10 +86,10 @@ impl FilmPicture {
     }
 }
 
-/// Where a film is drawn.
+/// Surface on which a film is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Surface {
-    /// On the cylinder `(R cos phi, R sin phi, z)`.
+    /// The cylinder `(R cos phi, R sin phi, z)`.
     Cylinder,
     /// Unrolled, `(R phi, z, 0)`.
     Developed,
@@ -235,7 +235,7 @@ fn numbered(film: &Film, surface: Surface) -> (Nodes, Vec<[u32; 6]>) {
     (nodes, cells)
 }
 
-/// On which side of the cut and in which pocket a node stands.
+/// Side of the cut and pocket in which a node stands.
 type Side = (bool, u8);
 
 /// The side of most nodes.

@@ -1,4 +1,4 @@
-//! Where the journal is, and where a computation begins.
+//! Position of the journal, from which computations begin.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -31,7 +31,7 @@ pub struct Position {
 }
 
 impl Position {
-    /// That of a journal in a bearing with this clearance [m].
+    /// The position of a journal in a bearing with this clearance [m].
     pub fn of(journal: &JournalState, clearance: f64) -> Self {
         Self {
             eccentricity: journal.eccentricity() / clearance,

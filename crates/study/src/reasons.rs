@@ -11,9 +11,9 @@ use oilwedge_scene::wording::{factor, percent};
 
 /// Ways out that are flags of the command line.
 pub mod flags {
-    /// For searches and refinements that end with the time.
+    /// Way out of searches and refinements that end with the time.
     pub const MORE_SECONDS: &str = "give --max-seconds a higher limit";
-    /// For refinements that end with the size.
+    /// Way out of refinements that end with the size.
     pub const MORE_UNKNOWNS: &str = "give --max-unknowns a higher limit";
 }
 use flags::{MORE_SECONDS, MORE_UNKNOWNS};
@@ -30,16 +30,16 @@ pub enum Limit {
     Temperature(f64, Cause),
     /// The search for the position was ended where force and load differed by this part of the load.
     Position(f64, Cause),
-    /// So many cycles were followed, and the last one ended this far from where it began, over the clearance.
+    /// The last of this many cycles ended this far from where it began, over the clearance.
     NotClosed(usize, f64),
-    /// So many cycles of a rotor of this mass [kg] were followed, which do not end nearer to where they began; the last
-    /// one closed to this part of the clearance.
+    /// The last of this many cycles of a rotor of this mass [kg], which do not end nearer to where they began, closed
+    /// to this part of the clearance.
     Whirl(usize, f64, f64),
-    /// So many cycles were followed, the last of which closed to this part of the clearance, under a load of which this
-    /// part turns at half the speed of the journal.
+    /// The last of this many cycles closed to this part of the clearance, and this part of the load turns at half the
+    /// speed of the journal.
     Collapse(usize, f64, f64),
-    /// As [`Self::Collapse`], of a journal that does not turn: the part of the load that keeps its direction, over the
-    /// mean magnitude.
+    /// The last of this many cycles of a journal that does not turn closed to this part of the clearance, and this part
+    /// of the load keeps its direction, over the mean magnitude.
     Sinking(usize, f64, f64),
     /// The orbit was ended at this crank angle [deg] of its first cycle.
     FirstCycle(f64, Cause),
@@ -71,7 +71,7 @@ pub enum Limit {
         /// What does not allow them.
         cause: Cause,
     },
-    /// So many meshes were refined.
+    /// This number of meshes was refined, the most there may be.
     Meshes(Distance, usize),
     /// A round rim of the mesh is too coarse to be divided.
     CoarseRim,

@@ -69,7 +69,7 @@ pub struct Regime {
     pub temperature_rise: Option<f64>,
 }
 
-/// That the clearance is far from a thousandth of the radius, as it is in bearings.
+/// The warning that the clearance is far from a thousandth of the radius, as it is in bearings.
 pub fn unusual_clearance(bearing: &Bearing) -> Option<Warning> {
     let ratio = bearing.clearance / bearing.radius;
     let written = format!("the clearance, {}, is {} of the radius", micrometres(bearing.clearance), rounded(ratio));
@@ -153,7 +153,7 @@ pub fn broken_assumptions(warnings: &[Warning]) -> usize {
     warnings.iter().filter(|warning| warning.starts_with(BROKEN)).count()
 }
 
-/// That the pressure of a film lies beyond the `limit` [Pa] to which a law of viscosity holds, if so.
+/// The warning that the pressure of a film lies beyond the `limit` [Pa] to which a law of viscosity holds, if so.
 pub(crate) fn beyond_pressure(measured: &Measured, limit: f64, law: &str, way_out: &str) -> Vec<Warning> {
     let (pressure, bar) = (measured.extremes.greatest, |pascal: f64| readable(1e-5 * pascal));
     let warning = || {
@@ -166,7 +166,7 @@ pub(crate) fn beyond_pressure(measured: &Measured, limit: f64, law: &str, way_ou
     Vec::from_iter((pressure > limit).then(warning))
 }
 
-/// That a pressure is so high that a viscosity without a law of pressure does not hold.
+/// The warning that a pressure is so high that a viscosity without a law of pressure does not hold.
 pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<Warning> {
     let law = "a viscosity that does not depend on pressure";
     match film.problem.lubricant.pressure_law {

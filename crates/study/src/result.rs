@@ -33,7 +33,7 @@ pub const RESULT_FORMAT: &str = "oilwedge-result/1";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
-    /// Solved.
+    /// The scene is solved.
     Converged,
     /// The problem has no solution; the reason says why, and there are no quantities.
     NoSolution,
@@ -43,7 +43,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// That of a run without an answer.
+    /// The status of a run without an answer.
     pub fn without(answer: &NoAnswer) -> Self {
         match answer.is_unreached() {
             true => Self::NotConverged,
@@ -51,7 +51,7 @@ impl Status {
         }
     }
 
-    /// Its name in files.
+    /// Name of the status in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -96,8 +96,8 @@ pub struct Balances {
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
     #[serde(rename = "heat")]
     pub thermal: f64,
-    /// Over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to the
-    /// heat; absent in JSON without an orbit.
+    /// Energy over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to
+    /// the heat; absent in JSON without an orbit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy: Option<f64>,
 }
@@ -188,7 +188,7 @@ pub struct RunResult {
     pub levels: Vec<LevelFacts>,
     /// What must vanish.
     pub balances: Balances,
-    /// Which assumptions the film meets; `null` where there is none.
+    /// Assumptions that the film meets; `null` where there is none.
     pub regime: Option<Regime>,
     /// How the orbit was followed; absent in JSON where none was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -21,9 +21,9 @@ pub(crate) fn column(longest: f64, scale: &FilmScale, x: f64) -> f64 {
 
 /// How far rows along the flow are apart.
 pub(crate) struct RowDistances {
-    /// Far from all layers [m].
+    /// Distance of the rows far from all layers [m].
     far: f64,
-    /// That of a mesh without a wanted size [m].
+    /// Distance of the rows of a mesh without a wanted size [m].
     usual: f64,
     /// Places along the axis [m] near which the film changes within a length [m].
     layers: Vec<(f64, f64)>,
@@ -36,7 +36,7 @@ pub(crate) struct RowDistances {
 }
 
 impl RowDistances {
-    /// Those of a film that conserves its oil, none for other films.
+    /// The distances for a film that conserves its oil, none for other films.
     pub(crate) fn of(scene: &Scene, liner: &Liner, longest: f64, scale: &FilmScale) -> Option<Self> {
         let cavitation = Sockets::of(scene).cavitation;
         let cavity = cavitation.pressure().filter(|_| cavitation.conserves_oil())?;
@@ -51,7 +51,7 @@ impl RowDistances {
         })
     }
 
-    /// At the axial position `z` [m].
+    /// Distance of the rows at the axial position `z` [m].
     pub(crate) fn at(&self, z: f64) -> f64 {
         if self.is_orbit {
             return ROWS_ON_ORBIT * self.far;

@@ -1,4 +1,4 @@
-//! From a scene to its numbers and fields: what a caller asks, and what it is given.
+//! The run of a scene, to its numbers and fields: what a caller asks, and what it is given.
 
 use std::time::Instant;
 

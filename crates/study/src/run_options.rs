@@ -39,7 +39,7 @@ pub struct RunOptions {
 /// An orbit that an earlier run has left before it was closed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EarlierOrbit {
-    /// Its complete cycles.
+    /// Complete cycles of the orbit.
     pub cycles: usize,
     /// Where the last of them ended, over the clearance [1], as in [`crate::orbit::OrbitFacts::end`].
     pub end: [f64; 4],
@@ -59,7 +59,7 @@ impl RunOptions {
         }
     }
 
-    /// With a limit of the caller [s] in place of the usual one, if there is one.
+    /// The options with a limit of the caller [s] in place of the usual one, if there is one.
     pub fn limited(self, seconds: Option<f64>) -> Self {
         seconds.map_or(self, |max_seconds| Self { max_seconds, clock: Clock::Wall, ..self })
     }
@@ -91,7 +91,7 @@ impl RunOptions {
         }
     }
 
-    /// Where the film is drawn.
+    /// Surface on which the film is drawn.
     pub(crate) fn surface(&self) -> Surface {
         match self.unrolled {
             true => Surface::Developed,

@@ -14,9 +14,9 @@ use crate::observer::{RunObserver, Watch};
 pub struct SolveOptions<'a> {
     /// Whether errors are to be estimated.
     pub errors: Errors,
-    /// When searches must end.
+    /// Deadline of the searches.
     pub deadline: Deadline,
-    /// Where a search begins.
+    /// Position at which a search begins.
     pub guess: InitialGuess<'a>,
     /// Difference of force and load over the load at which a position is found; by default near round-off.
     pub accuracy: Option<f64>,
@@ -46,7 +46,7 @@ pub enum Errors {
 pub struct Solved {
     /// The film, at the position and temperature found.
     pub film: Film,
-    /// It, solved.
+    /// The film, solved.
     pub primary: SolvedFilm,
     /// The film by which errors are estimated; none where they are omitted, or where there is no such film.
     pub reference: Option<ReferenceFilm>,
@@ -83,8 +83,8 @@ pub struct Balance {
     pub unbalanced: f64,
     /// Load less force of the film, relative to the load.
     pub residual: f64,
-    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both
-    /// relative to the load.
+    /// Residual of the forces alone, and of the moments alone as forces at half of the bearing's length, both relative
+    /// to the load.
     pub parts: [f64; 2],
     /// Moment of the load less that of the film [N m]; `None` where no moment is given, or the support bears a part
     /// that depends on the tilt.

@@ -3,11 +3,11 @@
 /// A symbol in its parts: `phi_W`, `Q_s*`, `mu0`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Symbol<'a> {
-    /// Its letter, a Greek one by its name.
+    /// Letter of the symbol, a Greek one by its name.
     pub letter: &'a str,
-    /// Its index; empty where it has none.
+    /// Index of the symbol; empty where it has none.
     pub index: &'a str,
-    /// Its mark: a star where the quantity has no dimension by scaling, else empty.
+    /// Mark of the symbol: a star where the quantity has no dimension by scaling, else empty.
     pub mark: &'a str,
 }
 

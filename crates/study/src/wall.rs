@@ -9,7 +9,7 @@ use oilwedge_scene::{Layer, Liner, Material, OuterSurface};
 /// Why a wall cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum NoWall {
-    /// Its file is none.
+    /// The file of the wall is no table of compliances.
     #[error("liner.compliance.file: {0}")]
     Table(#[from] TableError),
     /// The points of its matrix do not interpolate.

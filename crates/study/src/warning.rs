@@ -25,7 +25,7 @@ impl Kind {
 /// A doubt about a result: its kind, and a sentence with the numbers of this film. Results hold the sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Warning {
-    /// Its kind.
+    /// Kind of the warning.
     pub kind: &'static Kind,
     /// The sentence.
     pub text: String,

@@ -49,7 +49,7 @@ fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Ve
     warnings
 }
 
-/// That bars which an engineer wants narrow are not.
+/// The warning that bars which an engineer wants narrow are not.
 fn wide_bar(scene: &Scene, solved: &Solved, estimated: &Estimated) -> Option<Warning> {
     let targets = targets(scene)?;
     let wide = wide_bars(&solved.film, estimated, &targets.wanted);
@@ -83,7 +83,7 @@ fn film_warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     warnings
 }
 
-/// That the film thickness changes too much within one triangle.
+/// The warning that the film thickness changes too much within one triangle.
 fn unresolved_thickness(film: &Film) -> Option<Warning> {
     let step = steepest_cell(film);
     (step > RESOLVED).then(|| {
@@ -120,7 +120,7 @@ pub fn mesh_warnings(film: &Film) -> Vec<Warning> {
     meshed_anew.into_iter().chain(flips).collect()
 }
 
-/// That oil flows round a corner from one pressure to another.
+/// The warning that oil flows round a corner from one pressure to another.
 fn unlimited_flow(film: &Film) -> Option<Warning> {
     let jumps = film.system.supply.jumps(film.system.space());
     let mut feeds: Vec<&str> = jumps.iter().map(|[feed, _]| *feed).collect();
@@ -141,7 +141,7 @@ fn without_coefficients(measured: &Measured) -> Option<Warning> {
     )))
 }
 
-/// That a film without a model of cavitation bears tension.
+/// The warning that a film without a model of cavitation bears tension.
 fn under_tension(film: &Film, measured: &Measured) -> Option<Warning> {
     (measured.under_tension > 0.0).then(|| {
         warning::TENSION.says(format!(

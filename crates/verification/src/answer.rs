@@ -15,7 +15,7 @@ use crate::made_mesh;
 /// How a run of a case ended.
 #[derive(Debug)]
 pub(crate) enum Answer {
-    /// With a result.
+    /// A run with a result.
     Run(Box<Run>),
     /// The scene or its mesh was refused, with this message.
     Refused(String),

@@ -40,7 +40,7 @@ pub struct Series {
     pub mesh: Option<MeshRecipe>,
     /// The series is one case; or the same case for several values.
     pub vary: Option<Vary>,
-    /// Or cases that are named.
+    /// Cases that are named; they may stand in place of an axis.
     #[serde(default)]
     pub variants: Vec<Variant>,
     /// How each case must end.
@@ -70,7 +70,7 @@ pub enum Vary {
     Key {
         /// The key, with dots.
         key: String,
-        /// Its values.
+        /// Values of the key.
         values: Vec<Value>,
     },
     /// The coefficient alpha of a viscosity law is this part of the greatest one that has a film.
@@ -86,7 +86,7 @@ pub enum Vary {
 /// A viscosity law with a coefficient alpha [1/Pa], up to which there is a film.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 pub struct LimitedLaw {
-    /// Its table in the scene.
+    /// Table of the law in the scene.
     pub law: String,
     /// Form of the equation: `conservative` or `as-printed`.
     pub form: LawForm,
@@ -103,7 +103,7 @@ pub enum LawForm {
 }
 
 impl LawForm {
-    /// As the scene has it.
+    /// Name of the law as the scene has it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Conservative => "conservative",
@@ -116,16 +116,16 @@ impl LawForm {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Variant {
-    /// Its name.
+    /// Name of the variant.
     pub name: String,
     /// Further keys of the scene, with dots.
     #[serde(default)]
     pub set: Table,
-    /// Another mesh file.
+    /// Mesh file of the variant, where it is not that of the series.
     pub mesh: Option<MeshRecipe>,
-    /// Another end than that of the series.
+    /// Expected end of the variant, where it is not that of the series.
     pub expect: Option<Expect>,
-    /// Other words.
+    /// Words of the variant's message, where they are not those of the series.
     pub says: Option<String>,
 }
 
@@ -174,10 +174,10 @@ fn one() -> f64 {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Expect {
-    /// With an answer.
+    /// The case ends with an answer.
     #[default]
     Converged,
-    /// There is none.
+    /// The case has no solution.
     NoSolution,
     /// One was not reached.
     NotConverged,
@@ -186,7 +186,7 @@ pub enum Expect {
 }
 
 impl Expect {
-    /// As results and pages have it.
+    /// Name of the end as results and pages have it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -197,7 +197,7 @@ impl Expect {
     }
 }
 
-/// Which way a quantity goes from case to case.
+/// Direction in which a quantity goes from case to case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Trend {
@@ -216,11 +216,11 @@ pub enum Against {
     Finer,
     /// The scene with other keys (and without some), and how far both may differ beside their bars.
     Other(Other),
-    /// Known values alone.
+    /// The answers are held against known values alone.
     Known,
 }
 
-/// Another scene that must give the same answer.
+/// A scene that must give the same answer.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Other {
@@ -242,7 +242,7 @@ pub struct Other {
 pub struct Known {
     /// The value, SI (angles in degrees).
     pub value: Option<f64>,
-    /// Or the closed form that gives it.
+    /// The closed form that gives the value, where none is written.
     pub form: Option<ClosedForm>,
     /// Relative difference allowed: how well the value or the form holds here.
     pub to: f64,

@@ -6,7 +6,8 @@
 //! `reference_film.rs`).
 //!
 //! ```text
-//! tests/hard_cases/*.toml -> family -> cases -> answer (made_mesh) -> faults, series, reference_film -> Verdict -> page
+//! tests/hard_cases/*.toml -> family -> cases -> answer (made_mesh) -> faults, series, reference_film -> Verdict
+//! Verdict                 -> page
 //! grid of eccentricities  -> map -> cells -> page, picture
 //! ```
 //!

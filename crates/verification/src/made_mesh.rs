@@ -38,7 +38,7 @@ pub(crate) fn write(recipe: &MeshRecipe, scene: &Scene, path: &Path) -> Result<(
     std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// Turned about x, then y, then z by angles [deg].
+/// The point turned about x, then y, then z by angles [deg].
 fn turned(point: [f64; 3], turns: [f64; 3]) -> [f64; 3] {
     (0..3).fold(point, |mut point, axis| {
         let (sin, cos) = turns[axis].to_radians().sin_cos();

@@ -36,7 +36,7 @@ const MANY: f64 = 24.0;
 const SAND: Colour = Colour([232, 205, 164]);
 /// Cells without an explanation.
 const UNKNOWN: Colour = Colour([110, 110, 110]);
-/// Between maps [mm].
+/// Gap between maps [mm].
 const GAP: f64 = 3.0;
 
 /// Maps one below the other.

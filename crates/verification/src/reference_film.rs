@@ -12,7 +12,7 @@ use crate::family::{Against, ClosedForm, Known, Other, Series};
 
 /// A finer mesh has error bars of this part of those of the case.
 const FINER: f64 = 0.25;
-/// Those of mass-conserving films, whose meshes grow faster.
+/// Part of its own bars that a finer mesh of a mass-conserving film has: these meshes grow faster.
 const HALF: f64 = 0.5;
 /// Bars of mass-conserving films hold in some 95 of 100 cases (docs/theory/error_estimation_jfo.md); this many bars
 /// must in all.
@@ -27,7 +27,7 @@ const TOLERANCES: [f64; 2] = [1e-7, 0.1];
 pub struct Comparison {
     /// Name of the quantity.
     pub quantity: String,
-    /// Its unit.
+    /// Unit of the quantity.
     pub unit: &'static str,
     /// The known value.
     pub known: f64,

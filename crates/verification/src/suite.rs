@@ -49,7 +49,7 @@ pub enum SuiteError {
     /// A family of cases cannot be read.
     #[error(transparent)]
     Family(#[from] BadFamily),
-    /// There is no such family.
+    /// The suite has no such family.
     #[error("there is no family of hard cases {asked}; there are {}", known.join(", "))]
     Unknown {
         /// The name given.

@@ -20,9 +20,9 @@ use oilwedge_tests::program::build;
 static MACHINE: LazyLock<Machine> = LazyLock::new(Machine::measured);
 static FILMS: LazyLock<Films> = LazyLock::new(Films::new);
 
-/// Everything that is linear in the unknowns, or nearly so;
+/// Unknowns of the paths that are linear in the unknowns, or nearly so.
 const SIZES: [usize; 4] = [1000, 10_000, 100_000, 1_000_000];
-/// films that are iterated.
+/// Unknowns of the films that are iterated.
 const ITERATED: [usize; 3] = [1000, 10_000, 100_000];
 
 fn main() {
@@ -123,7 +123,7 @@ fn cavitation_swift_stieber(bencher: Bencher, at: &At) {
     bencher.bench_local(|| phases::film(&study));
 }
 
-/// The same of a film that conserves its oil.
+/// A mass-conserving film by its active sets.
 #[divan::bench(args = at(&ITERATED, Path::Film), max_time = 3, sample_count = 3)]
 fn cavitation_jfo(bencher: Bencher, at: &At) {
     let study = phases::study(&scene(&FILMS.grooved_ring(at.0)));

@@ -10,13 +10,13 @@ use oilwedge_tests::random_bearings::Dice;
 /// How the nodes of a grid of columns and rows lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// On the grid, its cells cut alike.
+    /// Points on the grid, its cells cut alike.
     Aligned,
-    /// On the grid, its cells cut along either diagonal by chance.
+    /// Points on the grid, its cells cut along either diagonal by chance.
     Flipped,
     /// Moved by up to a quarter of a cell in both directions.
     Random,
-    /// As random, and nearer to each other towards the ends and the thinnest film.
+    /// Points as random, and nearer to each other towards the ends and the thinnest film.
     Graded,
 }
 

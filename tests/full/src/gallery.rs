@@ -42,9 +42,9 @@ All scenes of the folder `scenes`, in teaching order: each scene's own words, a 
 /// A scene as the page shows it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exhibit {
-    /// Its part of the page.
+    /// Part of the page for the exhibit.
     pub text: String,
-    /// Its picture, as SVG.
+    /// Picture of the exhibit, as SVG.
     pub svg: String,
 }
 

@@ -5,9 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// What becomes of a file that a reader is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Outcome {
-    /// It is read.
+    /// The file is read.
     Read,
-    /// It is refused with a message.
+    /// The file is refused with a message.
     Refused,
     /// The reader panics.
     Panics,

@@ -1,4 +1,4 @@
-//! gmsh 4.1 files in the forms that gmsh has for one mesh, written without gmsh.
+//! Files of gmsh 4.1 in the forms that gmsh has for one mesh, written without gmsh.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -27,7 +27,7 @@ pub enum Element {
 pub enum Numbers {
     /// 1, 2, 3 ...
     Consecutive,
-    /// With gaps, in no order.
+    /// Numbers with gaps, in no order.
     Sparse,
 }
 

@@ -53,7 +53,7 @@ pub fn predictions(course: &Course) -> Vec<Prediction> {
     (0..levels.len()).filter_map(predict).collect()
 }
 
-/// Without those with a sweep, which are another one again.
+/// Names of the shipped scenes without the sweeps.
 fn scenes() -> Vec<String> {
     let entries = std::fs::read_dir(repository().join("scenes")).expect("scenes");
     let files = entries.filter_map(|entry| Some(entry.ok()?.file_name().to_str()?.to_owned()));

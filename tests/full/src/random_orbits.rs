@@ -29,7 +29,7 @@ pub struct Followed {
 }
 
 impl Followed {
-    /// Its reference: some four times the unknowns and more, and a tenth of the tolerance.
+    /// The reference of an orbit: some four times the unknowns and more, and a tenth of the tolerance.
     pub fn reference(self) -> Self {
         Self { edges: REFERENCE, tolerance: (SHARPER * self.tolerance).max(LEAST_TOLERANCE) }
     }
@@ -38,7 +38,7 @@ impl Followed {
 /// A bearing and its load by chance.
 #[derive(Debug, Clone)]
 pub struct RandomOrbit {
-    /// Its number.
+    /// Number of the orbit.
     pub number: u64,
     diameter: f64,
     /// Tables but for the mesh and the orbit.
@@ -119,7 +119,7 @@ impl RandomOrbit {
         Self { number, diameter, text, orbit: orbit.to_owned() }
     }
 
-    /// Its scene.
+    /// Scene of the orbit.
     pub fn text(&self, how: Followed) -> String {
         let size = 1e3 * PI * self.diameter / how.edges;
         format!(
@@ -128,7 +128,7 @@ impl RandomOrbit {
         )
     }
 
-    /// Its numbers.
+    /// Result of the orbit.
     ///
     /// # Panics
     /// The scene is refused.
@@ -143,9 +143,9 @@ impl RandomOrbit {
 /// Whether error bars are estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bars {
-    /// They are.
+    /// Bars are estimated.
     Estimated,
-    /// They are not.
+    /// No bars are estimated.
     Omitted,
 }
 

@@ -101,7 +101,7 @@ pub fn solved(scene: &str, max_seconds: f64) -> ShaftResult {
     run_shaft(&read, &options).unwrap_or_else(|error| panic!("{error}\n{scene}")).result
 }
 
-/// At which of `count` even crank angles of a cycle [deg] the films have no balance under the loads of that angle if
+/// Crank angles [deg], of `count` even ones in a cycle, at which the films have no balance under the loads there if
 /// these last; the second list has those at which a search takes longer than [`REST_SECONDS`].
 ///
 /// # Panics

@@ -29,14 +29,14 @@ pub enum Tilting {
     Held,
     /// A load off the middle, or a moment, tilts it.
     Free,
-    /// That, against a support.
+    /// The journal tilts against a support.
     Supported,
 }
 
 /// A bearing by chance.
 #[derive(Debug, Clone)]
 pub struct TiltedBearing {
-    /// Its number.
+    /// Number of the bearing.
     pub number: u64,
     /// What tilts its journal.
     pub tilting: Tilting,
@@ -159,7 +159,7 @@ fn feeds(text: &mut String, dice: &mut Dice, length: f64, minimum: f64) {
 }
 
 impl TiltedBearing {
-    /// As one of those whose bars are counted.
+    /// The bearing as one of those whose bars are counted.
     ///
     /// # Panics
     /// If the text is no TOML.

@@ -31,7 +31,7 @@ impl Study {
         Self { films: films.collect() }
     }
 
-    /// Those of a case, by both models.
+    /// The films of a case, by both models.
     ///
     /// # Panics
     /// If the document has no such case.
@@ -47,7 +47,7 @@ pub fn page(page: &str) -> String {
     page_of(page, &Study::solved())
 }
 
-/// The same from films that are solved.
+/// The page with its tables computed from films that are solved.
 pub fn page_of(page: &str, study: &Study) -> String {
     let mut page = replace(page, "scales", &scales());
     page = replace(&page, "table1", &around("table1", study));

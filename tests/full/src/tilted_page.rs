@@ -29,7 +29,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// That of a bearing.
+    /// The outcome of a bearing.
     pub fn of(bearing: TiltedBearing) -> Self {
         let ((result, fault), spent) = timed(|| solved(&bearing));
         Self {
@@ -42,7 +42,7 @@ impl Outcome {
         }
     }
 
-    /// As JSON, without the bearing.
+    /// The outcome as JSON, without the bearing.
     pub fn to_json(&self) -> Value {
         json!({
             "status": self.status.name(),
@@ -53,7 +53,7 @@ impl Outcome {
         })
     }
 
-    /// That of a bearing by what [`Self::to_json`] wrote; none where it is something else.
+    /// The outcome of a bearing in what [`Self::to_json`] wrote; none where it is something else.
     pub fn from_json(bearing: TiltedBearing, written: &Value) -> Option<Self> {
         let statuses = [Status::Converged, Status::NoSolution, Status::NotConverged];
         let number = bearing.number;

@@ -31,7 +31,7 @@ fn motion<'a>(film: &'a (FilmProblem, Arc<FilmSystem>), cycle: &'a DutyCycle) ->
     Motion { problem: &film.0, system: &film.1, gap: Gap::of(&film.0, &film.1), cycle, support: None, mass: 0.0 }
 }
 
-/// Until it closes to 1e-5, from 0.3 of the clearance towards the first load.
+/// Follows a journal until its path closes to 1e-5, from 0.3 of the clearance towards the first load.
 fn follow(film: &(FilmProblem, Arc<FilmSystem>), cycle: &DutyCycle, tolerance: f64, cycles: usize) -> Orbit {
     follow_from([0.3, 0.0], film, cycle, tolerance, cycles)
 }
@@ -57,9 +57,9 @@ fn end(orbit: &Orbit) -> [f64; 2] {
     [x / CLEARANCE, y / CLEARANCE]
 }
 
-/// Under a load that turns with the journal, and so with a shell that carries its groove all around, the journal runs
-/// round at the eccentricity of the bearing whose load is at rest: turning frames exchange the speeds omega and omega -
-/// 2 omega. Nodes fill and empty all along: 35 steps a turn leave 6e-4, 82 steps leave 5e-5.
+/// A load turns with the journal, and so with a shell that carries its groove all around, the journal runs round at the
+/// eccentricity of the bearing whose load is at rest: turning frames exchange the speeds omega and omega - 2 omega.
+/// Nodes fill and empty all along: 35 steps a turn leave 6e-4, 82 steps leave 5e-5.
 #[test]
 fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
     let film = land(CONSERVING, [96, 1]);

@@ -45,7 +45,7 @@ fn cycle(feed: &str, model: &str, heat: &str, times: f64, options: &RunOptions) 
     run(&scene, options).expect("an answer").result
 }
 
-/// Without bars, and without a limit.
+/// Options without bars and without a limit.
 fn numbers() -> RunOptions {
     RunOptions { bars: false, max_seconds: f64::INFINITY, ..RunOptions::default() }
 }

@@ -25,9 +25,9 @@ const PROGRAM: &str = "oilwedge-without";
 /// An effect as it stands in the tree.
 struct Effect {
     name: &'static str,
-    /// Its files.
+    /// Files of the effect.
     files: &'static [&'static str],
-    /// Its rows: the file of the list, and what the line holds.
+    /// Rows of the effect: the file of the list, and what the line holds.
     rows: &'static [(&'static str, &'static str)],
 }
 

@@ -28,7 +28,7 @@ fn number(result: &RunResult, name: &str) -> [f64; 2] {
     [quantity.value, quantity.error().unwrap_or_else(|| panic!("{name} has no bar"))]
 }
 
-/// That a quantity is what it should be, within its bar and within `most`, which is what the bar may be too.
+/// Asserts that a quantity is what it should be, within its bar and within `most`, which is what the bar may be too.
 fn is(result: &RunResult, name: &str, expected: f64, most: f64) {
     let [value, bar] = number(result, name);
     let off = (value - expected).abs();

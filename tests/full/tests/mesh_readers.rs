@@ -1,5 +1,5 @@
-//! mshio, a reader of gmsh 4.1 files that others wrote, finds the points, triangles and groups that ours finds; where
-//! it does not, `docs/reference/mesh_files.md` says so, with the files of `tests/data/mshio`.
+//! The reader mshio, one of gmsh 4.1 files that others wrote, finds the points, triangles and groups that ours finds;
+//! where it does not, `docs/reference/mesh_files.md` says so, with the files of `tests/data/mshio`.
 
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::TAU;

@@ -7,7 +7,7 @@ use oilwedge_tests::scenes::parsed;
 
 use crate::orbits_of_scenes::SCENE;
 
-/// Without bars, and with time enough on a busy machine.
+/// Options without bars, and with time enough on a busy machine.
 fn options() -> RunOptions {
     RunOptions { bars: false, max_seconds: 600.0, ..RunOptions::default() }
 }

@@ -81,8 +81,8 @@ fn too_few_cycles_are_an_answer_with_numbers() {
     assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some());
 }
 
-/// Without bars an orbit has the same numbers. Frames stand at even crank angles, with the axis of the journal where
-/// the path has it.
+/// An orbit has the same numbers with and without bars. Frames stand at even crank angles, with the axis of the journal
+/// where the path has it.
 #[test]
 fn an_orbit_is_the_same_without_bars_and_is_drawn_film_by_film() {
     let scene = parsed(SCENE).expect("a scene");

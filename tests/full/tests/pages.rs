@@ -43,7 +43,7 @@ fn the_page_of_cavitation_is_up_to_date() {
     up_to_date("theory/cavitation.md", cavitation_page::page);
 }
 
-/// Those of its tables that take seconds; the orbits of the others are tested by `shaft/cycle.rs`.
+/// The tables of the page that take seconds are up to date; its orbits are tested by `shaft/cycle.rs`.
 #[test]
 fn the_page_of_crankshafts_is_up_to_date() {
     up_to_date("validation/crankshafts.md", crankshafts_page::at_rest);

@@ -56,7 +56,7 @@ impl Film {
         study.problem.pressure_at(unknown).max(0.0) / Scales::right().pressure
     }
 
-    /// phi [deg] at which the pressure is greatest.
+    /// Angle phi [deg] at which the pressure is greatest.
     fn summit(&self) -> f64 {
         let space = self.solved.study.system.space();
         let values = &self.solved.film.solution.unknown;

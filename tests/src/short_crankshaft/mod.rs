@@ -32,7 +32,7 @@ pub const SPEED_SCALE: f64 = PI * 3200.0 / 30.0;
 pub const SPEEDS: [f64; 5] = [1100.0, 1500.0, 1900.0, 2500.0, 3200.0];
 /// E of the two cases.
 pub const SQUEEZES: [f64; 2] = [0.0, 0.4];
-/// mu_1.
+/// Relative viscosity mu_1.
 pub const RELATIVE_VISCOSITY: f64 = VISCOSITY / VISCOSITY_SCALE;
 
 /// Cells that are slips of the pen: table, E, n, row of the case, column, and what the document's own arithmetic gives
@@ -65,7 +65,7 @@ pub struct Scales {
     pub width: f64,
     /// Relative clearance psi.
     pub clearance: f64,
-    /// p* [Pa].
+    /// Pressure scale p* [Pa].
     pub pressure: f64,
 }
 
@@ -74,7 +74,7 @@ impl Scales {
         Self { width, clearance, pressure: VISCOSITY_SCALE * SPEED_SCALE / (clearance * clearance) }
     }
 
-    /// Those that the bearing has.
+    /// The scales that the bearing has.
     pub fn right() -> Self {
         Self::new(LENGTH / DIAMETER, DIAMETRAL_CLEARANCE / DIAMETER)
     }
@@ -99,12 +99,12 @@ pub struct Document {
 }
 
 impl Document {
-    /// Of a film.
+    /// The document of a film.
     pub fn new(film: ShortFilm) -> Self {
         Self { film, scales: Scales::printed() }
     }
 
-    /// Of a row, by its E and n.
+    /// The document of a row, by its E and n.
     pub fn of(row: &Row) -> Self {
         Self::new(film(row))
     }
@@ -114,7 +114,7 @@ impl Document {
         self.scales.factor() * self.film.pressure(phi, 0.0)
     }
 
-    /// phi [rad] of the points of tables 1 and 2.
+    /// Angle phi [rad] of the points of tables 1 and 2.
     pub fn angle(&self, k: usize) -> f64 {
         self.film.loaded_from() + (10.0 * k as f64).to_radians()
     }
@@ -150,7 +150,7 @@ impl Document {
         v.hypot(w)
     }
 
-    /// theta [rad].
+    /// Attitude angle theta [rad].
     fn attitude(&self) -> f64 {
         let [v, w] = self.load();
         -(v / w).atan() + PI / 2.0 * (1.0 - w.signum())
@@ -160,7 +160,7 @@ impl Document {
         -self.film.rotation * ECCENTRICITY / (8.0 * self.film.loaded_from().cos())
     }
 
-    /// kN1, kN2, kN3.
+    /// Powers kN1, kN2, kN3.
     fn power(&self) -> [f64; 3] {
         let [v, w] = self.load();
         [

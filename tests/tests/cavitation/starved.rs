@@ -113,7 +113,8 @@ fn starved_inlet_has_the_closed_form_in_either_sense() {
     assert!((ahead / back - 1.0).abs() < 1e-10, "{ahead} {back}");
 }
 
-/// More oil than the wedge can take: `q` of a flooded inlet is `U h1 h2/(h1 + h2)`, a film fraction of 2/3.
+/// An inlet with more oil than the wedge can take: `q` of a flooded inlet is `U h1 h2/(h1 + h2)`, a film fraction of
+/// 2/3.
 #[test]
 fn an_inlet_with_plenty_of_oil_is_full_and_has_pressure() {
     for fraction in [0.66, 0.67, 0.8] {

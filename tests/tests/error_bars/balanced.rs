@@ -1,4 +1,4 @@
-//! Under a load: the load that a result reports for a position leads back to that position.
+//! Balances of a load: the load that a result reports for a position leads back to that position.
 
 use oilwedge_study::RunOptions;
 use oilwedge_tests::scenes::{table, variant};

@@ -169,9 +169,9 @@ fn the_edge_of_a_cavity_is_refined_where_it_dominates() {
 /// What a run has told of.
 #[derive(Debug)]
 struct Told {
-    /// Positions before the first mesh was named,
+    /// Positions before the first mesh was named.
     first: AtomicUsize,
-    /// and after that.
+    /// Positions after the first mesh was named.
     later: AtomicUsize,
     levels: AtomicUsize,
 }

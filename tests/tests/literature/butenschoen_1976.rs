@@ -35,7 +35,7 @@ fn slenderness(printed: f64) -> f64 {
     [1.0 / 3.0, 1.0 / 6.0].into_iter().find(|third| (third - printed).abs() < 1e-5).unwrap_or(printed)
 }
 
-/// So carries four decimals, So_V four or five digits, angles three decimals; trailing zeros are lost.
+/// Sommerfeld numbers carry four decimals, So_V four or five digits, angles three decimals; trailing zeros are lost.
 fn last_digit(quantity: &str, value: f64) -> f64 {
     match quantity {
         "So" if value < 100.0 => 1e-4,

@@ -40,7 +40,7 @@ fn stresses() {
     prints(0.5 * (greatest - least), 20.1, 0.1);
 }
 
-/// With the exact speed, ratio and pi.
+/// The bolts with the exact speed, ratio and pi.
 #[test]
 fn without_the_roundings_of_the_print() {
     let rounded = joint();

@@ -129,7 +129,8 @@ fn pocketed_pad() {
     close(above_ambient, carried, 1e-3 * carried);
 }
 
-/// Without pocket and cavitation: flow U/2 Int h^-2 dx / Int h^-3 dx, and the pressure rises nowhere below ambient.
+/// A pad without pocket and cavitation: the flow is U/2 Int h^-2 dx / Int h^-3 dx, and the pressure rises nowhere below
+/// ambient.
 #[test]
 fn plain_pad() {
     let case = block("fowell_2007_pocket_slider");

@@ -19,7 +19,7 @@ const SQUEEZED: [ShortFilm; 2] = [
     ShortFilm { eccentricity: 0.5, rotation: 1.3, closing: -0.3 },
 ];
 
-/// So over (B/D)^2 and attitude angle [rad] of a film with B/D, by finite elements.
+/// Sommerfeld number So over (B/D)^2 and attitude angle [rad] of a film with B/D, by finite elements.
 fn film_of_length(slenderness: f64, short: ShortFilm, cavitation: Cavitation) -> [f64; 2] {
     let length = slenderness * 2.0 * RADIUS;
     let mut film = oilwedge_reynolds::FilmProblem { cavitation, ..plain_film(length, short.eccentricity, PI, SPEED) };

@@ -13,7 +13,7 @@ use oilwedge_tests::journal_bearings::{Ring, block, each, number, reference};
 use oilwedge_tests::scenes::{Solved, solve, written};
 use serde_json::Value;
 
-/// omega R^2 c/12 [m3/s].
+/// Unit of the flow omega R^2 c/12 [m3/s].
 const FLOW_UNIT: f64 = 100.0 * std::f64::consts::PI * 0.05 * 0.05 * 1.5e-4 / 12.0;
 
 /// The bearing with a supply at 0.7 bar and edges of at most `size` [mm].

@@ -9,9 +9,9 @@ use std::f64::consts::TAU;
 
 use oilwedge_tests::journal_bearings::{Ring, each, number, reference};
 
-/// Their friction is the drag of the whole ring, cavity included: (R/c) f in three digits, off by as much as their S at
-/// eps 0.97. Their flow Q over R c N L is that at the widest film, of which Qs leaves at the ends: three digits both,
-/// 0.4 % and 0.004 are asked.
+/// The friction of the tables is the drag of the whole ring, cavity included: (R/c) f in three digits, off by as much
+/// as their S at eps 0.97. Their flow Q over R c N L is that at the widest film, of which Qs leaves at the ends: three
+/// digits both, 0.4 % and 0.004 are asked.
 #[test]
 fn full_bearing() {
     let rows = reference("raimondi_boyd", "rows");

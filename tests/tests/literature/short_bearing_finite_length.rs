@@ -18,7 +18,7 @@ struct Case {
     /// `2 dchi/dtau`, tau in turns of 3200 rpm in radians.
     squeeze: f64,
     speed: f64,
-    /// p_max [MPa], load [N], attitude [deg], flow [ml/s], power [W].
+    /// Expected p_max [MPa], load [N], attitude [deg], flow [ml/s], power [W].
     wanted: [f64; 5],
 }
 
@@ -72,7 +72,7 @@ impl Case {
     }
 }
 
-/// p_max [MPa], load [N], attitude [deg], flow [ml/s], power [W].
+/// Computed p_max [MPa], load [N], attitude [deg], flow [ml/s], power [W].
 fn numbers(film: &Film) -> [f64; 5] {
     let of_film = |name: &str| film.solved.quantity(name);
     [
@@ -129,7 +129,7 @@ fn short() {
     });
 }
 
-/// And the error of the load falls as the mesh is refined.
+/// The error of the load falls as the mesh is refined.
 #[test]
 fn short_converges() {
     let all = cases("short");

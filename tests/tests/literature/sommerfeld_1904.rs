@@ -34,7 +34,7 @@ fn pressure_at_mid_length() {
     }
 }
 
-/// So(B) = So_inf (1 - k D/B) up to exponentially small terms: two lengths give So_inf.
+/// Sommerfeld numbers follow So(B) = So_inf (1 - k D/B) up to exponentially small terms: two lengths give So_inf.
 #[test]
 fn load_approaches_the_limit_like_the_inverse_length() {
     let deficit = |slenderness: f64| {
@@ -55,7 +55,7 @@ fn load_approaches_the_limit_like_the_inverse_length() {
 /// B [m] of the films of the theory of long bearings: as short as films are, for it does not count.
 const SHORT: f64 = 0.2 * RADIUS;
 
-/// So of a film between sealed ends, and its greatest error of pressure, over the greatest one.
+/// Sommerfeld number of a film between sealed ends, and its greatest error of pressure, over the greatest one.
 fn long_film(columns: u32) -> [f64; 2] {
     let film = FilmProblem { theory: Theory::Long, ..plain_film(SHORT, ECCENTRICITY, PI, SPEED) };
     let mesh = ring(columns, 4, SHORT, 0.0);

@@ -39,8 +39,8 @@ fn errors_fall_with_the_tolerance() {
     assert!(fine < 0.05 * coarse && fine < 1e-4, "{coarse} {fine}");
 }
 
-/// Under a load that turns with omega_l the journal runs round at the eccentricity of the bearing at rest at the speed
-/// |omega - 2 omega_l|.
+/// A journal whose load turns with omega_l runs round at the eccentricity of the bearing at rest at the speed |omega -
+/// 2 omega_l|.
 fn runs_round_a_circle((b, load, ratio, eps): (f64, f64, f64, f64), start: [f64; 2], cycles: usize) {
     let film = short(b, HALF, [64, 4]);
     let turning = harmonics(&[(ratio, [load, 0.0], [0.0, load])], TAU / ratio);

@@ -21,7 +21,7 @@ fn alone(keys: &str, rows: [&Row; 2]) -> [f64; 2] {
     rows.map(|row| found.result.quantity(row).expect(row.name).value)
 }
 
-/// Under the loads that statics gives them, the bearings of a cut shaft are what they are by themselves, and not what
+/// The bearings of a cut shaft are, at the loads that statics gives them, what they are by themselves, and not what
 /// they are without the keys.
 #[test]
 fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {

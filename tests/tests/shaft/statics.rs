@@ -28,7 +28,8 @@ fn compare(case: &ThreeFilms) {
     assert!(balances.force < 1e-8 && balances.moment < 1e-8 && balances.journals < 1e-8, "{balances:?}");
 }
 
-/// On stiff supports, on a soft one, and under crossed loads that tilt the journals every way.
+/// Three films share the loads of a shaft on stiff supports, on a soft one, and under crossed loads that tilt the
+/// journals every way.
 #[test]
 fn three_films_share_the_loads_of_a_shaft() {
     THREE_FILMS.iter().for_each(compare);

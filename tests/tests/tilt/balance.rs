@@ -188,7 +188,8 @@ fn reasons_of_coarse_meshes_hold_on_finer_ones() {
     assert!(known > 0, "no reason is the last one");
 }
 
-/// So is that of a mass-conserving film in a wall that gives way, which follows the branch into contact itself.
+/// The reason of a mass-conserving film in a wall that gives way holds on a finer mesh: it follows the branch into
+/// contact itself.
 #[test]
 fn a_reason_of_a_film_that_conserves_oil_in_an_elastic_liner_holds_on_a_finer_mesh() {
     let [(coarse, error, _), (fine, ..)] = [12, 18].map(|across| {

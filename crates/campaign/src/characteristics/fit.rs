@@ -49,9 +49,9 @@ pub struct Domain {
     pub allowed: f64,
 }
 
-/// Where crankshaft bearings work.
+/// Domain in which crankshaft bearings work.
 pub const CORE: Domain = Domain { eccentricity: [0.8, 0.96], slenderness: [0.25, 0.75], allowed: 0.1 };
-/// Everywhere.
+/// Domain of the whole fit.
 pub const WIDE: Domain = Domain { eccentricity: [0.5, 0.99], slenderness: [0.125, 1.3], allowed: 0.3 };
 
 /// One characteristic of a parallel journal.
@@ -60,7 +60,7 @@ struct Fitted {
     /// Exponent of B/D of a long bearing.
     power: i32,
     part: PartMotion,
-    /// Its place among the four numbers.
+    /// Place of the characteristic among the four numbers of its part.
     number: usize,
 }
 
@@ -84,7 +84,7 @@ const fn fitted(name: &'static str, power: i32, part: PartMotion, number: usize)
 pub struct Fit {
     /// The formula.
     pub formula: &'static str,
-    /// Where errors are to be small.
+    /// Domain in which errors are to be small.
     pub core: Domain,
     /// The whole grid.
     pub wide: Domain,
@@ -92,7 +92,7 @@ pub struct Fit {
     pub rows: Vec<FitRow>,
     /// The films that were fitted, by eccentricity and slenderness.
     pub grid: Vec<GridPoint>,
-    /// Which film is missing or has not converged, and why.
+    /// The film that is missing or has not converged, and the cause.
     pub reason: Option<String>,
 }
 
@@ -105,7 +105,7 @@ pub struct FitRow {
     pub power: i32,
     /// Sign of the characteristic.
     pub sign: f64,
-    /// k0, k1, k2, a0, a1 with four digits.
+    /// The coefficients k0, k1, k2, a0, a1 with four digits.
     pub coefficients: [f64; PARAMETERS],
     /// Greatest relative error in the core.
     pub worst_core: f64,

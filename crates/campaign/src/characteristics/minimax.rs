@@ -136,7 +136,7 @@ fn solve(mut matrix: [[f64; PARAMETERS]; PARAMETERS], mut right: [f64; PARAMETER
 mod tests {
     use super::*;
 
-    /// Of `e^x` over [0, 1] the quartic with the least greatest relative error is off by about 2^-9/(5! 2^4), as
+    /// The quartic with the least greatest relative error of `e^x` over [0, 1] is off by about 2^-9/(5! 2^4), as
     /// Chebyshev's polynomial says.
     #[test]
     fn a_polynomial_levels_its_errors() {

@@ -89,7 +89,7 @@ struct Films<'a> {
 }
 
 impl<'a> Films<'a> {
-    /// Those of a scene with a given position.
+    /// The films of a scene with a given position.
     fn of(placed: &'a Scene, options: &'a RunOptions) -> Self {
         let motion = Motion::of(placed);
         Self { placed, options, symmetry: Symmetry::of(placed, &motion), units: Units::of(placed), motion }

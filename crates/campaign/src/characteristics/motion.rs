@@ -7,13 +7,13 @@ use oilwedge_study::effects::Sockets;
 /// One motion of the journal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PartMotion {
-    /// It turns.
+    /// The journal turns.
     Rotation,
-    /// Its centre moves along the line of centres.
+    /// The centre of the journal moves along the line of centres.
     Squeeze,
-    /// Its axis tilts along the line of centres.
+    /// The axis of the journal tilts along the line of centres.
     TiltAlong,
-    /// Its axis tilts across the line of centres.
+    /// The axis of the journal tilts across the line of centres.
     TiltAcross,
 }
 
@@ -22,12 +22,12 @@ pub(super) const PARTS: [PartMotion; 4] =
     [PartMotion::Rotation, PartMotion::Squeeze, PartMotion::TiltAlong, PartMotion::TiltAcross];
 
 impl PartMotion {
-    /// Its place among [`PARTS`].
+    /// Place of the motion among [`PARTS`].
     pub(super) fn index(self) -> usize {
         self as usize
     }
 
-    /// Its name in reports.
+    /// Name of the motion in reports.
     pub(super) fn name(self) -> &'static str {
         ["rotation", "squeeze", "tilt_along", "tilt_across"][self.index()]
     }
@@ -72,7 +72,7 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    /// That of a scene at a given position.
+    /// The motion of a scene at a given position.
     pub(super) fn of(scene: &Scene) -> Self {
         let (eccentricity, angle) = match scene.journal.position {
             Position::Given { eccentricity, min_film_angle } => (eccentricity, min_film_angle),

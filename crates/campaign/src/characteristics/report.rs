@@ -27,9 +27,9 @@ pub struct Characteristics {
     pub scene_sha256: String,
     /// `converged` where every film is.
     pub status: Status,
-    /// Which film is not, and why.
+    /// The film that has not converged, and the cause.
     pub reason: Option<String>,
-    /// Where the journal is; `None` where no position carries the load.
+    /// Place of the journal; `None` where no position carries the load.
     pub journal: Option<JournalFacts>,
     /// What turns characteristics into forces and moments.
     pub units: Option<Units>,
@@ -74,11 +74,11 @@ pub struct Units {
 /// One motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Part {
-    /// Its name.
+    /// Name of the motion.
     pub part: &'static str,
     /// Symbol and definition of its rate.
     pub rate_symbol: &'static str,
-    /// That rate in the scene [1/s].
+    /// Rate of the motion in the scene [1/s].
     pub rate: f64,
     /// Force and moment for a unit of the rate, of its sign [1]; `None` where there is no film.
     pub characteristics: Option<Carried>,
@@ -111,7 +111,7 @@ pub struct Number {
 }
 
 impl Characteristics {
-    /// Those of a scene without any film yet.
+    /// The characteristics of a scene without any film yet.
     pub(super) fn of(scene: &Scene) -> Self {
         Self {
             format: CHARACTERISTICS_FORMAT.to_owned(),
@@ -190,7 +190,7 @@ impl Carried {
         Self { force_along, force_across, moment_along, moment_across }
     }
 
-    /// Its numbers one by one.
+    /// The four numbers, each changed by `number`, which is given its place too.
     fn each(&self, number: impl Fn(usize, Number) -> Number) -> Self {
         let [a, b, c, d] = self.numbers();
         Self::new([number(0, a), number(1, b)], [number(2, c), number(3, d)])

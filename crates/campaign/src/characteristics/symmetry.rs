@@ -35,7 +35,7 @@ pub(super) struct Symmetry {
 }
 
 impl Symmetry {
-    /// Those of a scene. Nothing is known of the liner of a mesh file.
+    /// The symmetries of a scene. Nothing is known of the liner of a mesh file.
     pub(super) fn of(scene: &Scene, motion: &Motion) -> Self {
         let [along, across] = motion.gamma;
         let rounding = NO_TILT * along.hypot(across);

@@ -22,7 +22,7 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// So many seconds [s] from now.
+    /// A budget that ends `max_seconds` [s] from now.
     pub fn seconds(max_seconds: f64) -> Self {
         Self { started: Instant::now(), max_seconds, interrupt: Interrupt::default() }
     }

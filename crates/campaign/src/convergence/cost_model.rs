@@ -34,9 +34,9 @@ const DIGITS: (i32, i32) = (2, 11);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
-    /// By the error bar, the estimate of the level itself.
+    /// The error bar, the estimate of the level itself.
     Bar,
-    /// By the true error, which only finer levels show.
+    /// The true error, which only finer levels show.
     Error,
 }
 
@@ -56,9 +56,9 @@ pub struct LevelCost {
 pub struct CostModel {
     /// The strategy.
     pub strategy: Strategy,
-    /// Its order s by theory.
+    /// Theoretical order s of the strategy.
     pub order: f64,
-    /// Its levels, from coarse to fine.
+    /// Levels of the strategy, from coarse to fine.
     pub levels: Vec<LevelCost>,
 }
 

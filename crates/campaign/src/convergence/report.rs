@@ -52,18 +52,18 @@ pub struct ConvergenceReport {
 pub struct GoalFacts {
     /// Name of the quantity: `load`, or `eccentricity` where a load is given.
     pub name: String,
-    /// Its symbol.
+    /// Symbol of the quantity.
     pub symbol: String,
-    /// Its unit.
+    /// Unit of the quantity.
     pub unit: String,
 }
 
 /// The finest answer, which errors are measured against.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Reference {
-    /// Whose it is.
+    /// Strategy of the course.
     pub strategy: Strategy,
-    /// On which level.
+    /// Level on which the reference was computed.
     pub level: usize,
     /// Unknowns there.
     pub unknowns: usize,
@@ -83,7 +83,7 @@ pub struct Course {
     pub order: f64,
     /// The exponent t with which its seconds are extrapolated; `None` without levels.
     pub time_exponent: Option<f64>,
-    /// From coarse to fine.
+    /// Levels of the course, from coarse to fine.
     pub levels: Vec<LevelReport>,
     /// Why there are no more.
     pub ended: String,
@@ -92,7 +92,7 @@ pub struct Course {
 /// One level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LevelReport {
-    /// Its number, from 1.
+    /// Number of the level, from 1.
     pub level: usize,
     /// Triangles.
     pub cells: usize,

@@ -38,7 +38,7 @@ type Parts = Vec<(&'static str, f64)>;
 /// A mesh and the share of each triangle in the error.
 #[derive(Debug, Clone)]
 pub struct MarkedMesh {
-    /// Its level.
+    /// Level that the mesh belongs to.
     pub level: usize,
     /// The mesh.
     pub mesh: Arc<Mesh>,

@@ -72,7 +72,7 @@ fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result
     })
 }
 
-/// Where a feed lies, seen from the load.
+/// Side of the load on which a feed lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Side {
     Loaded,
@@ -80,7 +80,7 @@ enum Side {
     Opposite,
 }
 
-/// By the angle [rad] from the load, to the nearest of the standard's places.
+/// The side of a feed at this angle [rad] from the load: the nearest of the standard's places.
 fn side(angle: f64) -> Side {
     match angle.cos() {
         cos if cos < -FRAC_PI_4.cos() => Side::Opposite,

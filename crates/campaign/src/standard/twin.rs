@@ -64,13 +64,13 @@ pub(super) type Fed = Result<Option<(Feed, f64)>, String>;
 /// The bearing by the standard.
 pub(super) struct Twin {
     pub(super) lands: Lands,
-    /// Its Sommerfeld number [1].
+    /// Sommerfeld number of the bearing [1].
     pub(super) number: f64,
-    /// Its eccentricity [1].
+    /// Eccentricity of the bearing [1].
     pub(super) eccentricity: f64,
-    /// Its load [N].
+    /// Load on the bearing [N].
     pub(super) load: f64,
-    /// Its coefficient of friction [1].
+    /// Coefficient of friction of the bearing [1].
     pub(super) coefficient: f64,
     /// The power [W] of that friction.
     pub(super) power: f64,
@@ -78,12 +78,12 @@ pub(super) struct Twin {
     pub(super) by_film: f64,
     /// Q_p [m3/s], where there is a feed.
     pub(super) by_feed: Option<f64>,
-    /// Their sum [m3/s]; none where the standard has no such feed.
+    /// Sum of Q_3 and Q_p [m3/s]; none where the standard has no such feed.
     pub(super) flow: Option<f64>,
 }
 
 impl Twin {
-    /// With oil of `viscosity` [Pa.s]; none without load.
+    /// The bearing with oil of `viscosity` [Pa.s]; none without load.
     pub(super) fn of(scene: &Scene, viscosity: f64, given: Given, feed: &Fed) -> Option<Self> {
         let bearing = &scene.bearing;
         let psi = bearing.clearance / bearing.radius();
@@ -120,12 +120,12 @@ impl Twin {
         })
     }
 
-    /// Its attitude angle [rad].
+    /// Attitude angle of the journal [rad].
     pub(super) fn attitude(&self) -> f64 {
         iso7902::attitude(self.eccentricity, self.lands.slenderness)
     }
 
-    /// Its thinnest film [m].
+    /// Least film thickness of the bearing [m].
     pub(super) fn least_film(&self, scene: &Scene) -> f64 {
         scene.bearing.clearance * (1.0 - self.eccentricity)
     }

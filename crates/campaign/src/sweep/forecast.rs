@@ -9,7 +9,8 @@ use std::ops::Range;
 pub(super) const SAMPLED: usize = 3;
 /// Most chains that are sampled, in a long sweep.
 const MOST: usize = 8;
-/// In a short sweep one chain of so many cases is sampled; in any, at least as many chains as there are workers.
+/// One chain of this many cases is sampled in a short sweep; in any sweep, at least as many chains as there are
+/// workers.
 const ONE_OF: usize = 50;
 
 /// How long a sweep will take.

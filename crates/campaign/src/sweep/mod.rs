@@ -46,7 +46,7 @@ pub enum Event {
 
 /// A chain that is walked along, and may be left and taken up again.
 struct Walk<'a> {
-    /// Who walks along it; none before its first case.
+    /// The walker along the chain; none before its first case.
     walker: Option<Walker<'a>>,
     /// Cases left.
     cases: Range<usize>,
@@ -142,7 +142,7 @@ impl Sweep {
         part.cases(&self.chains())
     }
 
-    /// So many parts of the sweep and their cases; those without a case are left out.
+    /// The `of` parts of the sweep and their cases; parts without a case are left out.
     pub fn parts(&self, of: u32) -> Vec<(Part, Range<usize>)> {
         let chains = self.chains();
         let parts = (1..=of).filter_map(|number| Part::new(number, of));

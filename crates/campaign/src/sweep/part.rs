@@ -6,7 +6,7 @@ use std::ops::Range;
 /// One of so many parts of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 pub struct Part {
-    /// Its number, from 1.
+    /// Number of the part, from 1.
     number: u32,
     /// How many parts there are.
     of: u32,
@@ -22,7 +22,7 @@ impl Part {
         ((1..=of).contains(&number) && of <= Self::MOST).then_some(Self { number, of })
     }
 
-    /// Its number, from 1.
+    /// Number of the part, from 1.
     pub fn number(self) -> u32 {
         self.number
     }
@@ -32,8 +32,8 @@ impl Part {
         self.of
     }
 
-    /// Its cases, where these are the chains of the sweep in the order of their cases. Of more parts than chains some
-    /// are empty.
+    /// Cases of the part, where `chains` are the chains of the sweep in the order of their cases. Where there are more
+    /// parts than chains some are empty.
     pub(super) fn cases(self, chains: &[Range<usize>]) -> Range<usize> {
         let place = |number: u32| (u64::from(number) * chains.len() as u64 / u64::from(self.of)) as usize;
         let first = |place: usize| match chains.get(place) {

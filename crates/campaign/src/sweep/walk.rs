@@ -37,7 +37,7 @@ const SHORT_MOVE: f64 = 0.2;
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseStatus {
-    /// As a run ends.
+    /// The status at the end of a run.
     Run(Status),
     /// The scene of the case does not fit its mesh, or cannot be meshed.
     BadScene,
@@ -50,7 +50,7 @@ pub struct Found {
     pub status: CaseStatus,
     /// Why it ended without an answer, or short of its tolerance.
     pub reason: Option<String>,
-    /// Its quantities; none without a film.
+    /// Quantities of the case; none without a film.
     pub quantities: Vec<Quantity>,
     /// Warnings beside its numbers.
     pub warnings: Vec<Warning>,
@@ -85,7 +85,7 @@ impl Found {
         }
     }
 
-    /// Of a case that is solved by itself.
+    /// What is found of a case that is solved by itself.
     fn of_run(result: RunResult) -> Self {
         Self {
             status: CaseStatus::Run(result.status),
@@ -98,7 +98,8 @@ impl Found {
         }
     }
 
-    /// Of each bearing of a crankshaft, in their order; where the shaft has no answer all have its reason.
+    /// What is found of each bearing of a crankshaft, in their order; where the shaft has no answer all have its
+    /// reason.
     fn of_shaft(result: &ShaftResult, bearings: usize) -> Vec<Self> {
         let status = CaseStatus::Run(result.status);
         if result.bearings.is_empty() {
@@ -140,14 +141,14 @@ struct Held {
     film: Film,
     /// Position for which its mesh was graded.
     graded_for: JournalState,
-    /// Its solution, if there is one.
+    /// Solution of the film, if there is one.
     solution: Option<Arc<FilmSolution>>,
 }
 
 /// Walks along chains.
 pub(super) struct Walker<'a> {
     options: &'a RunOptions,
-    /// That of the case that is computed.
+    /// Deadline of the case that is computed.
     deadline: Deadline,
     held: Option<Held>,
     visited: Vec<Visited>,
@@ -213,7 +214,7 @@ impl<'a> Walker<'a> {
         })
     }
 
-    /// On one mesh, from the case before if there is one.
+    /// Solves a case on the mesh of its chain, from the case before if there is one.
     fn walked(&mut self, scene: &Scene, coordinate: f64) -> Result<Found, CompileError> {
         let (graded_for, outcome) = match self.following(scene, coordinate)? {
             Some((graded_for, solved)) => (graded_for, Ok(solved)),
@@ -254,8 +255,8 @@ impl<'a> Walker<'a> {
         reused.map_or_else(|| graded(scene, self.deadline.into()), Ok)
     }
 
-    /// From the case before, if there is one and it leads to an answer; with the position for which the mesh was
-    /// graded.
+    /// Solves a case from the case before, if there is one and it leads to an answer; with the position for which the
+    /// mesh was graded.
     fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(JournalState, Solved)>, CompileError> {
         let position = match scene.journal.load() {
             None => Some(Position::start(scene)),

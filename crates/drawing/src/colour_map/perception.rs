@@ -3,7 +3,7 @@
 
 use super::ColourMap;
 
-/// Of linear sRGB, for protanopia, deuteranopia and tritanopia.
+/// Matrices of linear sRGB for protanopia, deuteranopia and tritanopia.
 const DEFICIENCIES: [[[f64; 3]; 3]; 3] = [
     [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
     [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],

@@ -2,7 +2,7 @@
 //!
 //! Each is sampled along its own curve at equal steps of CAM02-UCS, of the diverging one each half.
 
-/// batlowW, reversed: from white at zero to dark blue.
+/// The map batlowW, reversed: from white at zero to dark blue.
 #[rustfmt::skip]
 pub(super) const BATLOW: [[u8; 3]; 33] = [
     [255, 254, 254], [255, 245, 245], [255, 233, 233], [255, 221, 219], [254, 208, 204], [251, 195, 186],
@@ -12,7 +12,7 @@ pub(super) const BATLOW: [[u8; 3]; 33] = [
     [34, 97, 97], [28, 90, 98], [23, 83, 98], [19, 75, 97], [17, 67, 96], [15, 58, 95],
     [12, 48, 93], [8, 38, 91], [1, 25, 89],
 ];
-/// davos: from dark blue to white.
+/// The map davos: from dark blue to white.
 #[rustfmt::skip]
 pub(super) const DAVOS: [[u8; 3]; 33] = [
     [0, 5, 74], [3, 17, 85], [8, 28, 97], [14, 38, 107], [19, 48, 117], [25, 57, 126],
@@ -22,7 +22,7 @@ pub(super) const DAVOS: [[u8; 3]; 33] = [
     [182, 195, 145], [195, 205, 153], [208, 215, 164], [221, 226, 177], [233, 235, 192], [242, 243, 210],
     [249, 249, 228], [253, 252, 244], [254, 254, 254],
 ];
-/// devon, reversed: from white to dark violet.
+/// The map devon, reversed: from white to dark violet.
 #[rustfmt::skip]
 pub(super) const DEVON: [[u8; 3]; 33] = [
     [255, 255, 255], [249, 249, 254], [242, 241, 252], [235, 233, 251], [228, 225, 249], [220, 217, 248],
@@ -32,7 +32,7 @@ pub(super) const DEVON: [[u8; 3]; 33] = [
     [40, 85, 138], [39, 77, 129], [39, 69, 120], [40, 61, 112], [41, 54, 105], [42, 46, 97],
     [42, 39, 90], [43, 32, 83], [44, 26, 76],
 ];
-/// acton, reversed: from light to dark violet.
+/// The map acton, reversed: from light to dark violet.
 #[rustfmt::skip]
 pub(super) const ACTON: [[u8; 3]; 33] = [
     [240, 234, 250], [237, 225, 243], [235, 216, 236], [233, 206, 229], [230, 196, 221], [228, 186, 213],
@@ -42,7 +42,7 @@ pub(super) const ACTON: [[u8; 3]; 33] = [
     [85, 79, 124], [79, 72, 117], [74, 64, 110], [68, 56, 103], [63, 48, 95], [57, 39, 88],
     [51, 31, 80], [45, 22, 72], [38, 13, 64],
 ];
-/// lajolla, reversed: from light yellow to black.
+/// The map lajolla, reversed: from light yellow to black.
 #[rustfmt::skip]
 pub(super) const LAJOLLA: [[u8; 3]; 33] = [
     [255, 254, 203], [254, 247, 181], [252, 239, 160], [250, 229, 137], [247, 219, 116], [244, 206, 99],
@@ -52,7 +52,7 @@ pub(super) const LAJOLLA: [[u8; 3]; 33] = [
     [109, 54, 45], [97, 50, 39], [86, 46, 33], [74, 42, 27], [63, 39, 21], [53, 35, 16],
     [42, 31, 10], [33, 28, 4], [25, 25, 0],
 ];
-/// vik, its middle made white: blue below zero, brown above.
+/// The map vik with its middle made white: blue below zero, brown above.
 #[rustfmt::skip]
 pub(super) const VIK: [[u8; 3]; 33] = [
     [0, 18, 97], [2, 38, 109], [2, 54, 120], [3, 70, 130], [6, 86, 140], [18, 100, 150],

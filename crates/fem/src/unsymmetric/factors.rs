@@ -64,7 +64,7 @@ impl UnsymmetricFactorization {
         self.both_ways(x, Extent::solve_upper_transposed, Extent::solve_lower_transposed)
     }
 
-    /// Through the fronts in the order of elimination by `first`, and back by `second`.
+    /// Runs through the fronts in the order of elimination by `first`, and back by `second`.
     fn both_ways(&self, x: &mut [f64], first: Step, second: Step) -> Result<(), Error> {
         let analysis = &*self.analysis;
         let mut ordered: Vec<f64> = analysis.order.iter().map(|&dof| x[dof as usize]).collect();

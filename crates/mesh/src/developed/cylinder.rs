@@ -7,12 +7,12 @@ use crate::{Circle, Error};
 /// Relative thickness below which a mesh is flat.
 const FLAT: f64 = 1e-9;
 
-/// Where the nodes of a file lie.
+/// Surface on which the nodes of a file lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shape {
-    /// In a plane z = constant.
+    /// A plane z = constant.
     Plane,
-    /// On a cylinder along coordinate `axis`, with the circle of its section in the next two.
+    /// A cylinder along coordinate `axis`, with the circle of its section in the next two.
     Cylinder { axis: usize, section: Circle },
 }
 

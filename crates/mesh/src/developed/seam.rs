@@ -9,7 +9,7 @@ use crate::{Defect, Error, RawMesh};
 /// The groups of the two sides.
 pub(super) const SIDES: [&str; 2] = ["seam_low", "seam_high"];
 
-/// Of more nodes of one side at one z, these are compared.
+/// Most nodes of one side at one z that are compared.
 const MOST_AT_ONE_Z: usize = 1000;
 
 /// Merges the vertices of group `seam_high` with those of `seam_low`, which lie at the same place

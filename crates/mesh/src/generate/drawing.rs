@@ -105,7 +105,7 @@ pub enum DrawingError {
     TooThin {
         /// Name of the feature.
         name: String,
-        /// Its least width [m].
+        /// Least width of the shape [m].
         width: f64,
         /// Least width that can be meshed [m].
         least: f64,
@@ -117,7 +117,7 @@ pub enum DrawingError {
     ShortSide {
         /// Name of the feature.
         name: String,
-        /// Its shortest side [m].
+        /// Shortest side of the shape [m].
         side: f64,
         /// Shortest side that can be meshed [m].
         least: f64,
@@ -147,7 +147,7 @@ pub enum DrawingError {
     Failed {
         /// Size asked for [m].
         size: f64,
-        /// Why.
+        /// The cause, in words.
         reason: String,
     },
     /// The mesh has defects.

@@ -15,9 +15,9 @@ const ONE_LINE: f64 = 1e-6;
 /// How two shapes on a liner lie to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meeting {
-    /// There is land between them.
+    /// The two features have land between them.
     Apart,
-    /// Their outlines meet, and no point lies in both.
+    /// The outlines of the features meet, and no point lies in both.
     Touching,
     /// Some points lie in both.
     Overlapping,

@@ -46,14 +46,14 @@ pub struct Rows<'a> {
 /// Sense of a flow along x.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
-    /// Towards greater x.
+    /// The flow goes towards greater x.
     Forwards,
-    /// Towards lesser x.
+    /// The flow goes towards lesser x.
     Backwards,
 }
 
 impl Sense {
-    /// That of the flow which a surface drags along that moves along x at this speed, of any unit.
+    /// The sense of the flow that a surface moving along x at this speed, of any unit, drags along.
     pub fn of(speed: f64) -> Self {
         match speed < 0.0 {
             true => Self::Backwards,

@@ -14,7 +14,7 @@ use crate::developed::shorter_way;
 pub struct Feature {
     /// Name of the region in the mesh.
     pub name: String,
-    /// Its shape.
+    /// Shape of the feature.
     pub shape: Shape,
     /// True if its inside is meshed (a surface region), false if it is cut out (a curve region).
     pub meshed: bool,
@@ -164,7 +164,7 @@ impl Piece {
         }
     }
 
-    /// Its parts left and right of the line at `x`, cut there.
+    /// The parts of the piece left and right of the line at `x`, cut there.
     pub(super) fn split_at(&self, x: f64) -> Vec<Self> {
         let mut cuts: Vec<f64> = match self {
             Self::Line(a, b) => vec![(x - a[0]) / (b[0] - a[0])],
@@ -239,7 +239,7 @@ impl Piece {
         (s >= -slack && s <= 1.0 + slack).then(|| s.clamp(0.0, 1.0))
     }
 
-    /// Its parts between places along it (fractions, ascending); none is shorter than `near` [m].
+    /// The parts of the piece between places along it (fractions, ascending); none is shorter than `near` [m].
     pub(super) fn divided(&self, places: &[f64], near: f64) -> Vec<Self> {
         let slack = near / self.length();
         let mut ends = vec![0.0];

@@ -75,7 +75,7 @@ impl Domain<'_> {
     }
 }
 
-/// Which of the points of a triangulation belong to a grid.
+/// The points of a triangulation that belong to a grid.
 #[derive(Debug, Clone, Copy)]
 struct Grid {
     /// Points on rims; all other points before `end` are the grid's.

@@ -104,10 +104,10 @@ fn count_triangles(blocks: &[Block]) -> (usize, usize) {
     (count(kind::TRIANGLE), count(kind::TRIANGLE_6))
 }
 
-/// Which physical groups each entity belongs to.
+/// The physical groups that each entity belongs to.
 struct Groups {
-    /// In the order of `$PhysicalNames`; groups without a name follow. A name of both a curve and a
-    /// surface stands here twice.
+    /// Names in the order of `$PhysicalNames`; groups without a name follow. A name of both a curve and a surface
+    /// stands here twice.
     names: Vec<String>,
     of_entity: HashMap<(i32, i32), Vec<usize>>,
 }

@@ -1,4 +1,4 @@
-//! gmsh 4.1 mesh files, text and binary: 3- or 6-node triangles, lines, physical groups.
+//! Mesh files of gmsh 4.1, text and binary: 3- or 6-node triangles, lines, physical groups.
 //!
 //! [`read`] takes the numbers out of the sections (`scan`), and makes nodes, triangles and named groups of them
 //! (`assemble`). Nothing about bearings is known here: [`crate::developed`] makes a liner of it. [`write()`] is the way
@@ -26,7 +26,7 @@ const OPENING: u64 = 1 << 16;
 pub struct MshFile {
     /// All nodes `(x, y, z)`, mid-side nodes too. Finite.
     pub nodes: Vec<[f64; 3]>,
-    /// gmsh's tag of each node.
+    /// Tag that gmsh gives each node.
     pub tags: Vec<u64>,
     /// Three vertices a triangle, at least one triangle.
     pub triangles: Vec<[u32; 3]>,

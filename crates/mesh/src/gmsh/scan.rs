@@ -37,11 +37,11 @@ pub(super) struct Entity {
 pub(super) struct Block {
     pub(super) dim: i32,
     pub(super) entity: i32,
-    /// gmsh's element type.
+    /// Element type in gmsh's numbering.
     pub(super) kind: i32,
     /// Nodes of one element.
     pub(super) nodes: usize,
-    /// For each element its tag and those of its nodes.
+    /// Tag of each element, followed by the tags of its nodes.
     pub(super) numbers: Vec<u64>,
 }
 
@@ -302,7 +302,7 @@ fn scan_elements(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
     cursor.close()
 }
 
-/// gmsh's element types of use here.
+/// Element types of gmsh that are of use here.
 pub(super) mod kind {
     pub(in super::super) const LINE: i32 = 1;
     pub(in super::super) const LINE_3: i32 = 8;

@@ -30,8 +30,8 @@ def _short(name: str) -> str:
 class Film:
     """The fields of a solved film on its quadratic triangles, in SI.
 
-    The arrays are those of the program itself, not copies of them, and cannot be written to. Fields on nodes and on triangles are found by
-    their names: ``film["pressure"]``; ``film.fields`` has all names.
+    The arrays are those of the program itself, not copies of them, and cannot be written to. Fields on nodes and on
+    triangles are found by their names: ``film["pressure"]``; ``film.fields`` has all names.
     """
 
     __slots__ = ("_json", "_parts", "_names")
@@ -110,7 +110,8 @@ class Film:
         return self["z"]
 
     def sample(self, field: str, angle: ArrayLike, z: ArrayLike) -> Floats:
-        """Values of a field at angles [deg] and places along the axis [m], by the quadratic of the triangle at each; NaN where there is no film.
+        """Values of a field at angles [deg] and places along the axis [m], by the quadratic of the triangle at each;
+        NaN where there is no film.
 
         ``angle`` and ``z`` are broadcast against each other.
         """

@@ -45,7 +45,8 @@ class Picture:
 
 
 class Page:
-    """A page of HTML with everything in it. A notebook shows it in a frame; ``page.show()`` opens it in the browser elsewhere."""
+    """A page of HTML with everything in it. A notebook shows it in a frame; ``page.show()`` opens it in the browser
+    elsewhere."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -77,7 +78,8 @@ class Reported:
         raise NotImplementedError
 
     def report(self, path: Optional[StrPath] = None) -> Page:
-        """The report: one page of HTML with everything, which needs no network. Written to ``path``, if one is given."""
+        """The report: one page of HTML with everything, which needs no network. Written to ``path``, if one is
+        given."""
         page = self._page()
         if path is not None:
             page.save(path)

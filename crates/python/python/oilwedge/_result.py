@@ -32,7 +32,8 @@ class Quantity:
     value: float
     """The value, in ``unit``."""
     error: Optional[float]
-    """Half the width of its error bar, in ``unit``; ``None`` where there is none: it was not asked for, or the mesh does not resolve it."""
+    """Half the width of its error bar, in ``unit``; ``None`` where there is none: it was not asked for, or the mesh
+    does not resolve it."""
     unit: str
     """Its unit: SI, but degrees and degrees Celsius."""
     symbol: str
@@ -80,8 +81,8 @@ class Quantity:
 class Result(Reported, Mapping[str, Quantity]):
     """What a run found: quantities by name, and the film.
 
-    ``print(result)`` prints the table of the program, ``result.show()`` shows the report, ``result["load"]`` is a quantity, and so is ``result["h_min"]``
-    by its symbol.
+    ``print(result)`` prints the table of the program, ``result.show()`` shows the report, ``result["load"]`` is a
+    quantity, and so is ``result["h_min"]`` by its symbol.
     """
 
     scene: Scene
@@ -133,14 +134,16 @@ class Result(Reported, Mapping[str, Quantity]):
 
     @functools.cached_property
     def film(self) -> Film:
-        """The film: where its triangles are, and the fields on them. Where there is no film, ``OilwedgeError`` says why."""
+        """The film: where its triangles are, and the fields on them. Where there is no film, ``OilwedgeError`` says
+        why."""
         if self._parts is None:
             raise OilwedgeError(f"there is no film: {self.reason}")
         return Film(self._numbers.json, self._parts)
 
     @functools.cached_property
     def orbit(self) -> Optional[Mapping[str, Floats]]:
-        """The path of the journal over the last cycle, a column for each number as in ``orbit.csv``; ``None`` where no orbit was followed."""
+        """The path of the journal over the last cycle, a column for each number as in ``orbit.csv``; ``None`` where no
+        orbit was followed."""
         if self._orbit is None:
             return None
         rows = list(csv.reader(io.StringIO(self._orbit.decode())))
@@ -199,7 +202,8 @@ class Result(Reported, Mapping[str, Quantity]):
         return self._numbers.whole()
 
     def plot(self, what: str = "pressure", path: Optional[StrPath] = None, *, width: float = 170.0) -> Picture:
-        """A picture: a field of the film, ``mesh``, ``section``, ``profiles`` or ``heat``; ``width`` is in mm. Written to ``path``, if one is given."""
+        """A picture: a field of the film, ``mesh``, ``section``, ``profiles`` or ``heat``; ``width`` is in mm. Written
+        to ``path``, if one is given."""
         film, text = self.film._parts, self._numbers.json
         picture = Picture(what, lambda form: _native.figure(text, film, what, width, form))
         if path is not None:

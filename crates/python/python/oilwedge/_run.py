@@ -65,17 +65,20 @@ def solve(
     bars
         Estimate error bars.
     max_seconds
-        Time limit of the refinement towards a tolerance and of the search for a position; 60 s with a tolerance, else none.
+        Time limit of the refinement towards a tolerance and of the search for a position; 60 s with a tolerance, else
+        none.
     max_unknowns
         Most unknowns of meshes that are refined towards a tolerance.
     unrolled
         Points of the film are on the unrolled liner, x = R phi and y = z, instead of on the cylinder.
     add_ons
-        What stands beside the film in ``to_dict()`` and in the tables: ``cost``, ``standard``, ``theories``, ``mobility``.
+        What stands beside the film in ``to_dict()`` and in the tables: ``cost``, ``standard``, ``theories``,
+        ``mobility``.
     threads
         Number of threads; by default one for each core. Results do not depend on it.
 
-    Raises ``SceneError`` or ``MeshError`` where the scene cannot be used; ``NoSolution`` or ``NotConverged``, with the result, where there is no answer.
+    Raises ``SceneError`` or ``MeshError`` where the scene cannot be used; ``NoSolution`` or ``NotConverged``, with the
+    result, where there is no answer.
     """
     own = scene_of(scene)
     unknown = [name for name in add_ons if name not in ADD_ONS]

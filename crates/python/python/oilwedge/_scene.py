@@ -15,11 +15,12 @@ from ._types import StrPath
 class Scene:
     """One bearing as its scene describes it. It was read and checked, and never changes.
 
-    ``Scene.read("bearing.toml")`` reads a file, ``Scene.new("engine-main")`` begins with one of the program's own scenes, and
-    ``Scene({"bearing": {"diameter": "75 mm", ...}, ...})`` is made of a mapping with the keys of a scene. ``scene | {"journal.speed": "3000 rpm"}``
-    is the scene with other values of keys, named as on the axes of a sweep.
+    ``Scene.read("bearing.toml")`` reads a file, ``Scene.new("engine-main")`` begins with one of the program's own
+    scenes, and ``Scene({"bearing": {"diameter": "75 mm", ...}, ...})`` is made of a mapping with the keys of a scene.
+    ``scene | {"journal.speed": "3000 rpm"}`` is the scene with other values of keys, named as on the axes of a sweep.
 
-    A mesh file is named relative to the folder of the scene: ``folder`` for one that is made of a mapping, the current folder where none is given.
+    A mesh file is named relative to the folder of the scene: ``folder`` for one that is made of a mapping, the current
+    folder where none is given.
 
     Raises ``SceneError`` with everything that is wrong.
     """
@@ -75,7 +76,8 @@ class Scene:
         return self._scene.sha256
 
     def __or__(self, changes: Mapping[str, Any]) -> Scene:
-        """The scene with other values of keys, named as on the axes of a sweep: ``{"journal.speed": "3000 rpm", "force": "5 kN"}``."""
+        """The scene with other values of keys, named as on the axes of a sweep: ``{"journal.speed": "3000 rpm",
+        "force": "5 kN"}``."""
         if not isinstance(changes, Mapping):
             return NotImplemented
         return self._of(self._scene.changed(changes)) if changes else self

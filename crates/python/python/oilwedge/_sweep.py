@@ -43,8 +43,8 @@ def sweep(
     Other threads of Python run meanwhile, and Ctrl-C ends it.
 
     axes
-        Keys as below ``[sweep]`` and their values: a list, an array, or a range ``{"from": "1 kN", "to": "9 kN", "steps": 9}``; the last axis
-        runs fastest. Without them the scene's own.
+        Keys as below ``[sweep]`` and their values: a list, an array, or a range ``{"from": "1 kN", "to": "9 kN",
+        "steps": 9}``; the last axis runs fastest. Without them the scene's own.
     columns
         The quantities of the table, each with its unit, as ``"h_min um"``; by default all.
     bars, max_seconds, max_unknowns
@@ -52,7 +52,8 @@ def sweep(
     threads
         Number of threads; by default one for each core. Results do not depend on it.
     out
-        Folder to which rows are written as cases end, with ``sweep.csv`` and ``sweep.json``. Rows that stand there from the same sweep are kept.
+        Folder to which rows are written as cases end, with ``sweep.csv`` and ``sweep.json``. Rows that stand there from
+        the same sweep are kept.
     fresh
         Replace what stands in that folder.
 

@@ -33,8 +33,8 @@ _TEXTS = ("status", "warnings", "verdict", "limits", "reason")
 class Table(Reported):
     """The table of a sweep: one row a case, the last axis running fastest.
 
-    ``table["load [N]"]`` is a column, ``table.columns`` has all headings; cases without an answer have NaN, and ``table["reason"]`` says why.
-    ``print(table)`` prints the table of the program.
+    ``table["load [N]"]`` is a column, ``table.columns`` has all headings; cases without an answer have NaN, and
+    ``table["reason"]`` says why. ``print(table)`` prints the table of the program.
     """
 
     def __init__(self, text: bytes, json: str, table: str) -> None:
@@ -102,7 +102,8 @@ class Table(Reported):
         parquet.write_table(self.to_arrow(), path, compression="zstd")
 
     def to_xarray(self) -> xarray.Dataset:
-        """The table as a data set of xarray: a dimension for each axis, a variable for each quantity by its name or, in chosen columns, its symbol, its error bar as ``NAME_error``.
+        """The table as a data set of xarray: a dimension for each axis, a variable for each quantity by its name or, in
+        chosen columns, its symbol, its error bar as ``NAME_error``.
 
         Variables have ``units`` and ``long_name``.
         """

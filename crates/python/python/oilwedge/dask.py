@@ -1,7 +1,9 @@
-"""Sweeps on a cluster of Dask: a task is one chain of neighbouring cases or a few short ones, and becomes a file of Parquet when it ends.
+"""Sweeps on a cluster of Dask: a task is one chain of neighbouring cases or a few short ones, and becomes a file of
+Parquet when it ends.
 
-Chains are those of ``oilwedge sweep``, so the table is the same, to the last digit, however many workers there are. Every part is gathered when it ends, written by
-rename, and released: no part is computed twice because a worker dies, and a sweep that was ended, also by the death of the client, goes on where it was.
+Chains are those of ``oilwedge sweep``, so the table is the same, to the last digit, however many workers there are.
+Every part is gathered when it ends, written by rename, and released: no part is computed twice because a worker dies,
+and a sweep that was ended, also by the death of the client, goes on where it was.
 """
 
 from __future__ import annotations
@@ -71,16 +73,18 @@ def sweep(
 ) -> Table:
     """Solves a scene for all combinations of the values of its axes on the workers of ``client``.
 
-    The folder ``out`` gets ``part-000123.parquet`` for each part as it ends, and in the end ``table.parquet``, ordered by case. Parts that stand there are
-    not computed again. Mesh files travel with the scene. A part that ends more workers than the scheduler allows (three), also when it is computed alone, gives rows of status
-    ``failed``; all others are computed.
+    The folder ``out`` gets ``part-000123.parquet`` for each part as it ends, and in the end ``table.parquet``, ordered
+    by case. Parts that stand there are not computed again. Mesh files travel with the scene. A part that ends more
+    workers than the scheduler allows (three), also when it is computed alone, gives rows of status ``failed``; all
+    others are computed.
 
     axes, columns, bars, max_seconds, max_unknowns
         As of ``oilwedge.sweep``.
     threads
         Threads of each task.
 
-    Raises ``OilwedgeError`` where workers have another version of oilwedge, ``ValueError`` where the folder holds parts of another sweep.
+    Raises ``OilwedgeError`` where workers have another version of oilwedge, ``ValueError`` where the folder holds parts
+    of another sweep.
     """
     distributed = needed("distributed", "oilwedge.dask.sweep()")
     needed("pyarrow", "oilwedge.dask.sweep()")
@@ -105,10 +109,12 @@ def sweep(
 
 
 def _run(distributed: Any, client: Any, packed: _Packed, numbers: list[int], parts: _Parts, mark: str = "") -> list[int]:
-    """Computes parts and writes each when it ends; the numbers of those that have ended too many workers are returned."""
+    """Computes parts and writes each when it ends; the numbers of those that have ended too many workers are
+    returned."""
     # A task, and not data that was sent: should its worker die it is made anew.
     shared = client.submit(_same, packed, key=f"oilwedge_scene-{packed.key}{mark}")
-    # The parts are one group of tasks and the scene is another one: the scheduler spreads them over all workers then, and not only over those that have the scene.
+    # The parts are one group of tasks and the scene is another one: the scheduler spreads them over all workers then,
+    # and not only over those that have the scene.
     group = f"oilwedge_part-{packed.key}{mark}"
     ended = distributed.as_completed([client.submit(_part, shared, number, key=(group, number)) for number in numbers])
     killers = []
@@ -151,7 +157,8 @@ def _part(packed: _Packed, number: int) -> tuple[str, bytes]:
 
 @dataclass(frozen=True)
 class _Unpacked:
-    """A sweep on a worker: its cases, and the folder of its files, which lasts as long as a part of them is computed."""
+    """A sweep on a worker: its cases, and the folder of its files, which lasts as long as a part of them is
+    computed."""
 
     cases: _native.Cases
     folder: tempfile.TemporaryDirectory[str]
@@ -177,8 +184,8 @@ def _unpacked(packed: _Packed) -> _Unpacked:
 def _keep_memory() -> None:
     """Lets this process keep the memory of a film for the next one.
 
-    Dask has workers return all memory at once (``MALLOC_TRIM_THRESHOLD_``): each film would fetch its arrays from the system again, a quarter of the whole time. The
-    thresholds are those to which glibc moves by itself elsewhere."""
+    Dask has workers return all memory at once (``MALLOC_TRIM_THRESHOLD_``): each film would fetch its arrays from the
+    system again, a quarter of the whole time. The thresholds are those to which glibc moves by itself elsewhere."""
     try:
         mallopt = ctypes.CDLL(None).mallopt
     except (AttributeError, OSError, TypeError):

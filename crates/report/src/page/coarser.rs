@@ -50,7 +50,7 @@ fn varying(picture: &FilmPicture) -> impl Iterator<Item = (&'static FieldRow, &V
 
 /// Sides of a mesh.
 struct Sides {
-    /// Their middles.
+    /// Middles of the sides.
     middle: HashMap<[u32; 2], u32>,
     /// Which vertices are at a rim, at something curved, or where a field is steep.
     must_stay: Vec<bool>,
@@ -90,7 +90,7 @@ impl Sides {
     }
 }
 
-/// Where a node comes from.
+/// Origin of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Source {
     /// A node of the film.

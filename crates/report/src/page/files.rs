@@ -15,7 +15,7 @@ const SCENE: &str = "scene.toml";
 /// A file that a scene names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneFile {
-    /// Its path as the scene writes it, counted from the folder of the scene.
+    /// Path of the file as the scene writes it, counted from the folder of the scene.
     name: String,
     bytes: Vec<u8>,
 }
@@ -72,9 +72,9 @@ pub(super) struct SavedFiles {
 #[derive(Debug, Serialize)]
 struct Link {
     path: String,
-    /// Its last part.
+    /// Last part of the path.
     name: String,
-    /// Its content as an address.
+    /// Content of the file as an address.
     address: String,
 }
 

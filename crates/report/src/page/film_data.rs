@@ -78,7 +78,7 @@ struct Line {
 }
 
 impl FilmData {
-    /// That of a film as it is drawn.
+    /// The data of a film as it is drawn.
     pub(super) fn of(film: &DrawnFilm, picture: &FilmPicture) -> Self {
         let prediction = Prediction::of(&picture.cells, picture.points.len());
         let radius = film.radius();

@@ -54,7 +54,7 @@ pub(super) struct Prediction {
 }
 
 impl Prediction {
-    /// That of the nodes of triangles: first all vertices, then all middles.
+    /// The prediction for the nodes of triangles: first all vertices, then all middles.
     pub(super) fn of(cells: &[[u32; 6]], nodes: usize) -> Self {
         let mut is_met = vec![false; nodes];
         let mut order = Vec::with_capacity(nodes);

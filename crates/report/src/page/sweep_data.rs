@@ -44,7 +44,7 @@ struct QuantityData {
 }
 
 impl SweepData {
-    /// From the object of `sweep.json`; `None` where there is nothing to choose from.
+    /// Data from the object of `sweep.json`; `None` where there is nothing to choose from.
     pub(super) fn of(sweep: &Value) -> Option<Self> {
         let cases = Cases::of(sweep)?;
         let mut names = cases.names(&[]);

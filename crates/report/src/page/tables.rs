@@ -28,7 +28,7 @@ pub(super) fn balances(result: &Value) -> Table {
     Table::new("", ["balance", "left over"], rows.collect())
 }
 
-/// Which assumptions the film meets.
+/// The table of the assumptions that the film meets.
 pub(super) fn assumptions(result: &Value) -> Table {
     let regime = &result["regime"];
     let value = |key: &str| regime[key].as_f64();

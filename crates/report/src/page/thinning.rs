@@ -12,7 +12,7 @@ const RELAXED: usize = 3;
 
 /// Triangles that are thinned out.
 struct Thinning<'a> {
-    /// Of each vertex [m].
+    /// Place of each vertex [m].
     places: &'a [[f64; 2]],
     /// Length of the circumference [m]: places differ by less than half of it within a triangle.
     period: f64,

@@ -20,7 +20,7 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    /// By these criteria of a run that ended with a status; `None` where the scene sets no limits.
+    /// The outcome of a run with these criteria that ended with a status; `None` where the scene sets no limits.
     pub(super) fn of(criteria: &[Criterion], status: &str) -> Option<Self> {
         let verdict = Verdict::of(criteria)?;
         let missed = criteria.iter().filter(|criterion| criterion.is_missed());
@@ -39,7 +39,7 @@ impl Outcome {
         })
     }
 
-    /// By the verdicts of the cases of a sweep; `None` where there are none.
+    /// The outcome of a sweep by the verdicts of its cases; `None` where there are none.
     pub(super) fn of_cases(rows: &[Value]) -> Option<Self> {
         let count = |name: &str| rows.iter().filter(|row| row["verdict"] == name).count();
         let [fit, not, open] = [Verdict::Pass, Verdict::Fail, Verdict::Undecided].map(|verdict| count(verdict.name()));

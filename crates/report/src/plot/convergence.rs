@@ -8,7 +8,7 @@ use oilwedge_drawing::{
 
 use super::error_map;
 
-/// Around the sheet, and between its parts [mm].
+/// Margin around the sheet, and gap between its parts [mm].
 const MARGIN: f64 = 1.0;
 const GAP: f64 = 5.0;
 /// Height of the charts [mm].

@@ -14,7 +14,7 @@ const BANDS: f64 = 4.0;
 const BAR: f64 = 16.0;
 /// Sides of triangles.
 const SIDES: Colour = Colour([110, 118, 126]);
-/// Where nothing is known of the error.
+/// Colour where nothing is known of the error.
 const UNKNOWN: Colour = Colour([225, 236, 242]);
 
 /// Exponents of ten of the contributions of triangles, their range, and its bands.
@@ -25,7 +25,7 @@ pub(super) struct Decades {
 }
 
 impl Decades {
-    /// Of positive contributions over their reference; `None` where none is positive.
+    /// The decades of positive contributions over their reference; `None` where none is positive.
     pub(super) fn of(contributions: &[f64], reference: f64) -> Option<Self> {
         let exponent = |share: &f64| (share / reference).abs().log10();
         let exponents: Vec<f64> = contributions.iter().map(exponent).collect();

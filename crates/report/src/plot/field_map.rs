@@ -14,7 +14,7 @@ use super::liner::Liner;
 use super::sample::Finder;
 use crate::readable::{axis_label, readable_unit_of};
 
-/// Around the sheet, and room for the bar of colours [mm].
+/// Margin around the sheet, and room for the bar of colours [mm].
 const MARGIN: f64 = 1.0;
 const BAR: f64 = 17.0;
 /// Most bands of a map.
@@ -157,7 +157,7 @@ fn finish(figure: &mut Figure, liner: &Liner, frame: &Frame, entries: &[Entry]) 
     figure.set_height(y + legend_height(entries, width) + MARGIN);
 }
 
-/// Where a field is greatest among its nodes.
+/// Place at which a field is greatest among its nodes.
 pub(super) fn peak(cells: &[[[f64; 2]; 6]], values: &[[f64; 6]]) -> Option<[f64; 2]> {
     let nodes = cells.iter().zip(values).flat_map(|(nodes, values)| nodes.iter().zip(values));
     let finite = nodes.filter(|(_, value)| value.is_finite());
@@ -241,7 +241,7 @@ fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option
     entries
 }
 
-/// With a capital at its beginning.
+/// The text with a capital at its beginning.
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

@@ -100,7 +100,7 @@ fn check(selected: &[String], known: &[String]) -> Result<(), Unknown> {
 /// The two files of a picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PictureFiles {
-    /// Its name without an ending.
+    /// Name of the file without an ending.
     pub name: String,
     /// Content of the SVG.
     pub svg: Vec<u8>,

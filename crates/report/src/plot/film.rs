@@ -38,7 +38,7 @@ pub struct DrawnFilm {
 }
 
 impl DrawnFilm {
-    /// From the object of `result.json` and the picture of the same run, on the cylinder or unrolled.
+    /// A film from the object of `result.json` and the picture of the same run, on the cylinder or unrolled.
     ///
     /// # Errors
     /// [`Error::Format`]: the object has no shape of the bearing, as those of older versions of the program.
@@ -192,7 +192,7 @@ impl DrawnFilm {
         self.lines.iter().filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
     }
 
-    /// Where the film breaks and where it forms again.
+    /// The lines at which the film breaks, and those at which it forms again.
     pub(crate) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
         [RUPTURE, REFORMATION].map(|name| self.line(name))
     }

@@ -79,7 +79,7 @@ impl Liner {
         upwards / across
     }
 
-    /// Where a point of the liner [m] is on the sheet.
+    /// Place on the sheet of a point of the liner [m].
     pub(super) fn at(&self, frame: &Frame, [x, z]: [f64; 2]) -> [f64; 2] {
         frame.at([(x / self.radius).to_degrees(), 1e3 * z])
     }

@@ -153,7 +153,7 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// Around a curve and the origin.
+    /// The frame around a curve and the origin.
     pub(super) fn around(curve: &[[f64; 2]]) -> Self {
         let [x, y] = [0, 1].map(|axis| least_and_greatest(curve.iter().map(|point| point[axis]).chain([0.0])));
         let extent = f64::max(x[1] - x[0], y[1] - y[0]);

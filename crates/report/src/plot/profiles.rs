@@ -14,7 +14,7 @@ use crate::readable::{axis_label, readable_unit_of};
 const AROUND: usize = 720;
 const ALONG: usize = 200;
 
-/// Which way a profile runs.
+/// Line along which a profile runs.
 #[derive(Debug, Clone, Copy)]
 enum Line {
     Around,

@@ -21,7 +21,7 @@ const EXACT: f64 = 1e-12;
 pub(crate) struct InTriangle {
     /// The triangle.
     pub(crate) cell: usize,
-    /// Its coordinates there.
+    /// Coordinates of the point in the triangle.
     parts: [f64; 3],
 }
 

@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use crate::shaft_view::ShaftView;
 
-/// Around the drawing, and between both views [mm].
+/// Margin around the drawing, and gap between both views [mm].
 const MARGIN: f64 = 3.0;
 const BETWEEN: f64 = 14.0;
 /// Thickness of a shell over the radius of its journal.
@@ -30,14 +30,14 @@ const WALL: Colour = Colour([120, 150, 180]);
 #[derive(Debug, Clone, Copy)]
 struct Throw {
     shape: ThrowShape,
-    /// Where its first web begins [m].
+    /// Axial position at which the first web of the throw begins [m].
     from: f64,
-    /// Its angle in the axes of the shaft, with the first throw that fires at 0 towards x [rad].
+    /// Angle of the throw in the axes of the shaft, with the first throw that fires at 0 towards x [rad].
     angle: f64,
 }
 
 impl Throw {
-    /// Where the webs lie [m].
+    /// Extents of the webs [m].
     fn webs(&self) -> [[f64; 2]; 2] {
         let ThrowShape { web_thickness, pin_length, .. } = self.shape;
         let second = self.from + web_thickness + pin_length;
@@ -132,7 +132,7 @@ impl Drawn<'_> {
         figure.frame(rectangle, Pen::new(0.5, INK));
     }
 
-    /// From the side, x upwards, with the names of the bearings on a line.
+    /// The shaft from the side, x upwards, with the names of the bearings on a line.
     fn side(&self, figure: &mut Figure, bearings: &[Value], line: f64) {
         for throw in &self.throws {
             let middle = self.radius * throw.angle.cos();
@@ -219,7 +219,7 @@ impl Drawn<'_> {
         figure.text([left, line + 1.9 * letters.line()], &name, letters, Anchor::Left);
     }
 
-    /// Along the axis at the crank angle 0, x to the right as in polar diagrams.
+    /// The shaft along its axis at the crank angle 0, x to the right as in polar diagrams.
     fn along(&self, figure: &mut Figure, centre: [f64; 2]) {
         let letters = Letters::sized(SMALLEST_LETTERS).with_halo();
         let axes = Polar { centre, base: 0.0, scale: self.scale };

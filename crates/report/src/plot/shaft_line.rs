@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::shaft_view::ShaftView;
 
-/// Where the name of a bearing stands, over its clearance.
+/// Height at which the name of a bearing stands, over its clearance.
 const NAME: f64 = 1.12;
 
 /// A plane through the axis: the components of a vector along it.

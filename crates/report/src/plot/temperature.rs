@@ -68,7 +68,7 @@ mod tests {
         assert!(to_png(&figure).is_ok());
     }
 
-    /// Of a cycle there are no points.
+    /// A cycle has no points of a heat balance to draw.
     #[test]
     fn one_point_is_drawn_and_none_is_no_picture() {
         let drawn = |result: &Value| temperature_figure(result, PAGE_WIDTH);

@@ -17,7 +17,7 @@ pub enum SweepError {
     /// The cases cannot be run.
     #[error(transparent)]
     Campaign(#[from] oilwedge_campaign::Error),
-    /// There are no cases.
+    /// The sweep has no cases.
     #[error("the sweep has no cases; give each axis below [sweep] at least one value")]
     NoCases,
     /// The folder holds another sweep.
@@ -28,7 +28,7 @@ pub enum SweepError {
         /// How it differs.
         difference: &'static str,
     },
-    /// Another run writes the sweep in the folder.
+    /// A sweep in the folder is being written by another run.
     #[error(
         "{} holds a sweep that {} is still writing",
         folder.display(),
@@ -58,7 +58,7 @@ pub enum SweepError {
         /// The system's message.
         source: io::Error,
     },
-    /// There is no part to be joined.
+    /// The folder has no part to be joined.
     #[error("{} holds no parts of a sweep in its folder {PARTS_FOLDER}", dir.display())]
     NoParts {
         /// Folder of the sweep.

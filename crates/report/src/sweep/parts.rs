@@ -16,7 +16,7 @@ use super::table::Row;
 
 /// Folder of the parts, below that of the sweep.
 pub const PARTS_FOLDER: &str = "parts";
-/// Between the number of a part and how many there are.
+/// Word between the number of a part and how many there are.
 const OF: &str = "-of-";
 /// Least digits of both, so that parts are listed in their order.
 const DIGITS: usize = 3;
@@ -78,7 +78,7 @@ pub(super) fn rows_of_parts(sweep: &Sweep, begun: &SweepReport, dir: &Path) -> R
     }
 }
 
-/// Into how many parts the sweep below the folder `dir` is divided.
+/// Number of parts into which the sweep below the folder `dir` is divided.
 ///
 /// # Errors
 /// There is no part, or parts of several divisions, or something that is no part.

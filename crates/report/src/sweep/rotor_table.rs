@@ -18,7 +18,7 @@ use oilwedge_study::result::Status;
 
 /// The tables for version 2 and version 3 of ROSS.
 pub const ROTOR_FILES: [&str; 2] = ["rotor_bearing.csv", "rotor_bearing_3.csv"];
-/// Where the speed stands in a scene.
+/// Key of the speed in a scene.
 const SPEED: &str = "journal.speed";
 /// Where the frequency of the whirl over the speed stands in a scene.
 const WHIRL: &str = "dynamics.whirl";

@@ -143,7 +143,7 @@ pub const REASON: &str = "reason";
 pub const SECONDS: &str = "seconds";
 /// The columns behind the quantities.
 const TAIL: [&str; 6] = [UNKNOWNS, WARNINGS, VERDICT, LIMITS, REASON, SECONDS];
-/// Between entries of one cell.
+/// Separator of entries of one cell.
 pub(crate) const SEPARATOR: char = ';';
 
 /// Texts in one cell, each once.

@@ -78,7 +78,7 @@ fn cell(it: &Comparison, size: f64) -> String {
     }
 }
 
-/// In percent of the film's value; of angles, and where that value is zero, in their unit.
+/// The difference in percent of the film's value; of angles, and where that value is zero, in their unit.
 fn difference(it: &Comparison) -> Option<String> {
     let (difference, film) = (it.difference()?, it.film?.value);
     let (unit, size) = match it.row.unit {

@@ -24,7 +24,7 @@ pub(crate) fn criteria(result: &RunResult) -> Option<String> {
     judged(&result.criteria, broken)
 }
 
-/// These criteria and the verdict, never without reserve beside `broken` assumptions.
+/// The criteria and the verdict in words, never without reserve beside `broken` assumptions.
 pub(crate) fn judged(criteria: &[Criterion], broken: usize) -> Option<String> {
     let lines = criteria.iter().map(|criterion| {
         let told = [value(criterion), criterion.unit.clone()].join(" ");

@@ -92,7 +92,7 @@ fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
     parts
 }
 
-/// Where the quantities are that are not shown.
+/// A sentence on the quantities that are not shown, with the way to see them.
 fn left_out(result: &RunResult, shown: Shown) -> Option<String> {
     (shown == Shown::Headlines && !result.quantities.is_empty()).then(|| {
         let count = result.quantities.len();

@@ -1,6 +1,6 @@
 //! How much of a run a report shows.
 
-/// Which quantities a report shows.
+/// The quantities that a report shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
     /// Headlines, and the joint of a cap.

@@ -49,7 +49,7 @@ fn fitness(criteria: &[Criterion], has_warnings: bool) -> Option<String> {
     })
 }
 
-/// Which usual values, that nobody set as limits, are left.
+/// The usual values, set by nobody as limits, that are left.
 fn unusual(criteria: &[Criterion]) -> Option<String> {
     let left = |criterion: &&Criterion| !criterion.decides && criterion.verdict == Verdict::Fail;
     let told = faults(criteria.iter().filter(left));

@@ -22,9 +22,9 @@
 /// What holds the outer surface of a ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OuterSurface {
-    /// It does not move.
+    /// The outer surface does not move.
     Clamped,
-    /// Nothing.
+    /// The outer surface is free of stress.
     Free,
 }
 
@@ -46,7 +46,7 @@ pub struct ElasticRing {
 /// The constants of four functions: a condition is a row, and so is a displacement.
 type Row = [f64; 4];
 
-/// At one radius: the parts of displacement and stress that turn with `exp(i n phi)` and with `exp(-i n phi)`.
+/// Solution at one radius: the parts of displacement and stress that turn with `exp(i n phi)` and with `exp(-i n phi)`.
 struct At {
     displacement: [Row; 2],
     stress: [Row; 2],
@@ -104,8 +104,8 @@ impl ElasticRing {
         sum * self.radius / (2.0 * self.shear_modulus())
     }
 
-    /// At the radius r over that of the bore; what grows outwards is over its value at the outer surface, so that
-    /// nothing overflows.
+    /// Solution at the radius r over that of the bore; what grows outwards is over its value at the outer surface, so
+    /// that nothing overflows.
     fn at(&self, n: usize, r: f64) -> At {
         let kappa = 3.0 - 4.0 * self.poisson;
         let grown = (r / self.ratio()).powi(n as i32);

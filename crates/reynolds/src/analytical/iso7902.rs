@@ -85,21 +85,21 @@ pub fn side_flow_number(eccentricity: f64, slenderness: f64) -> f64 {
 /// How the oil is fed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Feed {
-    /// Through a hole opposite to the load; its diameter over B.
+    /// A hole opposite to the load; its diameter over B.
     HoleOpposite(f64),
-    /// Through a hole at 90 degrees to the load.
+    /// A hole at 90 degrees to the load; its diameter over B.
     HoleAcross(f64),
-    /// Through two holes at 90 degrees to the load.
+    /// Two holes at 90 degrees to the load; their diameter over B.
     TwoHolesAcross(f64),
-    /// Through a pocket opposite to the load; its width over B, 0.05 to 0.7.
+    /// A pocket opposite to the load; its width over B, 0.05 to 0.7.
     PocketOpposite(f64),
-    /// Through a pocket at 90 degrees to the load.
+    /// A pocket at 90 degrees to the load; its width over B.
     PocketAcross(f64),
-    /// Through two pockets at 90 degrees to the load.
+    /// Two pockets at 90 degrees to the load; their width over B.
     TwoPocketsAcross(f64),
-    /// Through a groove all around; its width over B.
+    /// A groove all around; its width over B.
     GrooveAround(f64),
-    /// Through a groove along the half that carries no load.
+    /// A groove along the half that carries no load; its width over B.
     GrooveHalf(f64),
 }
 
@@ -129,8 +129,8 @@ pub fn feed_flow_number(feed: Feed, eccentricity: f64, slenderness: f64) -> f64 
 mod tests {
     use super::*;
 
-    /// So falls back on Ocvirk's for short bearings, where the last factor of the fit tends to 1.1642 only: the fit is
-    /// for b from 0.25 on.
+    /// The Sommerfeld number falls back on Ocvirk's for short bearings, where the last factor of the fit tends to
+    /// 1.1642 only: the fit is for b from 0.25 on.
     #[test]
     fn numbers_by_hand() {
         // b = 0.345, eps = 0.8: So 1.040, beta 30.0 deg; a finite-difference film has 1.022 and 31.9 deg.

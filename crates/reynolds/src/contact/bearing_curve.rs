@@ -26,7 +26,7 @@ pub struct BearingCurve {
 }
 
 impl BearingCurve {
-    /// At the gap `h` [m].
+    /// Pressure of contact at the gap `h` [m].
     pub fn at(&self, gap: f64) -> ContactPressure {
         let approach = 1.0 - gap / self.depth;
         match approach {

@@ -11,7 +11,8 @@
 //! |---|---|---|
 //! | h (gap of the mean planes) | m | `gap` |
 //! | sigma (root mean square roughness of both surfaces together) | m | `roughness` |
-//! | eta, beta (asperities per area, radius of their tips) | 1/m2, m | `density` is `eta beta sigma`, `sharpness` is `sigma/beta` |
+//! | eta (asperities per area) | 1/m2 | `density` is `eta beta sigma` |
+//! | beta (radius of the tips of asperities) | m | `sharpness` is `sigma/beta` |
 //! | E' (`1/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2`) | Pa | `modulus` |
 //! | H | Pa | `hardness` |
 //!
@@ -54,7 +55,7 @@ pub fn integral(n: i32, l: f64) -> f64 {
 /// Asperities of Gaussian heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GreenwoodTripp {
-    /// sigma [m].
+    /// Combined roughness sigma [m].
     pub roughness: f64,
     /// Hardness [Pa].
     pub hardness: f64,
@@ -65,14 +66,14 @@ pub struct GreenwoodTripp {
 }
 
 impl GreenwoodTripp {
-    /// Of a combined roughness sigma [m], `eta beta sigma` [1], `sigma/beta` [1], the modulus E' [Pa] and the hardness
-    /// [Pa], all positive.
+    /// A contact of a combined roughness sigma [m], `eta beta sigma` [1], `sigma/beta` [1], the modulus E' [Pa] and the
+    /// hardness [Pa], all positive.
     pub fn new(roughness: f64, density: f64, sharpness: f64, modulus: f64, hardness: f64) -> Self {
         let factor = 16.0 * SQRT_2 / 15.0 * PI * density.powi(2) * sharpness.sqrt() * modulus;
         Self { roughness, hardness, factor, yields_at: ratio_of(hardness / factor) }
     }
 
-    /// At the gap `h` [m].
+    /// Pressure of contact at the gap `h` [m].
     pub fn at(&self, gap: f64) -> ContactPressure {
         let l = gap / self.roughness;
         if l <= self.yields_at {

@@ -29,7 +29,7 @@ pub enum ContactLaw {
 }
 
 impl ContactLaw {
-    /// At the gap `h` [m] between the mean planes of the surfaces.
+    /// Pressure of contact at the gap `h` [m] between the mean planes of the surfaces.
     pub fn at(&self, gap: f64) -> ContactPressure {
         match self {
             Self::GreenwoodTripp(law) => law.at(gap),
@@ -92,9 +92,9 @@ pub struct Contact {
 /// How finely a pressure of contact is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fineness {
-    /// For numbers that are reported: to about 1e-10 of the hardness.
+    /// Fine enough for numbers that are reported: to about 1e-10 of the hardness.
     Reported,
-    /// For places on the way to a balance: to about 1e-6 of it.
+    /// Fine enough for places on the way to a balance: to about 1e-6 of the hardness.
     Tried,
 }
 

@@ -18,7 +18,8 @@
 //! | d | Pa | `difference` |
 //! | chi: share of the mesh at vertices that are in the cavity of one film only | 1 | `doubt` |
 //! | beta: share of the mesh in sub-triangles at the edge of the cavity | 1 | `front` |
-//! | sigma, n: oil that may be carried across the flow, over what the journal drags through the clearance, and how often | 1 | `spread` |
+//! | sigma: oil that may be carried across the flow, over what the journal drags through the clearance | 1 | `spread` |
+//! | n: how often oil may be carried across the flow | 1 | `spread` |
 //! | delta: mean difference of the film fraction at the vertices | 1 | `carried` |
 //!
 //! **Source.** Constants: measured on random bearings, held against others, `docs/theory/error_estimation_jfo.md`.
@@ -44,36 +45,36 @@ use crate::quantities::power::power;
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSystem, SolvedFilm};
 
-/// c: of the difference of pressures, under an integral.
+/// Coefficient c of the difference of pressures, under an integral.
 const OF_PRESSURE: f64 = 0.36;
-/// chi_1: where bars of the load double.
+/// Doubt chi_1 at which bars of the load double.
 const DOUBTFUL: f64 = 0.015;
-/// Of the difference where the pressure is greatest, and of the greatest difference.
+/// Weights in the bar of a pressure: of the difference where the pressure is greatest, and of the greatest difference.
 const AT_TOP: f64 = 0.42;
 const ANYWHERE: f64 = 0.13;
-/// Of the difference of a flow.
+/// Weight in the bar of a flow of its difference.
 const OF_FLOW: f64 = 0.6;
-/// Of delta times what passes through a region, at ends and elsewhere.
+/// Weights in the bar of a flow of delta times what passes through a region, at ends and elsewhere.
 const CARRIED_TO_ENDS: f64 = 0.5;
 const CARRIED_ELSEWHERE: f64 = 0.2;
-/// Of the difference of the flow into the loaded film, and of delta times that flow.
+/// Weights in the bar of the inlet flow of its difference, and of delta times that flow.
 const OF_INLET: f64 = 1.6;
 const CARRIED_TO_INLET: f64 = 0.7;
-/// Of delta times the power of shear.
+/// Weight in the bar of the shear power of delta times that power.
 const CARRIED_IN_SHEAR: f64 = 0.1;
-/// Of beta, delta and chi, in the share of the cavity.
+/// Weights in the bar of the cavity's share of beta, delta and chi.
 const OF_FRONT: f64 = 0.2;
 const OF_CARRIED: f64 = 0.3;
 const OF_DOUBT: f64 = 0.3;
-/// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of
-/// beta; the bar ends at zero oil, but is no less than the last, by which the transport over- and undershoots at edges
-/// of streaks.
+/// Weights in the bar of the least film fraction: of the greatest difference where there is least oil, in that part of
+/// the cavity, and of beta; the bar ends at zero oil, but is no less than the last, by which the transport over- and
+/// undershoots at edges of streaks.
 const LEAST_OIL: f64 = 0.9;
 const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;
 const LEAST_BAR: f64 = 0.005;
 
-/// Of sigma, of sigma n, and of sigma at most.
+/// Weights in every bar of sigma and of sigma n, and the most of sigma that they may be.
 const OF_SPREAD: f64 = 0.1;
 const OF_SPREAD_AGAIN: f64 = 0.3;
 const MOST_OF_SPREAD: f64 = 0.8;
@@ -81,40 +82,40 @@ const MOST_OF_SPREAD: f64 = 0.8;
 /// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConservingError {
-    /// Of the magnitude of the load [N].
+    /// Bar of the magnitude of the load [N].
     pub load: Bar,
-    /// Of the load across its direction [N]: over the magnitude, that of its angle [rad].
+    /// Bar of the load across its direction [N]: over the magnitude, that of its angle [rad].
     pub across: Bar,
-    /// Of the load towards 0 and towards 90 degrees [N].
+    /// Bars of the load towards 0 and towards 90 degrees [N].
     pub force: [Bar; 2],
-    /// Of the moment towards 0 and towards 90 degrees [N m]; none where the journal cannot tilt.
+    /// Bars of the moment towards 0 and towards 90 degrees [N m]; none where the journal cannot tilt.
     pub moment: Option<[Bar; 2]>,
     /// Directions of force and moment together; none where the journal cannot tilt.
     pub directions: Vec<ErrorDirection>,
-    /// Of `Int p dA` [N].
+    /// Bar of `Int p dA` [N].
     pub pressure_integral: Bar,
-    /// Of the greatest pressure [Pa]; not finite where the limit of the viscosity law lies within it.
+    /// Bar of the greatest pressure [Pa]; not finite where the limit of the viscosity law lies within it.
     pub greatest_pressure: f64,
-    /// Of the pressure of the film anywhere [Pa], likewise.
+    /// Bar of the pressure of the film anywhere [Pa]; not finite where the limit of the viscosity law lies within it.
     pub pressure: f64,
-    /// Of the net flow of each region of the supply [m3/s].
+    /// Bars of the net flow of each region of the supply [m3/s].
     pub flows: Vec<f64>,
-    /// Of the flow through all ends together [m3/s].
+    /// Bar of the flow through all ends together [m3/s].
     pub side_flow: f64,
-    /// Of the flow into the loaded film [m3/s].
+    /// Bar of the flow into the loaded film [m3/s].
     pub inlet_flow: f64,
     /// Differences of the powers [W] that the turning journal puts in against shear, and against pressure, from those
     /// of the coarse comparison.
     pub power: [f64; 2],
     /// Power [W] of shear that is in doubt because the film fraction is.
     pub power_carried: f64,
-    /// Of the share of the cavity [1].
+    /// Bar of the share of the cavity [1].
     pub cavity_share: f64,
-    /// Of the least film fraction [1].
+    /// Bar of the least film fraction [1].
     pub least_fraction: f64,
     /// Part of every bar, over its number, for oil that triangles spread across the flow [1]; zero on rows along it.
     pub spread: f64,
-    /// Of places.
+    /// Bars of places.
     pub places: Places,
     /// False where the mesh does not resolve the film, and no bar can be trusted.
     pub is_resolved: bool,
@@ -124,9 +125,9 @@ pub struct ConservingError {
 
 /// How far a film and its coarse comparison differ in the cavity.
 struct Disagreement {
-    /// chi.
+    /// Share chi of the mesh at vertices that are in the cavity of one film only [1].
     doubt: f64,
-    /// delta.
+    /// Mean difference delta of the film fraction at the vertices [1].
     carried: f64,
     /// Film fractions of both at vertices that are in the cavity of both.
     in_both: Vec<[f64; 2]>,
@@ -134,9 +135,9 @@ struct Disagreement {
 
 /// Weights of the pressure in force and moment, a wall that gives way following.
 struct Weights {
-    /// Of the force towards x and y [1].
+    /// Weights of the force towards x and y [1].
     force: [f64; 2],
-    /// Of its moments [m].
+    /// Weights of the moments of that force [m].
     moment: [f64; 2],
 }
 
@@ -290,8 +291,8 @@ impl<'a> Pair<'a> {
         Bar { discretisation, front, ..Bar::default() }
     }
 
-    /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its
-    /// limit pressures are far more uncertain than it; not finite where the limit lies within the bar.
+    /// Bar from the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears
+    /// its limit pressures are far more uncertain than it; not finite where the limit lies within the bar.
     fn greatest_pressure(&self, coarse: &SolvedFilm) -> f64 {
         let problem = &self.film.problem;
         let unknown = |dof: usize| self.film.solution.unknown[dof];
@@ -320,7 +321,7 @@ impl<'a> Pair<'a> {
         broken > 0 && broken < nodes.len()
     }
 
-    /// beta.
+    /// Share beta of the mesh in sub-triangles at the edge of the cavity [1].
     fn front(&self) -> f64 {
         let space = self.film.system.space();
         let (mut front, mut whole) = (0.0, 0.0);
@@ -371,7 +372,7 @@ fn where_least(mut pairs: Vec<[f64; 2]>) -> f64 {
     pairs.iter().take(part).fold(0.0, |most, [a, b]| most.max((a - b).abs()))
 }
 
-/// Of each region and of all ends together.
+/// Bars of the flow of each region and of all ends together.
 fn flow_bars(system: &FilmSystem, flows: &Flows, others: &Flows, carried: f64) -> (Vec<f64>, f64) {
     let pairs = || system.supply.regions().iter().zip(flows.regions.iter().zip(&others.regions));
     let bar = |difference: f64, passing: f64, kind: BoundaryKind| {

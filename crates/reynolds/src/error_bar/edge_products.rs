@@ -30,7 +30,7 @@ use crate::film_law::FilmLaw;
 /// Products of duals (rows) and responses (columns).
 type Products = [[f64; 4]; 4];
 
-/// Those of some triangles.
+/// The products of some triangles, one by one.
 #[derive(Default)]
 struct Listed(Vec<Products>);
 

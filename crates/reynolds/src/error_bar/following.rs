@@ -31,13 +31,13 @@ pub const GOALS: usize = 4;
 pub struct FollowingWall {
     /// The splines.
     pub grid: Grid,
-    /// mu of the force towards x and y [1], and of its moments [m]: zero of a journal that cannot tilt. One coefficient
-    /// for each spline.
+    /// Coefficients mu of the force towards x and y [1], and of its moments [m]: zero of a journal that cannot tilt.
+    /// One coefficient stands for each spline.
     pub coefficients: [Vec<f64>; GOALS],
 }
 
 impl FollowingWall {
-    /// mu at a position [m].
+    /// Weights mu at a position [m].
     #[inline]
     pub(crate) fn at(&self, position: [f64; 2]) -> [f64; GOALS] {
         let mut sums = [0.0; GOALS];

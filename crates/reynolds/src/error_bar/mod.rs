@@ -61,7 +61,7 @@ const PER_UNSURE: f64 = 2.0;
 /// What the pieces of a difference leave where they cancel.
 const PER_SUM: f64 = 0.05;
 
-/// Of the scatter of residuals, in the algebra part.
+/// Multiple of the scatter of residuals in the algebra part.
 const DEVIATIONS: f64 = 3.0;
 
 /// What the cubic film leaves of a difference `eta` whose shares have magnitudes of this `sum`, where the solution is
@@ -161,12 +161,12 @@ impl std::ops::Add for Bar {
     }
 }
 
-/// Which value is judged.
+/// The film whose value is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Value {
-    /// That of the quadratic film.
+    /// The value of the quadratic film.
     Quadratic,
-    /// That of the cubic film.
+    /// The value of the cubic film.
     Cubic,
 }
 
@@ -207,16 +207,17 @@ pub struct FilmError {
     pub moment: [f64; 2],
     /// Load [N] that its pressures could carry, all on one side.
     pub possible: f64,
-    /// Of `W_x`, `W_y` and `Int p dA` [N].
+    /// Errors of `W_x`, `W_y` and `Int p dA` [N].
     pub goals: [GoalError; 3],
-    /// Of the moment towards x and y [N m]; none where the journal cannot tilt.
+    /// Errors of the moment towards x and y [N m]; none where the journal cannot tilt.
     pub moments: Option<[GoalError; 2]>,
-    /// Of the power [W] that the turning journal puts in against shear, and against pressure.
+    /// Errors of the power [W] that the turning journal puts in against shear, and against pressure.
     pub drag: [GoalError; 2],
     /// What the rules of integration of the two degrees differ by in the power of shear [W], in each triangle and
     /// without sign.
     pub shear_rules: f64,
-    /// Of the flow into the film [m3/s] through both ends together, and through each region that gives a pressure.
+    /// Errors of the flow into the film [m3/s] through both ends together, and through each region that gives a
+    /// pressure.
     pub flows: Vec<(FlowGoal, GoalError)>,
     /// Triangles in the cavity and at its edge.
     pub front: Vec<bool>,
@@ -233,7 +234,7 @@ pub struct FilmError {
     pub nonlinear: bool,
 }
 
-/// Where a flow is asked for.
+/// Boundary at which a flow is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FlowGoal {
     /// Both ends together.

@@ -9,16 +9,16 @@ use crate::SolvedFilm;
 use crate::quantities::extent::{Extent, extent};
 use crate::quantities::pressure::extremes;
 
-/// Of the width of a triangle.
+/// Weights in the bars of places of the width of a triangle: at an end of the film, and at the greatest pressure.
 const SUB_TRIANGLE: f64 = 0.5;
 const AT_SUMMIT: f64 = 0.6;
 
 /// Half widths of bars of places.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Places {
-    /// Of the greatest pressure [m], around and along the axis.
+    /// Bar of the place of the greatest pressure [m], around and along the axis.
     pub summit: [f64; 2],
-    /// Of the upstream and the downstream end of the loaded film [m]; none where only one film has them.
+    /// Bars of the upstream and the downstream end of the loaded film [m]; none where only one film has them.
     pub extent: Option<[Bar; 2]>,
 }
 

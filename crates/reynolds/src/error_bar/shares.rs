@@ -1,4 +1,4 @@
-//! Where in the film the difference of two degrees comes from.
+//! The shares of the film in the difference of two degrees.
 //!
 //! With `e = p3 - p2`, the goal's vector j and the quadratic dual z, for any z, split exactly:
 //! `j . e = z . K e + (j - K z) . e`. The first term is local because z stands before a residual, the second because e
@@ -116,7 +116,7 @@ struct Split<'a> {
 }
 
 impl<'a> Split<'a> {
-    /// Of the film and the `cubic` one; `raised` is the film in cubic functions.
+    /// The shares of the difference between the film and the `cubic` one; `raised` is the film in cubic functions.
     fn new(film: &'a SolvedFilm, cubic: &'a SolvedFilm, raised: &[f64]) -> Self {
         let cubic = &cubic.solution;
         let between = &film.system.cubic().prolongation;
@@ -189,7 +189,7 @@ struct GoalVectors<'a> {
     following: Option<&'a FollowingWall>,
 }
 
-/// Where a goal is weighed.
+/// Point at which a goal is weighed.
 struct At {
     cos: f64,
     sin: f64,

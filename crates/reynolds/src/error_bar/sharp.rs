@@ -26,11 +26,11 @@ use crate::SolvedFilm;
 use crate::quantities::load::{Share, load};
 use crate::sharp::{HillNumbers, SharpFilm};
 
-/// Of the difference of the two degrees.
+/// Weight in the bar of the difference of the two degrees.
 const OF_DEGREES: f64 = 2.5;
-/// Of what the oil changes that its cavities lose.
+/// Weight in the bar of the change by the oil that the cavities of a hill lose.
 const OF_OIL: f64 = 2.0;
-/// Of the number itself.
+/// Weight in the bar of the number itself.
 const OF_NUMBER: f64 = 2e-4;
 /// Bars of finite volumes below this part of their numbers leave a hill little to do: its own are a fifth of that at
 /// least.
@@ -45,7 +45,7 @@ pub struct Sharpened {
     pub greatest: Option<f64>,
 }
 
-/// Which film is reported.
+/// The film that is reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reported {
     /// The finite volumes: position or temperature are those of their force and heat.
@@ -88,17 +88,17 @@ pub fn sharpen(error: &mut ConservingError, film: &HillNumbers, sharp: &SharpFil
 /// What a number of the hill is beside that of the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Verdict {
-    /// Its bar is narrower, and it lies inside that of the film.
+    /// The hill's bar is narrower, and its number lies inside the bar of the film.
     Better,
-    /// Its bar is narrower, and it lies outside that of the film.
+    /// The hill's bar is narrower, and its number lies outside the bar of the film.
     Apart,
-    /// Its bar is not narrower.
+    /// The hill's bar is not narrower.
     Wider,
 }
 
 impl Verdict {
-    /// Of a number with the bar `hill` that differs by `apart` from that of the film, whose bar is `film`. Where that
-    /// has no end the film may not exist.
+    /// The verdict on a number with the bar `hill` that differs by `apart` from that of the film, whose bar is `film`.
+    /// Where that has no end the film may not exist.
     fn of(hill: f64, film: f64, apart: f64) -> Self {
         match hill < film && film.is_finite() {
             false => Self::Wider,
@@ -119,7 +119,7 @@ fn reach(error: &mut ConservingError, film: &Share, hill: &Share) {
     error.pressure_integral = widened(error.pressure_integral, (hill.pressure - film.pressure).abs());
 }
 
-/// By how much the force of a film is less than that of its hill [N], along that and across it.
+/// Force of a hill less that of its film [N], along that of the hill and across it.
 fn along_and_across(film: &Share, hill: &Share) -> [f64; 2] {
     let ([x, y], force) = (hill.force, length(hill));
     let apart = [0, 1].map(|d| hill.force[d] - film.force[d]);

@@ -38,7 +38,7 @@ pub struct Closing {
 pub struct WallStage {
     /// `1/(gamma dt)` [1/s].
     pub per_time: f64,
-    /// d_0: what earlier stages leave, as coefficients [m].
+    /// Coefficients d_0 that earlier stages leave [m].
     pub known: Arc<[f64]>,
 }
 
@@ -65,7 +65,7 @@ impl PartialEq for Deflection {
 }
 
 impl Deflection {
-    /// That of a wall without pressure.
+    /// The deflection of a wall without pressure.
     pub fn none(wall: Arc<Wall>) -> Self {
         Self {
             coefficients: vec![0.0; wall.grid.number()].into(),
@@ -76,7 +76,7 @@ impl Deflection {
         }
     }
 
-    /// Another deflection of this wall: in the same stage, or at the same rate.
+    /// A deflection of the same wall with other coefficients [m]: in the same stage, or at the same rate.
     #[must_use]
     pub fn with(&self, coefficients: Vec<f64>) -> Self {
         let moving = |stage: &WallStage| {
@@ -92,7 +92,7 @@ impl Deflection {
         }
     }
 
-    /// This deflection and these coefficients [m] more.
+    /// The sum of this deflection and these coefficients [m].
     #[must_use]
     pub fn with_more(&self, more: &[f64]) -> Self {
         let mut sum = self.coefficients.to_vec();
@@ -109,7 +109,7 @@ impl Deflection {
         Self { stage, rate, ..self.clone() }.with(coefficients)
     }
 
-    /// This wall in a stage.
+    /// The deflection in a stage of a time step.
     #[must_use]
     pub fn in_stage(&self, stage: WallStage) -> Self {
         let stage = Some(stage);
@@ -128,7 +128,7 @@ impl Deflection {
         Self { stage, ..self.clone() }
     }
 
-    /// This wall at a rate of these coefficients [m/s] more.
+    /// The deflection at a rate that is higher by these coefficients [m/s].
     #[must_use]
     pub fn faster(&self, more: &[f64]) -> Self {
         let rate = match &self.rate {
@@ -139,7 +139,7 @@ impl Deflection {
         Self { rate, ..self.clone() }
     }
 
-    /// By what its rate grows with the deflection [1/s]: zero in no stage.
+    /// Growth of the deflection's rate with the deflection [1/s]: zero in no stage.
     pub fn per_time(&self) -> f64 {
         self.stage.as_ref().map_or(0.0, |stage| stage.per_time)
     }
@@ -155,7 +155,7 @@ impl Deflection {
         self.rate.as_ref()
     }
 
-    /// Its value [m] at positions [m] of the developed surface.
+    /// Deflection [m] at a position [m] of the developed surface.
     pub fn at(&self, position: [f64; 2]) -> f64 {
         self.wall.grid.value(&self.coefficients, position)
     }
@@ -173,7 +173,7 @@ impl FilmContribution for Deflection {
         Arc::new(self.clone())
     }
 
-    /// While the wall is not bent.
+    /// Circles are kept while the wall is not bent.
     fn keeps_circles(&self) -> bool {
         self.coefficients.iter().all(|&coefficient| coefficient == 0.0)
     }
@@ -195,7 +195,7 @@ impl FilmProblem {
         self.deflection().is_some_and(is_bent)
     }
 
-    /// This problem with its wall not bent.
+    /// The problem with its wall not bent.
     #[must_use]
     pub fn with_wall_at_rest(self) -> Self {
         let at_rest = self.deflection().map(|deflection| Deflection::none(deflection.wall.clone()));
@@ -209,7 +209,7 @@ impl FilmProblem {
         self.deflected(held.as_ref())
     }
 
-    /// This problem with a deflection that was found so.
+    /// The problem with a deflection that was found so.
     #[must_use]
     pub fn closed_by(self, closing: Closing) -> Self {
         let deflection = self.deflection().map(|deflection| Deflection { closing, ..deflection.clone() });
@@ -226,7 +226,7 @@ impl FilmProblem {
         self
     }
 
-    /// This problem in a rigid wall.
+    /// The problem in a rigid wall.
     pub fn with_rigid_wall(mut self) -> Self {
         self.film_thickness.retain(|contribution| contribution.as_deflection().is_none());
         self

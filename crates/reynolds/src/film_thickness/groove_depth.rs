@@ -34,7 +34,7 @@ impl FilmContribution for GrooveDepth {
         }
     }
 
-    /// It only deepens.
+    /// A groove only deepens the film.
     fn keeps_circles(&self) -> bool {
         true
     }

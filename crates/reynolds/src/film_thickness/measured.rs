@@ -50,7 +50,7 @@ pub struct Points {
 pub struct Measured {
     around: PointAxis,
     along: PointAxis,
-    /// By angle and position: depth, slopes around and along, twist.
+    /// Values at the nodes, by angle and position: depth, slopes around and along, twist.
     nodes: Vec<[f64; 4]>,
     /// Steps [m] over which second derivatives are differences.
     steps: [f64; 2],

@@ -121,12 +121,12 @@ impl PointAxis {
 }
 
 impl CubicParts {
-    /// Beyond an end: on straight from one point, a distance [m] from it.
+    /// Weights beyond an end: straight on from one point, a distance [m] from it.
     fn of_one(point: usize, distance: f64, slope: f64) -> Self {
         Self { neighbours: [point, point], value: [[1.0, distance], [0.0, 0.0]], slope: [[0.0, slope], [0.0, 0.0]] }
     }
 
-    /// Between two points `length` [m] apart: Hermite's cubics at the part `t` of the way.
+    /// Weights between two points `length` [m] apart: Hermite's cubics at the part `t` of the distance.
     fn between(before: usize, after: usize, t: f64, length: f64) -> Self {
         let (s, rise) = (1.0 - t, 6.0 * t * (1.0 - t) / length);
         Self {

@@ -34,7 +34,7 @@ impl Profile for Oval {
         Relief { depth: self.depth * cos, slope: [-2.0 * per_radius * sin, 0.0] }
     }
 
-    /// By those of the single angle, which are known for all positions at once.
+    /// Follows from the sine and cosine of the single angle, which are known for all positions at once.
     fn each(&self, positions: &[[f64; 2]], visit: &mut dyn FnMut(usize, Relief)) {
         let (turned_sin, turned_cos) = (2.0 * self.angle).sin_cos();
         let per_radius = self.depth / self.radius;

@@ -33,7 +33,7 @@ static NORMAL: LazyLock<Piecewise> = LazyLock::new(|| Piecewise::new(0.0, APART,
 /// Factors of two surfaces that are equally rough in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PatirCheng {
-    /// sigma [m].
+    /// Combined roughness sigma [m].
     pub roughness: f64,
 }
 

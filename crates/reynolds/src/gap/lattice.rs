@@ -21,7 +21,7 @@ pub(super) const LATTICE: [[f64; 2]; 15] = [
     [0.0, 1.0],
 ];
 pub(super) const SPACING: f64 = 0.25;
-/// Those that are the nodes of a quadratic, in their order.
+/// Lattice points that are the nodes of a quadratic, in their order.
 pub(super) const NODES: [usize; 6] = [0, 4, 14, 2, 11, 9];
 
 /// The reference point in a triangle of these corners that is at `(xi, eta)` of it.

@@ -30,7 +30,7 @@ pub struct Density {
 }
 
 impl Density {
-    /// Of an oil of this density [kg/m3] at the temperature [K].
+    /// The density of an oil of this density [kg/m3] at the temperature [K].
     pub fn of(density: f64, temperature: f64, expansion: f64) -> Self {
         let at_20 = density / (1.0 - expansion * (temperature - ZERO_CELSIUS - 20.0));
         Self { at_20, expansion }

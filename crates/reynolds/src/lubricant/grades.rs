@@ -26,7 +26,7 @@ pub struct Grade {
     pub name: &'static str,
     /// Kinematic viscosity [mm2/s] at 40 degrees C.
     pub nu_40: f64,
-    /// At 100 degrees C.
+    /// Kinematic viscosity at 100 degrees C.
     pub nu_100: f64,
     /// Density [kg/m3] at 15 degrees C.
     pub rho_15: f64,

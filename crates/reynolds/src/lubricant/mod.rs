@@ -75,14 +75,14 @@ pub enum PressureLaw {
 /// How viscosity grows with pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LawKind {
-    /// By Roelands' law, the slowest of those there are.
+    /// Roelands' law, the slowest of those there are.
     Roelands,
-    /// By another one, or not at all.
+    /// Any other law, or none.
     Other,
 }
 
 impl PressureLaw {
-    /// Which law it is.
+    /// Kind of the law.
     pub fn kind(&self) -> LawKind {
         match self {
             Self::Roelands(_) => LawKind::Roelands,

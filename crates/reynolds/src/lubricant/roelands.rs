@@ -20,7 +20,7 @@ use super::PressureViscosity;
 const PANELS_PER_REFERENCE: f64 = 32.0;
 /// The table ends where viscosity has grown by this factor: what is left of `q` is below rounding.
 const GREATEST_RATIO: f64 = 1e18;
-/// It ends at this many reference pressures in any case.
+/// Most reference pressures at which the law ends in any case.
 const GREATEST_PRESSURE: f64 = 1e9;
 
 /// Roelands' law with its table of reduced pressures.
@@ -36,7 +36,7 @@ pub struct Roelands {
 }
 
 impl Roelands {
-    /// From the viscosity mu0 [Pa s] (above 6.3e-5), the index z in (0, 1.2] or so, and p_r [Pa].
+    /// The law from the viscosity mu0 [Pa s] (above 6.3e-5), the index z in (0, 1.2] or so, and p_r [Pa].
     pub fn new(viscosity: f64, index: f64, reference_pressure: f64) -> Self {
         let mut law = Self {
             exponent: viscosity.ln() + 9.67,

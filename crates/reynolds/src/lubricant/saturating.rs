@@ -32,7 +32,7 @@ pub struct Saturating {
 }
 
 impl Saturating {
-    /// That of a law; `None` where the law does not reach this viscosity.
+    /// The saturating law beside a law; `None` where the law does not reach this viscosity.
     pub(super) fn of(law: &PressureLaw) -> Option<Self> {
         let pressure = law.pressure_of_ratio(GREATEST_RATIO);
         let reduced = law.reduced_pressure(pressure);

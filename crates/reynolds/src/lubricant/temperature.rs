@@ -32,7 +32,7 @@ pub enum TemperatureLaw {
 pub struct ThermalOil {
     /// How viscosity falls with temperature.
     pub law: TemperatureLaw,
-    /// Its density.
+    /// Density of the oil.
     pub density: Density,
     /// What the shear rate of the film leaves of the viscosity [1], the same at all temperatures; 1 at low shear.
     pub sheared: f64,
@@ -69,8 +69,8 @@ pub struct ViscosityTable {
 }
 
 impl ViscosityTable {
-    /// Through points `(T [K], nu [m2/s])` in any order; none where they are fewer than two, or where between two of
-    /// them viscosity does not fall with temperature.
+    /// The law through points `(T [K], nu [m2/s])` in any order; none where they are fewer than two, or where between
+    /// two of them viscosity does not fall with temperature.
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));

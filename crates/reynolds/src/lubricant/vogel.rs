@@ -56,7 +56,7 @@ mod tests {
         assert_eq!(constant.viscosity(300.0), constant.factor);
     }
 
-    /// Of three points `ln mu = ln a + b/(T - T_0)` gives a, b and T_0 back.
+    /// The formula `ln mu = ln a + b/(T - T_0)` at three points gives a, b and T_0 back.
     #[test]
     fn through_three_points() {
         let law = Vogel { factor: 7e-5, exponent: 900.0, singular: 180.0 };

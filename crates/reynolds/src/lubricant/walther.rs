@@ -30,8 +30,8 @@ fn ordinate(kinematic_viscosity: f64) -> f64 {
 }
 
 impl Walther {
-    /// Through two points `(T [K], nu [m2/s])`; none where they do not make a line on which viscosity falls with
-    /// temperature.
+    /// The law through two points `(T [K], nu [m2/s])`; none where they do not make a line on which viscosity falls
+    /// with temperature.
     pub fn through(one: (f64, f64), other: (f64, f64)) -> Option<Self> {
         let slope = (ordinate(one.1) - ordinate(other.1)) / (other.0.log10() - one.0.log10());
         let line = Self { intercept: ordinate(one.1) + slope * one.0.log10(), slope };
@@ -74,7 +74,7 @@ mod tests {
         }
     }
 
-    /// By hand for 55 and 8.19 mm2/s: `lg lg 55.7 = 0.242008`, `lg lg 8.89 = -0.022779`, at 70 degrees C
+    /// A calculation by hand for 55 and 8.19 mm2/s: `lg lg 55.7 = 0.242008`, `lg lg 8.89 = -0.022779`, at 70 degrees C
     /// `nu = 17.923 mm2/s`.
     #[test]
     fn a_viscosity_between_is_that_of_the_chart() {

@@ -25,25 +25,25 @@ use oilwedge_fem::integrate::Rule;
 
 use crate::contact::{ContactLaw, Fineness};
 
-/// Triangles, and their parts again, are quartered at most this often,
+/// Most times that triangles, and their parts again, are quartered for contact.
 const MOST_QUARTERINGS: usize = 5;
-/// until the gap changes by a part of the scale of the law over each part where the pressure is the hardness: an error
-/// that falls with the tenth power of the parts is the same for parts that are longer by the tenth root where the
-/// pressure is less.
+/// Order of the error in the length of the parts. Parts are divided until the gap changes by a part of the scale of the
+/// law over each, where the pressure is the hardness; an error that falls with the tenth power of the parts is the same
+/// for parts that are longer by the tenth root where the pressure is less.
 const ORDER: f64 = 10.0;
-/// Below this part of the least pressure at which triangles are quartered, which is far below what a film or a load is
-/// known to, there is no contact.
+/// Part of the least pressure at which triangles are quartered, below which, as it is far below what a film or a load
+/// is known to, there is no contact.
 const NOTHING: f64 = 1e-4;
 /// Parts in which the law has a kink are quartered at least so often. With two quarterings on the way to a balance what
 /// the weights of quarters add to the tangent, which leaves it out, would make Newton's method slow.
 const KINK_QUARTERINGS: usize = 4;
-/// From this part of the greatest change of the gap on the quarters of a part take over.
+/// Part of the greatest change of the gap from which on the quarters of a part take over.
 const STEADY: f64 = 0.85;
 
-/// By which rule contact is integrated.
+/// Accuracy to which contact is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Accuracy {
-    /// That which is reported.
+    /// The accuracy of numbers that are reported.
     Full,
     /// One of lower degree on the same parts, to compare with.
     Lower,
@@ -116,7 +116,7 @@ fn quartered(corners: &[[f64; 2]; 3]) -> [[[f64; 2]; 3]; 4] {
 pub(super) struct Piece {
     /// How often the triangle was quartered.
     pub(super) level: usize,
-    /// Which of [`PARTS`] it is.
+    /// Place of the piece among [`PARTS`].
     pub(super) number: usize,
     /// Whether it counts in what the journal carries, or for the splines of the wall alone.
     pub(super) is_for_load: bool,
@@ -128,7 +128,7 @@ impl Piece {
     /// A triangle.
     pub(super) const WHOLE: Self = Self { level: 0, number: 0, is_for_load: true, weight: 1.0 };
 
-    /// Its quarters.
+    /// The four quarters of the piece.
     pub(super) fn quarters(self) -> impl Iterator<Item = Self> {
         (0..4).map(move |k| Self { level: self.level + 1, number: 4 * self.number + k, ..self })
     }
@@ -138,7 +138,7 @@ impl Piece {
         [of_quarters, 1.0 - of_quarters].map(|part| (part > 0.0).then_some(Self { weight: self.weight * part, ..self }))
     }
 
-    /// For the splines of the wall alone.
+    /// The piece for the splines of the wall alone.
     pub(super) fn for_wall(self) -> Self {
         Self { is_for_load: false, ..self }
     }
@@ -149,13 +149,14 @@ impl Piece {
 pub(super) enum Division {
     /// Surfaces do not touch there.
     NoContact,
-    /// It is integrated as it is: its pressure is slight, or its parts would be too many.
+    /// The piece is integrated as it is: its pressure is slight, or its parts would be too many.
     Last,
-    /// Its quarters give this part of its integral; the splines of the wall may have the rest divided, too.
+    /// The quarters of the piece give this part of its integral; the splines of the wall may have the rest divided,
+    /// too.
     Quarters(f64),
 }
 
-/// From 0 to 1 between 0 and 1, with a continuous slope.
+/// A step from 0 to 1 between 0 and 1, with a continuous slope.
 fn smooth_step(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)

@@ -48,7 +48,7 @@ pub(crate) struct ContactPoint {
     gap: f64,
     /// Pressure of contact [Pa].
     pub(crate) pressure: f64,
-    /// Its derivative by the gap [Pa/m].
+    /// Derivative of the pressure by the gap [Pa/m].
     pub(crate) slope: f64,
     /// The splines of the wall there.
     pub(crate) splines: SplinesAt,
@@ -70,7 +70,7 @@ enum Serves {
     Load,
     /// The splines of the wall.
     Wall,
-    /// Both.
+    /// Load and wall.
     Both,
 }
 
@@ -177,18 +177,18 @@ impl Touching<'_> {
 }
 
 impl ContactPoints {
-    /// Of the film of a problem; none where no contact is simulated.
+    /// The points of contact of the film of a problem; none where no contact is simulated.
     pub fn of(problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
         let grid = problem.deflection().map(|deflection| &deflection.wall.grid);
         Self::found((problem, system), grid, Accuracy::Full)
     }
 
-    /// Of that film, for a wall on this grid.
+    /// The points of contact of the film of a problem, for a wall on this grid.
     pub(crate) fn on(grid: &Grid, problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
         Self::found((problem, system), Some(grid), Accuracy::Full)
     }
 
-    /// Of that film, for what the journal carries alone.
+    /// The points of contact of the film of a problem, for what the journal carries alone.
     pub(crate) fn of_load_alone(problem: &FilmProblem, system: &FilmSystem, accuracy: Accuracy) -> Option<Self> {
         Self::found((problem, system), None, accuracy)
     }
@@ -216,7 +216,7 @@ impl ContactPoints {
         Some(Self { points: points.concat(), splines: grid.map_or([0; 2], Grid::numbers) })
     }
 
-    /// These points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is that of
+    /// The points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is the law of
     /// their contact.
     pub fn bent_further(&self, law: &ContactLaw, more: &[f64]) -> Self {
         let bent = |point: &ContactPoint| {

@@ -21,14 +21,14 @@ use crate::{FilmProblem, FilmSystem, Gap, JournalState};
 /// Least films at mid-length and at both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sections {
-    /// At mid-length [m].
+    /// Least film at mid-length [m].
     pub middle: f64,
-    /// At the ends [m].
+    /// Least film at the ends [m].
     pub ends: [f64; 2],
 }
 
 impl Sections {
-    /// Those of a film on its mesh.
+    /// The sections of a film on its mesh.
     pub fn of_film(problem: &FilmProblem, system: &FilmSystem) -> Self {
         let gap = Gap::of(problem, system);
         let [low, high] = problem.bearing.ends();
@@ -36,7 +36,7 @@ impl Sections {
         Self { middle, ends: [low, high] }
     }
 
-    /// Those with the journal in a state.
+    /// The sections of a gap with the journal in a state.
     pub fn of_journal(gap: &Gap, journal: &JournalState) -> Self {
         let [low, high] = gap.bearing().ends();
         let [middle, low, high] = [0.0, low, high].map(|z| gap.thinnest_at(journal, z).thickness);

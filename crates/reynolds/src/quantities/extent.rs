@@ -36,7 +36,7 @@ pub enum EndKind {
 /// One end of the loaded film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilmEnd {
-    /// Where it is [m], x = R phi.
+    /// Place of the end [m], x = R phi.
     pub x: f64,
     /// What it is.
     pub kind: EndKind,
@@ -50,9 +50,9 @@ pub struct FilmEnd {
 /// The loaded film on the mid-plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    /// Its upstream end.
+    /// Upstream end of the loaded film.
     pub begins: FilmEnd,
-    /// Its downstream end.
+    /// Downstream end of the loaded film.
     pub ends: FilmEnd,
 }
 

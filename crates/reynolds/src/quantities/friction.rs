@@ -21,9 +21,9 @@ use crate::{Bearing, JournalState};
 /// Torques [N m] against the rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
-    /// On the journal.
+    /// Torque on the journal.
     pub on_journal: f64,
-    /// On the bearing.
+    /// Torque on the bearing.
     pub on_bearing: f64,
 }
 

@@ -34,7 +34,7 @@ pub fn inlet_flow(film: &SolvedFilm) -> Option<f64> {
     inlet_flows(film).map(|flows| flows.iter().sum())
 }
 
-/// Its parts [m3/s] through each triangle, zero in those that the line does not cross; none at rest.
+/// Parts of the inlet flow [m3/s] through each triangle, zero in those that the line does not cross; none at rest.
 pub fn inlet_flows(film: &SolvedFilm) -> Option<Vec<f64>> {
     let SolvedFilm { problem, system, .. } = film;
     let speed = problem.journal.speed;

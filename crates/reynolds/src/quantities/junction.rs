@@ -22,7 +22,7 @@ use super::edge::Beside;
 use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
 
-/// For each node that two regions share, these and `|Q_c|` [m3/s].
+/// The two regions of each node that they share, and `|Q_c|` [m3/s] there.
 pub(super) fn unsure(film: &SolvedFilm, beside: &[Beside]) -> Vec<([usize; 2], f64)> {
     let space = film.system.space();
     let meeting = film.system.supply.meeting(space);

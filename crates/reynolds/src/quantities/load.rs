@@ -125,13 +125,13 @@ fn film_share(film: &SolvedFilm) -> Share {
 /// Integrals over the film of a density [Pa].
 #[derive(Debug, Clone, Copy, Default)]
 struct Integral {
-    /// With `(cos phi, sin phi)` [N].
+    /// Integral with the weight `(cos phi, sin phi)` [N].
     force: [f64; 2],
-    /// With `z (cos phi, sin phi)` [N m].
+    /// Integral with the weight `z (cos phi, sin phi)` [N m].
     moment: [f64; 2],
-    /// By itself [N].
+    /// Integral with the weight one [N].
     thrust: f64,
-    /// Without its sign [N].
+    /// Integral of the magnitude [N].
     magnitude: f64,
     /// Area of the film [m2].
     area: f64,
@@ -194,7 +194,7 @@ fn cut_out_share(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> S
     }
 }
 
-/// Along the circle; the trapezoidal rule is exact to rounding for a periodic integrand.
+/// Moments along the circle; the trapezoidal rule is exact to rounding for a periodic integrand.
 fn disc_moments(disc: &Disc, radius: f64) -> Moments {
     const POINTS: u32 = 64;
     let mut moments = [0.0, 0.0, TAU / 2.0 * disc.radius * disc.radius, 0.0, 0.0];
@@ -211,9 +211,9 @@ fn disc_moments(disc: &Disc, radius: f64) -> Moments {
     moments
 }
 
-/// Along the quadratic edges of the rim, the film on their left and the region on their right. What closes the rim of a
-/// groove of full length lies on the ends, along which `dz = 0`; the area is counted along the axis, and on a ring it
-/// is known up to whole rings.
+/// Moments along the quadratic edges of the rim, the film on their left and the region on their right. What closes the
+/// rim of a groove of full length lies on the ends, along which `dz = 0`; the area is counted along the axis, and on a
+/// ring it is known up to whole rings.
 fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
     let mut moments = [0.0; 5];
     for at in supply::rim(mesh, region).flat_map(|edge| edge_points(mesh, edge)) {

@@ -29,13 +29,13 @@ type Parts = [f64; 4];
 /// How force and moment on the journal change with a film and its wall, to first order.
 #[derive(Debug, Clone)]
 pub struct LoadGradient {
-    /// By the unknown at each dof [m2, m3].
+    /// Derivatives by the unknown at each dof [m2, m3].
     by_unknown: Vec<Parts>,
-    /// By the coefficient of each spline of the wall, by contact [N/m, N]; empty where there is none.
+    /// Derivatives by the coefficient of each spline of the wall, by contact [N/m, N]; empty where there is none.
     by_wall: Vec<Parts>,
 }
 
-/// By the unknown at the nodes of some triangles.
+/// Derivatives by the unknown at the nodes of some triangles.
 #[derive(Debug, Default)]
 struct ByNodes(Vec<(usize, [Parts; MOST_SHAPES])>);
 
@@ -46,13 +46,13 @@ impl AddAssign for ByNodes {
 }
 
 impl LoadGradient {
-    /// At a film, by its points of contact where surfaces touch.
+    /// The gradient at a film, with its points of contact where surfaces touch.
     pub fn of(film: &SolvedFilm, contact: Option<&ContactPoints>) -> Self {
         Self { by_unknown: by_unknown(film), by_wall: contact.map_or_else(Vec::new, ContactPoints::load_by_wall) }
     }
 
-    /// Of one part, force towards x or y or its moment: by the unknown at each dof, and by the coefficient of each
-    /// spline of the wall; this is empty where surfaces do not touch.
+    /// The gradient of one part, force towards x or y or its moment: by the unknown at each dof, and by the coefficient
+    /// of each spline of the wall; the latter is empty where surfaces do not touch.
     pub fn of_part(&self, part: usize) -> [Vec<f64>; 2] {
         [&self.by_unknown, &self.by_wall].map(|by| by.iter().map(|parts| parts[part]).collect())
     }

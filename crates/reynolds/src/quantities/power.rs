@@ -67,7 +67,7 @@ pub struct Power {
 }
 
 impl Power {
-    /// With the friction of contact under a `thrust` Int p_a dA [N].
+    /// The power with the friction of contact under a `thrust` Int p_a dA [N].
     pub fn with_contact(self, problem: &FilmProblem, thrust: f64) -> Self {
         let [x, z] = problem.surface_velocity();
         let friction = problem.contact.map_or(0.0, |contact| contact.friction);
@@ -105,7 +105,8 @@ pub(crate) struct Work {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
-    /// Done by what is dragged along; that against the pressure, unless the oil has another gap than the shear.
+    /// Power of what is dragged along; equal to that against the pressure, unless the oil has another gap than the
+    /// shear.
     pub(crate) dragged: f64,
     pub(crate) motion: f64,
     pub(crate) driven: f64,
@@ -127,9 +128,9 @@ impl std::ops::AddAssign for Work {
 /// its place along a tilted axis, about the axis of the bearing: `omega/2 (e_y W_x - e_x W_y + g_y m_x - g_x m_y)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PressurePower {
-    /// For each force towards x and y [W/N].
+    /// Power for each force towards x and y [W/N].
     pub force: [f64; 2],
-    /// For each moment towards x and y [W/(N m)].
+    /// Power for each moment towards x and y [W/(N m)].
     pub moment: [f64; 2],
 }
 

@@ -22,7 +22,7 @@ use crate::SolvedFilm;
 pub struct Extremes {
     /// Greatest pressure of the field [Pa gauge].
     pub greatest: f64,
-    /// Where it is.
+    /// Place and value of the greatest pressure.
     pub summit: Summit,
     /// Least pressure of the field [Pa gauge].
     pub least: f64,

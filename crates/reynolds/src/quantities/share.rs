@@ -29,7 +29,7 @@ pub struct Share {
 /// Force and moment about mid-length, or their changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Resultant {
-    /// Towards x and y [N].
+    /// Force towards x and y [N].
     pub force: [f64; 2],
     /// Force towards x and y times its arm along the axis [N m].
     pub moment: [f64; 2],
@@ -57,7 +57,7 @@ impl std::ops::AddAssign for Resultant {
 }
 
 impl Share {
-    /// This share less another one.
+    /// The share less another one.
     pub fn less(&self, other: &Self) -> Self {
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
         Self {
@@ -68,7 +68,7 @@ impl Share {
         }
     }
 
-    /// Its force and moment.
+    /// Force and moment of the share.
     pub fn resultant(&self) -> Resultant {
         Resultant { force: self.force, moment: self.moment }
     }

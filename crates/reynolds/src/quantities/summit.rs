@@ -27,7 +27,7 @@ const NOTHING: f64 = 1e-9;
 /// The place of the greatest pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summit {
-    /// Where it is [m], `(R phi, z)`.
+    /// Place of the summit [m], `(R phi, z)`.
     pub position: [f64; 2],
     /// Triangle that it is in.
     pub triangle: usize,
@@ -74,7 +74,7 @@ pub(super) fn summit(film: &SolvedFilm, top: &Extremum, least: f64) -> Summit {
     }
 }
 
-/// Which of these places is nearest to another one [m].
+/// Number of the place that is nearest to another one [m].
 fn nearest(places: &[[f64; 2]], [x, z]: [f64; 2]) -> usize {
     let distances = places.iter().map(|at| (at[0] - x).powi(2) + (at[1] - z).powi(2));
     let nearest = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));

@@ -4,7 +4,8 @@
 //! ```text
 //! R_i(v) = Int k grad v . grad phi_i - F T/h . grad phi_i dA,      F = U h/2,  v = q - q(p_cav)
 //! T = h                    on the side of rupture
-//! T = g + (h - g) chi      on the side of reformation while g < h,      chi = clip(v/e0, 0, 1),  e0 = |F| (1 - g/h) n_x l/k
+//! T = g + (h - g) chi      on the side of reformation while g < h
+//! chi = clip(v/e0, 0, 1),  e0 = |F| (1 - g/h) n_x l/k
 //! ```
 //! l is the size of a triangle over the degree, n_x how far the gradient of the pressure lies along the flow. In a film
 //! of thickness h that takes the place of oil g the pressure rises by `|F| (1 - g/h)/k` a length: the front is as wide
@@ -28,9 +29,9 @@ const LEBESGUE: f64 = 2.2;
 pub(super) struct FrontPoint {
     /// `F dA` [m4/s].
     drag: [f64; 2],
-    /// h [m].
+    /// Film thickness h [m].
     thickness: f64,
-    /// g [m] as the mass-conserving film has it.
+    /// Oil g [m] as the mass-conserving film has it.
     oil: f64,
     /// `|F| l/k` [Pa].
     rise: f64,
@@ -41,7 +42,7 @@ pub(super) struct FrontPoint {
 #[derive(Debug)]
 pub(super) struct FrontCell {
     cell: usize,
-    /// In the order of the rule.
+    /// Points of the cell, in the order of the rule.
     points: Vec<FrontPoint>,
     /// The greatest e0 [Pa] where n_x is one.
     widest: f64,
@@ -57,7 +58,7 @@ pub(super) struct Balance<'a> {
     dragged: Vec<f64>,
     rule: Rule,
     cells: Vec<FrontCell>,
-    /// n_x at vertices.
+    /// Alignment n_x of the pressure's gradient with the flow, at vertices.
     pub(super) along: Vec<f64>,
 }
 
@@ -111,7 +112,7 @@ impl<'a> Balance<'a> {
         residual
     }
 
-    /// Its derivative, into `tangent`.
+    /// Writes the derivative of the balance into `tangent`.
     pub(super) fn tangent(&self, v: &[f64], tangent: &mut Matrix) {
         tangent.values.copy_from_slice(&self.conduction.values);
         let n = self.space.shapes();
@@ -195,8 +196,8 @@ impl<'a> Balance<'a> {
         (missing > 0.0).then_some(Front { width: point.rise * missing * along })
     }
 
-    /// chi at every quadrature point of a triangle, in the order of the points of [`Rule::for_degree`]; none where it
-    /// is one everywhere.
+    /// Filled share chi at every quadrature point of a triangle, in the order of the points of [`Rule::for_degree`];
+    /// none where it is one everywhere.
     pub(super) fn filled(&self, v: &[f64]) -> std::collections::HashMap<usize, Vec<f64>> {
         let of = |(cell, _, nodal, along): (&FrontCell, _, Nodal, [f64; 3])| {
             let filled = |(q, point): (usize, &FrontPoint)| match self.front(q, point, &along) {
@@ -211,12 +212,12 @@ impl<'a> Balance<'a> {
 
 /// The smeared front at a point.
 struct Front {
-    /// e0 [Pa].
+    /// Width e0 of the front [Pa].
     width: f64,
 }
 
 impl Front {
-    /// chi.
+    /// Filled share chi at a value of the unknown.
     fn filled(&self, value: f64) -> f64 {
         (value / self.width).clamp(0.0, 1.0)
     }

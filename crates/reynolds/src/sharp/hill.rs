@@ -18,16 +18,16 @@ const MOST_OFF: f64 = 0.5;
 /// The least n_x.
 const LEAST_ALONG: f64 = 0.15;
 
-/// Which nodes are what.
+/// Kinds of the nodes.
 #[derive(Debug, Clone)]
 pub(super) struct Nodes {
     /// Given pressures above that of the cavity [Pa].
     pub(super) given: Constraints,
-    /// In the middle of a cavity: v = 0, and the oil that is let in there.
+    /// Nodes in the middle of a cavity: v = 0, and the oil that is let in there.
     pub(super) pinned: Vec<bool>,
-    /// On the side of rupture: v >= 0.
+    /// Whether each node is on the side of rupture: v >= 0.
     pub(super) may_touch: Vec<bool>,
-    /// Given ones at which a cavity meets an end: nothing flows there.
+    /// Nodes of given pressure at which a cavity meets an end: nothing flows there.
     pub(super) closed: Vec<bool>,
 }
 
@@ -36,11 +36,11 @@ pub(super) struct Nodes {
 pub(super) struct Kept {
     /// Pressure above that of the cavity [Pa].
     pub(super) v: Vec<f64>,
-    /// Where it is in contact.
+    /// Whether each node is in contact.
     pub(super) held: Vec<bool>,
-    /// n_x at vertices; empty where it is not known.
+    /// Alignment n_x of the pressure's gradient with the flow, at vertices; empty where it is not known.
     pub(super) along: Vec<f64>,
-    /// Its tangent.
+    /// Tangent of the hill.
     pub(super) linearisation: Option<Linearisation>,
 }
 

@@ -37,19 +37,19 @@ use self::rays::{Rays, Side};
 use crate::cavitation::oil_carried;
 use crate::{Cavitation, FilmProblem, FilmSystem, Form, SolvedFilm, Theory};
 
-/// Residual over the greatest share of a node, where the hill is found that is reported,
+/// Residual over the greatest share of a node at which a reported hill is found.
 const SOLVED: f64 = 1e-8;
-/// where its force is to balance a load,
+/// Residual at which a hill is found whose force is to balance a load.
 const BALANCED: f64 = 1e-12;
-/// and where that is found with which it is compared.
+/// Residual at which a hill is found that others are compared with.
 const COMPARED: f64 = 1e-6;
 
 /// The hill over the cavity of one film.
 #[derive(Debug)]
 pub struct SharpFilm {
-    /// Its numbers in cubic elements.
+    /// Numbers of the hill in cubic elements.
     pub cubic: HillNumbers,
-    /// These less those in quadratic elements.
+    /// Numbers in cubic elements less those in quadratic elements.
     pub by_degree: HillNumbers,
     /// What they change by, to first order, with as much more oil as keeps cavities from making or losing any.
     pub by_oil: HillNumbers,
@@ -80,7 +80,7 @@ pub enum HillStart {
 #[derive(Debug)]
 struct Frame {
     rays: Rays,
-    /// Those of cubic elements.
+    /// Nodes of cubic elements.
     nodes: Nodes,
     /// Dofs of the film that are in a cavity.
     cavity: Vec<bool>,
@@ -180,7 +180,7 @@ impl SolvedFilm {
         Ok(SharpFilm { by_cavities: anew.cubic.less(&cubic), cubic, ..anew })
     }
 
-    /// In quadratic elements, then in cubic ones.
+    /// Finds the hill in quadratic elements, then in cubic ones.
     fn first_hill(&self, rays: Rays) -> Result<SharpFilm, Failure> {
         let Self { problem, system, solution } = self;
         let floor = problem.cavity_unknown();
@@ -223,7 +223,7 @@ impl SolvedFilm {
         })
     }
 
-    /// In cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
+    /// The hill in cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
     fn hill_near(&self, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
         let (problem, cubic_system) = (&self.problem, &self.system.cubic().system);
         let Frame { rays, nodes, cavity } = near.frame;

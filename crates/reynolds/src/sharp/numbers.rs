@@ -22,7 +22,7 @@ pub struct HillNumbers {
 }
 
 impl HillNumbers {
-    /// These less others.
+    /// The numbers less others.
     pub(super) fn less(&self, other: &Self) -> Self {
         Self { load: self.load.less(&other.load), greatest: self.greatest - other.greatest }
     }

@@ -49,15 +49,15 @@ pub(super) enum Side {
 /// A ray.
 #[derive(Debug, Default)]
 struct Ray {
-    /// Where it begins [m].
+    /// Place at which the ray begins [m].
     start: f64,
     /// True if the film is full somewhere.
     has_film: bool,
-    /// In ascending order.
+    /// Reformations along the ray, in ascending order.
     reformations: Vec<Reformation>,
 }
 
-/// Where oil of a cavity arrives.
+/// Place at which oil of a cavity arrives.
 #[derive(Debug, Clone, Copy)]
 struct Reformation {
     switch: f64,
@@ -96,7 +96,7 @@ struct Piece {
 enum Kind {
     Full,
     Cavity,
-    /// Where pressure is given, and the film full.
+    /// A region where pressure is given, and the film full.
     Supply,
 }
 

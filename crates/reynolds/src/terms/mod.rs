@@ -37,7 +37,7 @@ pub(crate) fn of_rates() -> Vec<Arc<dyn Term>> {
     terms
 }
 
-/// That the variation of a term matches finite differences.
+/// Checks that the variation of a term matches finite differences.
 #[cfg(test)]
 fn check(term: &dyn Term) {
     let film = FilmPoint { thickness: 2.1, slope: [0.3, -0.2], rate: 0.4, viscosity: 0.7, velocity: [1.3, 0.6] };

@@ -6,10 +6,10 @@ use std::ops::AddAssign;
 use oilwedge_fem::Space;
 use oilwedge_fem::integrate::Nodal;
 
-/// For each triangle its functions, and for each of these the entries with all of its dofs.
+/// Functions of each triangle, and for each of these the entries with all of its dofs.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Blocks {
-    /// Where the functions of each triangle end.
+    /// End of the functions of each triangle.
     ends: Vec<usize>,
     functions: Vec<u32>,
     /// All dofs of one function after those of the one before.

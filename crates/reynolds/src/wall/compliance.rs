@@ -89,7 +89,7 @@ impl Compliance {
         Some(product.inverse()?.times(coefficients))
     }
 
-    /// Its entries [m/N] between some splines.
+    /// Entries of the compliance [m/N] between some splines.
     pub fn among(&self, splines: &[usize]) -> Dense {
         let mut among = Dense::zeros(splines.len(), splines.len());
         for (column, &pressed) in splines.iter().enumerate() {
@@ -136,7 +136,7 @@ impl Product {
         Self { around: circulant(around.number, |wave| 1.0 / value(wave)), along }
     }
 
-    /// Its inverse; none where it is singular.
+    /// Inverse of the product; none where it is singular.
     fn inverse(&self) -> Option<Self> {
         let number = self.around.nrows();
         let turn = std::f64::consts::TAU / number as f64;

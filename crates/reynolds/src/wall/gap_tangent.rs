@@ -32,8 +32,8 @@ pub struct GapTangent {
     on_boundary_by_place: Vec<(usize, [f64; COORDINATES])>,
     /// How many splines there are.
     splines: usize,
-    /// By what the rate of a wall in a stage grows with its deflection [1/s]; zero in no stage. In one it is not known
-    /// what a place of the journal changes.
+    /// Growth of the rate of a wall in a stage with its deflection [1/s]; zero in no stage. It is not known in one what
+    /// a place of the journal changes.
     per_time: f64,
 }
 
@@ -129,7 +129,7 @@ impl FilmContribution for Unit {
 }
 
 impl GapTangent {
-    /// Of a film that was solved under this deflection: its cavity and film fraction stay.
+    /// The tangent of a film that was solved under this deflection: its cavity and film fraction stay.
     ///
     /// # Errors
     /// A system that does not fit in memory.
@@ -141,7 +141,7 @@ impl GapTangent {
         }
     }
 
-    /// As [`Self::of`], found once for each film: problem and system are those that it was solved for.
+    /// The tangent of [`Self::of`], found once for each film: problem and system are those that it was solved for.
     ///
     /// # Errors
     /// A system that does not fit in memory.
@@ -188,7 +188,7 @@ impl GapTangent {
         Some(residual)
     }
 
-    /// Of a mass-conserving film.
+    /// The tangent of a mass-conserving film.
     fn conserving(film: &SolvedFilm, fraction: &FilmFraction, (grid, unit): (&Grid, Unit)) -> Result<Self, Error> {
         let changes = PointChanges::new(film, fraction, FilmChange::Gap(&unit))?;
         let space = film.system.space();
@@ -207,7 +207,7 @@ impl GapTangent {
         Ok(Self { columns, on_boundary, on_boundary_by_place, splines: grid.number(), per_time: unit.0.rate })
     }
 
-    /// Of a film without a film fraction: by the quadrature of its residual.
+    /// The tangent of a film without a film fraction: by the quadrature of its residual.
     fn integrated(film: &SolvedFilm, (grid, unit): (&Grid, Unit)) -> Self {
         let space = film.system.space();
         let rule = Rule::for_degree(space.degree());

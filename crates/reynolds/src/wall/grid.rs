@@ -7,11 +7,11 @@ use crate::{FilmPoint, FilmProblem, FilmSystem};
 /// What of a spline is meant.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Part {
-    /// Its value.
+    /// The value of the splines.
     Value,
-    /// Its slope around the liner [1/m].
+    /// The slope of the splines around the liner [1/m].
     SlopeAround,
-    /// Its slope along it [1/m].
+    /// The slope of the splines along the liner [1/m].
     SlopeAlong,
 }
 
@@ -21,9 +21,9 @@ pub(super) enum Part {
 pub struct Grid {
     /// Radius R of the liner [m].
     pub radius: f64,
-    /// Around the liner.
+    /// Splines around the liner.
     pub around: Around,
-    /// Along it.
+    /// Splines along the liner.
     pub along: Along,
 }
 
@@ -165,7 +165,7 @@ impl Grid {
         self.each_part_at(Part::Value, position, visit);
     }
 
-    /// As [`Self::each_at`], with the value or a slope [1/m] of the splines.
+    /// Visits each spline at a position as [`Self::each_at`] does, with the value or a slope [1/m] of the splines.
     #[inline]
     pub(super) fn each_part_at(&self, part: Part, position: [f64; 2], mut visit: impl FnMut(usize, f64)) {
         let [around, along] = self.at(position);

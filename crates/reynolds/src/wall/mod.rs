@@ -38,7 +38,7 @@ const OF_COARSER: f64 = 0.25;
 /// A wall that gives way.
 #[derive(Debug, Clone)]
 pub struct Wall {
-    /// Where forces and deflections live.
+    /// Grid on which forces and deflections live.
     pub grid: Grid,
     /// What makes deflections of forces.
     pub compliance: Compliance,
@@ -110,8 +110,8 @@ impl Wall {
         Some(self.compliance.deflection(&other.compliance.forces(coefficients)?))
     }
 
-    /// By what [m] its grid may put the deflection by the pressure of a film off, as coefficients; none where the grid
-    /// is given with the wall.
+    /// Error [m] of the deflection by the pressure of a film that is due to its grid, as coefficients; none where the
+    /// grid is given with the wall.
     pub fn grid_error(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Option<Vec<f64>> {
         let coarser = self.coarser.as_ref()?;
         let by = |wall: &Self| {

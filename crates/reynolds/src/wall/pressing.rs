@@ -10,9 +10,9 @@ use oilwedge_fem::{Quadrature, Space, integrate};
 use super::blocks::Blocks;
 use super::grid::Grid;
 
-/// Most times that triangles are quartered which are wider than the cells of the grid;
+/// Most times that triangles which are wider than the cells of the grid are quartered.
 const MOST_QUARTERINGS: usize = 4;
-/// most times that they are halved.
+/// Most times that triangles which are wider than the cells of the grid are halved.
 const MOST_HALVINGS: usize = 2 * MOST_QUARTERINGS;
 
 /// Integrals of the products of shape functions and splines, triangle by triangle.
@@ -23,7 +23,7 @@ pub(crate) struct Pressing {
 }
 
 impl Pressing {
-    /// Of a space on a grid.
+    /// The forces of a space on a grid.
     pub(crate) fn new(space: &Space, grid: &Grid) -> Self {
         let (mesh, degree) = (space.mesh(), space.degree());
         let whole = Rule::for_degree(degree);

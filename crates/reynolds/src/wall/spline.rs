@@ -22,12 +22,12 @@ pub(super) struct Local {
 pub struct Around {
     /// How many there are.
     pub number: usize,
-    /// Where the first one begins [rad].
+    /// Angle at which the first spline begins [rad].
     pub start: f64,
 }
 
 impl Around {
-    /// Those whose cells are centred at `number` equally spaced angles from `first` [rad] on.
+    /// The splines whose cells are centred at `number` equally spaced angles from `first` [rad] on.
     pub fn centred(number: usize, first: f64) -> Self {
         let width = std::f64::consts::TAU / number as f64;
         Self { number, start: first - 1.5 * width }
@@ -43,7 +43,7 @@ impl Around {
         std::f64::consts::TAU / self.number as f64
     }
 
-    /// At an angle [rad]; slopes by radian. Numbers from `first` on count modulo the number of splines.
+    /// Splines at an angle [rad]; slopes by radian. Numbers from `first` on count modulo the number of splines.
     #[inline]
     pub(super) fn at(&self, angle: f64) -> Local {
         let per_width = self.number as f64 / std::f64::consts::TAU;
@@ -75,7 +75,7 @@ pub struct Along {
     cells: Vec<usize>,
     /// Parts by metre.
     per_part: f64,
-    /// For each cell one over its length, and one over those of the two pairs of cells that it is in [1/m]; it is
+    /// One over the length of each cell, and one over those of the two pairs of cells that it is in [1/m]; it is
     /// numbered as the knot before it.
     inverse: Vec<[f64; SUPPORT]>,
 }
@@ -84,7 +84,7 @@ pub struct Along {
 const PARTS: usize = 4;
 
 impl Along {
-    /// On these growing breaks [m], the ends of the liner first and last.
+    /// The splines on these growing breaks [m], the ends of the liner first and last.
     pub fn on_breaks(breaks: &[f64]) -> Self {
         let (Some(&low), Some(&high)) = (breaks.first(), breaks.last()) else {
             return Self::on_knots(vec![0.0; 2 * SUPPORT]);
@@ -128,7 +128,7 @@ impl Along {
         cell
     }
 
-    /// Those that interpolate at at least three growing `points` [m] of a liner between its `ends` [m].
+    /// The splines that interpolate at at least three growing `points` [m] of a liner between its `ends` [m].
     pub fn through(points: &[f64], [low, high]: [f64; 2]) -> Self {
         let inner = points[1..points.len() - 1].windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
         let breaks: Vec<f64> = std::iter::once(low).chain(inner).chain(Some(high)).collect();
@@ -151,7 +151,7 @@ impl Along {
         &self.knots[SUPPORT - 1..=self.number()]
     }
 
-    /// At an axial position [m], that of the nearer end outside of the liner; slopes by metre.
+    /// Splines at an axial position [m], that of the nearer end outside of the liner; slopes by metre.
     #[inline]
     pub(super) fn at(&self, z: f64) -> Local {
         let (knots, cell) = (&self.knots, self.cell(z));

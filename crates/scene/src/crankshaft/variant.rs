@@ -6,7 +6,7 @@ use toml::{Table, Value};
 use super::{Counterweight, ShaftScene, Statics};
 
 impl ShaftScene {
-    /// This scene with the shaft cut at its bearings.
+    /// The scene with the shaft cut at its bearings.
     ///
     /// # Panics
     /// If `text` was replaced by one that is not the text of a crankshaft's scene.
@@ -16,7 +16,7 @@ impl ShaftScene {
         changed
     }
 
-    /// This scene with these counterweights in place of its own.
+    /// The scene with these counterweights in place of its own.
     ///
     /// # Panics
     /// If `text` was replaced by one that is not the text of a crankshaft's scene.

@@ -23,7 +23,7 @@ keys! {
 pub struct Counterweight {
     /// Number of its throw, from 0.
     pub throw: usize,
-    /// Its web, 0 or 1.
+    /// Web of the counterweight, 0 or 1.
     pub web: usize,
     /// Mass times radius [kg m].
     pub moment: f64,

@@ -25,7 +25,7 @@ keys! {
 /// A rectangle with round corners on the developed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groove {
-    /// Where it begins and ends [rad]; `None`: all around.
+    /// Angles between which the groove lies [rad]; `None`: all around.
     pub arc: Option<Arc>,
     /// Extent along the axis [m].
     pub width: f64,

@@ -16,9 +16,9 @@ keys! {
 /// Velocity of the journal's centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Squeeze {
-    /// Along the line of centres [m/s]; positive: the eccentricity grows.
+    /// Velocity along the line of centres [m/s]; positive: the eccentricity grows.
     pub radial: f64,
-    /// Across the line of centres [m/s]; positive: towards growing angles.
+    /// Velocity across the line of centres [m/s]; positive: towards growing angles.
     pub tangential: f64,
 }
 

@@ -40,7 +40,7 @@ keys! {
 /// A load that changes over a cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCycle {
-    /// Where it comes from.
+    /// Source of the load.
     pub source: LoadSource,
     /// Angle after which it repeats [rad]: one turn of the crank or two, or one turn of its own.
     pub period: f64,
@@ -48,7 +48,7 @@ pub struct LoadCycle {
     pub frequency: Option<f64>,
 }
 
-/// Where a load over a cycle comes from.
+/// Source of a load over a cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LoadSource {
     /// A table.
@@ -72,7 +72,7 @@ pub enum LoadSource {
 /// A bearing whose load is computed from a crank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CrankBearing {
-    /// That of the pin.
+    /// The bearing of the pin.
     BigEnd,
     /// A main bearing beside throws.
     Main,
@@ -81,11 +81,11 @@ pub enum CrankBearing {
 /// Axes of the forces of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LoadFrame {
-    /// Those of the bearing's shell.
+    /// The axes of the bearing's shell.
     Shell,
-    /// x from the centre of the crank to the cylinder.
+    /// Axes with x from the centre of the crank to the cylinder.
     Cylinder,
-    /// x along the throw of the crank; they turn with the crank angle.
+    /// Axes with x along the throw of the crank; they turn with the crank angle.
     Pin,
 }
 

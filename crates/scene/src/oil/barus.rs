@@ -14,22 +14,22 @@ keys! {
         "where mu(p) stands: under the divergence, a balance of mass; or on the right-hand side as the FlexPDE study prints it, which is none";
 }
 
-/// mu = mu0 exp(alpha p).
+/// Barus' law: mu = mu0 exp(alpha p).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Barus {
     /// Pressure-viscosity coefficient alpha [1/Pa], not negative.
     pub alpha: f64,
-    /// Which equation is solved.
+    /// Form of the equation that is solved.
     pub form: BarusForm,
 }
 
-/// Where the viscosity stands in Reynolds' equation with Barus' law.
+/// Place of the viscosity in Reynolds' equation with Barus' law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BarusForm {
-    /// Under the divergence: a balance of mass.
+    /// The viscosity stands under the divergence: a balance of mass.
     #[default]
     Conservative,
-    /// On the right-hand side, div(h^3 grad p) = 12 mu(p) (...), as the FlexPDE study prints it.
+    /// The viscosity stands on the right-hand side, div(h^3 grad p) = 12 mu(p) (...), as the FlexPDE study prints it.
     AsPrinted,
 }
 

@@ -18,7 +18,7 @@ keys! {
 /// Roelands' reference pressure where the scene gives none [Pa].
 const REFERENCE_PRESSURE: f64 = 196.2e6;
 
-/// mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
+/// Roelands' law: mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roelands {
     /// The exponent, directly or by the slope at zero pressure.

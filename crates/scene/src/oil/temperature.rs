@@ -47,11 +47,11 @@ const WAYS: [&str; 4] = ["grade", "walther", "vogel", "table"];
 /// How the viscosity falls with temperature.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TemperatureLaw {
-    /// That of a typical oil of this grade, as `SAE 10W-40`.
+    /// The law of a typical oil of this grade, as `SAE 10W-40`.
     Grade(String),
     /// A line through two points `(T [K], nu [m2/s])` on the chart of ASTM D341.
     Walther([(f64, f64); 2]),
-    /// mu = a exp(b/(t + c)), t in degrees Celsius.
+    /// Vogel's law: mu = a exp(b/(t + c)), t in degrees Celsius.
     Vogel {
         /// Viscosity a at infinite temperature [Pa.s].
         a: f64,

@@ -24,12 +24,12 @@ impl Column {
         Self { name, dimension, presence: Presence::Needed }
     }
 
-    /// Its values are zero where it is not there.
+    /// A column whose values are zero where it is not there.
     pub(crate) const fn optional(name: &'static str, dimension: Dimension) -> Self {
         Self { presence: Presence::Optional, ..Self::needed(name, dimension) }
     }
 
-    /// As it is written in a header.
+    /// The column as it is written in a header.
     fn example(&self) -> String {
         let unit = match self.dimension {
             Dimension::Angle => "deg",

@@ -25,12 +25,12 @@ pub(crate) struct TableFault {
 }
 
 impl TableFault {
-    /// Of a line, counted from 1.
+    /// A fault of a line, counted from 1.
     pub(crate) fn at(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { line: Some(line), ..Self::of_all(message, help) }
     }
 
-    /// Of the whole table.
+    /// A fault of the whole table.
     pub(crate) fn of_all(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), help: help.into() }
     }

@@ -25,7 +25,7 @@ pub struct Plan {
     pub columns: Option<Vec<WantedColumn>>,
     /// Text of the scene.
     pub text: String,
-    /// Where the scene stands.
+    /// Path of the scene.
     pub path: PathBuf,
 }
 
@@ -48,7 +48,7 @@ impl Plan {
         self.axes.iter().flat_map(of_axis).collect()
     }
 
-    /// For each axis which of its values case `number` (from 0) has.
+    /// Place of the value that case `number` (from 0) has on each axis.
     pub fn indices(&self, mut number: usize) -> Vec<usize> {
         let mut indices = vec![0; self.axes.len()];
         for (index, axis) in indices.iter_mut().zip(&self.axes).rev() {

@@ -141,7 +141,7 @@ fn is_range(table: &toml::de::DeTable<'_>) -> bool {
     table.is_empty() || values.any(|value| !(value.is_array() || value.is_table()))
 }
 
-/// Where the key stands in the scene.
+/// Place of the key in the scene.
 fn path(table: &TableReader<'_>, key: &str, name: &str, swept: &Swept) -> Option<String> {
     let head = name.split('.').next().unwrap_or_default();
     if name.contains('.') {
@@ -279,7 +279,7 @@ fn values(
     Some((unit, (0..=last).map(|k| AxisValue::Number(at(k))).collect()))
 }
 
-/// To twelve digits, so that a range of tenths has tenths.
+/// The number to twelve digits, so that a range of tenths has tenths.
 fn decimal(number: f64) -> f64 {
     format!("{number:.11e}").parse().unwrap_or(number)
 }

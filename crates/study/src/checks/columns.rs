@@ -1,4 +1,4 @@
-//! Which columns the table of a sweep may have.
+//! Columns that the table of a sweep may have.
 
 use oilwedge_scene::sweep::{Plan, WantedColumn};
 use oilwedge_scene::{Complaint, Complaints, Scene, SceneError};

@@ -12,7 +12,7 @@ use crate::quantities::{
 
 /// Usual bar of the main quantity [1].
 const USUAL: f64 = 0.005;
-/// That of short bearings, whose films take milliseconds [1].
+/// Tolerance of short bearings, whose films take milliseconds [1].
 const SHORT: f64 = 0.001;
 
 /// Bar wanted of the other numbers that an engineer reads [1].
@@ -23,7 +23,7 @@ const WANTED: f64 = 0.02;
 pub struct Targets {
     /// A run that does not reach them has not converged; in the order of the result.
     pub required: Vec<Target>,
-    /// Those wanted beside them, as far as they are cheap: a bar that stays wider is a warning.
+    /// Targets that are wanted besides, as far as they are cheap: a bar that stays wider is a warning.
     pub wanted: Vec<Target>,
 }
 

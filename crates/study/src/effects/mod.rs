@@ -166,14 +166,15 @@ impl Serialize for Effect {
 /// What was computed and what was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Effects {
-    /// In the order of the sockets, those that close around the film and those that are asked of it last.
+    /// Effects that are simulated, in the order of the sockets; those that close around the film and those that are
+    /// asked of it stand last.
     pub simulated: Vec<&'static Effect>,
-    /// In the order of reports.
+    /// Names of effects that are not simulated, in the order of reports.
     pub not_simulated: Vec<&'static str>,
 }
 
 impl Effects {
-    /// Those of a scene.
+    /// The effects of a scene.
     pub fn of(scene: &Scene) -> Self {
         let mut simulated: Vec<&Effect> = present(scene).collect();
         simulated.sort_by_key(|effect| (effect.socket == Socket::Analysis, effect.socket.is_balance()));

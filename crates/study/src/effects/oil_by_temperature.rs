@@ -23,7 +23,7 @@ pub(super) const ROW: Effect = Effect {
 /// Shear rate [1/s] at which engine oils are measured at high shear, and from which on their polymers yield (SAE J300).
 const HIGH_SHEAR: f64 = 1e6;
 
-/// That a multigrade oil is sheared faster than its viscosity holds.
+/// The warning that a multigrade oil is sheared faster than its viscosity holds.
 fn sheared(film: &Film, measured: &Measured) -> Option<Warning> {
     let Viscosity::ByTemperature(oilwedge_scene::TemperatureLaw::Grade(name)) = &film.scene.oil.viscosity else {
         return None;
@@ -38,7 +38,7 @@ fn sheared(film: &Film, measured: &Measured) -> Option<Warning> {
     })
 }
 
-/// That a temperature that was sought lies outside the table of viscosities.
+/// The warning that a temperature that was sought lies outside the table of viscosities.
 fn outside_table(film: &Film) -> Option<Warning> {
     let oil = &film.oil;
     film.thermal?;

@@ -70,7 +70,7 @@ fn covered(scene: &Scene) -> Covered {
 }
 
 impl Surface {
-    /// Its shape.
+    /// Shape of the surface.
     fn profile(&self, bearing: &Bearing, covered: Covered) -> Result<Arc<dyn Profile>, TableError> {
         let radius = bearing.radius;
         let crown = |depth: f64| Crown { depth, half_length: 0.5 * bearing.length };

@@ -17,7 +17,7 @@ use super::present;
 use crate::compile_error::CompileError;
 use crate::thermal_model::ThermalModel;
 
-/// Where an effect enters.
+/// Socket in which an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Socket {
     /// A direction in which pressure drives oil, and how easily it flows.
@@ -38,7 +38,7 @@ pub enum Socket {
     Supply,
     /// What closes the equation where the film breaks.
     Cavitation,
-    /// Where rough surfaces touch.
+    /// Contact of rough surfaces.
     Contact,
     /// What is asked of the film beside its state.
     Analysis,
@@ -59,7 +59,7 @@ pub(super) type MadeProfile = Box<dyn Fn() -> Result<Arc<dyn Profile>, TableErro
 
 /// The sockets of one film.
 pub struct Sockets {
-    /// Which pressure flows there are.
+    /// The directions in which pressure drives oil.
     pub theory: Theory,
     /// Fluxes and sources.
     pub terms: Vec<Arc<dyn Term>>,
@@ -67,7 +67,7 @@ pub struct Sockets {
     pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// Growth of viscosity with pressure.
     pub pressure_law: PressureLaw,
-    /// Where the viscosity stands in the equation.
+    /// Place of the viscosity in the equation.
     pub form: Form,
     /// Contributions to the film thickness beside that of the journal.
     pub film_thickness: Vec<Contribution>,
@@ -79,7 +79,7 @@ pub struct Sockets {
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
     pub cavitation: Cavitation,
-    /// Where rough surfaces touch; `None`: nowhere.
+    /// Contact of rough surfaces; `None`: they do not touch.
     pub contact: Option<Contact>,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
@@ -96,7 +96,7 @@ pub struct Sockets {
 }
 
 impl Sockets {
-    /// Those that the effects of a scene fill.
+    /// The sockets that the effects of a scene fill.
     pub fn of(scene: &Scene) -> Self {
         let mut sockets = Self {
             theory: Theory::Full,

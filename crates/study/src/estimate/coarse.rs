@@ -55,7 +55,7 @@ impl Estimate for CoarseComparison<'_> {
         self.error.greatest_pressure
     }
 
-    /// That of the cavity is given.
+    /// Bar of the least pressure: none where there is a cavity, whose pressure is given.
     fn least_pressure(&self) -> Bar {
         match self.measured.cavity.is_some_and(|cavity| cavity.share > 0.0) {
             true => Bar::default(),

@@ -24,7 +24,7 @@ impl CoefficientErrors {
         Self { parts: single(differences, film.order) }
     }
 
-    /// With a part of the size of each entry of a `film`.
+    /// The errors with a part of the size of each entry of a `film`.
     pub(super) fn and_share(mut self, film: &Coefficients, share: f64) -> Self {
         if share > 0.0 {
             let bars = [&film.stiffness, &film.damping].map(|of| bars(of, share));
@@ -33,7 +33,7 @@ impl CoefficientErrors {
         self
     }
 
-    /// These parts, each times a factor.
+    /// The errors of these parts, each times a factor.
     pub(super) fn of_parts(parts: impl IntoIterator<Item = (f64, Coefficients)>) -> Self {
         let scaled = |(factor, part): (f64, Coefficients)| part.scaled(factor);
         Self { parts: parts.into_iter().map(scaled).collect() }

@@ -23,9 +23,9 @@ pub(super) struct CubicPair<'a> {
     pub(super) quadratic: &'a SolvedFilm,
     pub(super) cubic: &'a SolvedFilm,
     pub(super) error: &'a FilmError,
-    /// On the quadratic and on the cubic film.
+    /// Numbers measured on the quadratic and on the cubic film.
     pub(super) measured: [&'a Measured; 2],
-    /// Which film is judged.
+    /// The film that is judged.
     pub(super) value: Value,
     /// What the edge of the cavity of the cubic film leaves open of stiffness and damping, triangle by triangle; none
     /// where they are not asked for, or could not be computed.
@@ -46,7 +46,7 @@ const PER_EDGE: f64 = 0.4;
 /// Where the mesh shows no edge: part of the share of the triangles in which one may hide.
 const PER_HIDDEN: f64 = 0.08;
 
-/// In the law of extremes of a smooth pressure; measured: up to 2.5.
+/// Weight in the law of extremes of a smooth pressure; measured: up to 2.5.
 const PER_EXTREME: f64 = 3.0;
 
 impl Estimate for CubicPair<'_> {
@@ -206,7 +206,7 @@ impl CubicPair<'_> {
         PlacedPair { film: self.film, solutions: [self.quadratic, self.cubic], measured: self.measured }
     }
 
-    /// Of the load along and across its direction [N].
+    /// Bars of the load along and across its direction [N].
     fn bars(&self) -> [Bar; 2] {
         [self.error.load(self.value), self.error.across(self.value)].map(|bar| bar + self.unseen())
     }

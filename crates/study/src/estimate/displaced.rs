@@ -24,8 +24,8 @@ pub struct Displacement {
 }
 
 impl Estimated {
-    /// With the bars of a film that independent `errors` displace; none where they are not known, but of numbers that
-    /// follow from given ones.
+    /// The quantities with the bars of a film that independent `errors` displace; none where they are not known, but of
+    /// numbers that follow from given ones.
     #[must_use]
     pub fn displaced(mut self, solved: &Solved, coordinates: Coordinates, errors: Option<&[Displacement]>) -> Self {
         let changes = errors.map(|errors| changes(solved, coordinates, &self.quantities, errors));

@@ -160,7 +160,7 @@ fn by_coarse(
     }
 }
 
-/// Which film is reported where there is a hill.
+/// The film that is reported where there is a hill.
 fn reported(solved: &Solved) -> Reported {
     match solved.balance {
         _ if solved.temperature.is_some() => Reported::FiniteVolumes,

@@ -3,7 +3,7 @@
 //! | film | estimate | value reported |
 //! |---|---|---|
 //! | pressure film | `cubic.rs`: by the film in cubic elements on the same mesh | the cubic one |
-//! | mass-conserving film | `coarse.rs`: by its coarse comparison on the vertices alone | that of the film itself, or of its sharp hill where that has the narrower bar |
+//! | mass-conserving film | `coarse.rs`: by its coarse comparison on the vertices | its own, or of its sharp hill |
 //!
 //! `docs/theory/error_estimation.md` has the rules and how often they hold.
 
@@ -43,7 +43,7 @@ pub enum ExtentEnd {
 }
 
 impl ExtentEnd {
-    /// This end of an extent.
+    /// The film's end of this kind in an extent.
     pub fn of(self, extent: &Extent) -> FilmEnd {
         match self {
             Self::Begins => extent.begins,
@@ -58,40 +58,41 @@ pub trait Estimate {
     fn is_resolved(&self) -> bool;
     /// Magnitude [N] of the load.
     fn force(&self) -> f64;
-    /// Of the magnitude of the load [N].
+    /// Bar of the magnitude of the load [N].
     fn load(&self) -> Bar;
-    /// Of the load across its direction [N]; none where the load is smaller than its own bar.
+    /// Bar of the load across its direction [N]; none where the load is smaller than its own bar.
     fn across(&self) -> Option<Bar>;
-    /// Of the product of the load with a vector.
+    /// Bar of the product of the load with a vector.
     fn product(&self, vector: [f64; 2]) -> Bar;
-    /// Of the moment towards x and y [N m]; none where the journal cannot tilt.
+    /// Bars of the moment towards x and y [N m]; none where the journal cannot tilt.
     fn moment(&self) -> Option<[Bar; 2]>;
-    /// Of `Int p dA` [N].
+    /// Bar of `Int p dA` [N].
     fn pressure_integral(&self) -> Bar;
-    /// Of the greatest pressure [Pa]; not finite where it has no bound.
+    /// Bar of the greatest pressure [Pa]; not finite where it has no bound.
     fn greatest_pressure(&self) -> f64;
-    /// Of the least pressure [Pa].
+    /// Bar of the least pressure [Pa].
     fn least_pressure(&self) -> Bar;
-    /// Of a flow; none where it is not judged.
+    /// Bar of a flow; none where it is not judged.
     fn flow(&self, goal: &FlowGoal, number: Scaled) -> Option<Bar>;
-    /// Of the flow into the loaded film.
+    /// Bar of the flow into the loaded film.
     fn inlet_flow(&self, number: Scaled) -> f64;
-    /// Of the oil [m3/s] that a cavity makes, which changes by `change` between two films; none where it makes none.
+    /// Bar of the oil [m3/s] that a cavity makes, which changes by `change` between two films; none where it makes
+    /// none.
     fn cavity_flow(&self, change: f64) -> Option<Bar>;
-    /// Of `shear` times the power [W] of shear and `pressure` times that of pressure.
+    /// Bar of `shear` times the power [W] of shear and `pressure` times that of pressure.
     fn power(&self, parts: [f64; 2]) -> Bar;
-    /// Of the shear in a cavity [W], which changes by `change` between two films; none where it has none.
+    /// Bar of the shear in a cavity [W], which changes by `change` between two films; none where it has none.
     fn cavity_power(&self, change: f64) -> Option<Bar>;
-    /// Of the share of the cavity [1], which changes by `change` between two films.
+    /// Bar of the share of the cavity [1], which changes by `change` between two films.
     fn cavity_share(&self, change: f64) -> f64;
-    /// Of the least film fraction [1]; none where there is none.
+    /// Bar of the least film fraction [1]; none where there is none.
     fn least_fraction(&self) -> Option<f64>;
-    /// Of the place of the greatest pressure [m], around and along the axis.
+    /// Bars of the place of the greatest pressure [m], around and along the axis.
     fn summit(&self) -> [f64; 2];
-    /// Of the place of an end of the loaded film [m]; none where only one of two films has it.
+    /// Bar of the place of an end of the loaded film [m]; none where only one of two films has it.
     fn film_end(&self, end: ExtentEnd) -> Option<Bar>;
-    /// Of stiffness and damping at the first frequency asked for; none where one of two films has none.
+    /// Bars of stiffness and damping at the first frequency asked for; none where one of two films has none.
     fn coefficients(&self) -> Option<CoefficientErrors>;
-    /// Of those at the frequency at which a rotor is judged, likewise.
+    /// Bars of stiffness and damping at the frequency at which a rotor is judged; none where one of two films has none.
     fn judged_coefficients(&self) -> Option<CoefficientErrors>;
 }

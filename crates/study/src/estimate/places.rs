@@ -30,7 +30,7 @@ pub(super) struct PlacedPair<'a> {
 const LATTICE: u32 = 4;
 /// Share of the difference of the gradients that the cubic film is off by.
 const OF_GRADIENTS: f64 = 0.5;
-/// In d: of the bar of the greatest pressure, and of what the highest node is below it.
+/// Weights in d: of the bar of the greatest pressure, and of what the highest node is below it.
 const PER_BAR: f64 = 2.0;
 const PER_NODE: f64 = 4.0;
 /// Share of the triangle in which a free boundary is found.
@@ -75,17 +75,17 @@ pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
     }
 }
 
-/// Where the greatest pressure may be.
+/// Places at which the greatest pressure may be.
 struct High {
     /// Triangles at whose nodes the cubic film comes as near to its greatest pressure as `depth`.
     triangles: Vec<usize>,
-    /// d [Pa].
+    /// Depth d of the pressure below the greatest one [Pa].
     depth: f64,
     /// How far [m] these nodes are from its place, around and along the axis.
     reach: [f64; 2],
 }
 
-/// Where the greatest pressure may be, whose bar is `bar` [Pa].
+/// Places at which the greatest pressure may be, whose bar is `bar` [Pa].
 fn high(pair: &PlacedPair, bar: f64) -> High {
     let (space, extremes) = (pair.film.system.cubic().system.space(), pair.measured[1].extremes);
     let pressure = |dof: usize| pair.film.problem.pressure_at(pair.solutions[1].solution.unknown[dof]);

@@ -16,10 +16,10 @@ use crate::solved::{Balance, Solved};
 /// A wall that leaves more than this part of its deflection is open.
 const OPEN: f64 = 1e-6;
 
-/// For each quantity of `list` by name how much it changes where the journal moves as far as the bars [N] of what it
-/// carries in some directions of force and moment, and what is left unbalanced, let it. Not finite where the film has
-/// no tangent, or so far away no film, and where the load is so far from balanced that the tangent does not show how
-/// far the position is, or the wall is open.
+/// Change of each quantity of `list`, by name, where the journal moves as far as the bars [N] of what it carries in
+/// some directions of force and moment, and what is left unbalanced, let it. Not finite where the film has no tangent,
+/// or so far away no film, and where the load is so far from balanced that the tangent does not show how far the
+/// position is, or the wall is open.
 pub(super) fn position_bars(
     solved: &Solved,
     balance: &Balance,
@@ -54,8 +54,8 @@ pub(super) fn position_bars(
     names.zip(changes).collect()
 }
 
-/// With the stiffness and damping of the film there, whose tangent is its own: a film moved along the tangent has that
-/// of the place that it comes from.
+/// The numbers with the stiffness and damping of the film there, whose tangent is its own: a film moved along the
+/// tangent has that of the place that it comes from.
 pub(super) fn with_dynamics(solved: &Solved, there: Measured, moved: &SolvedFilm, reported: &Measured) -> Measured {
     if solved.film.dynamics.is_none() {
         return there;

@@ -56,7 +56,7 @@ impl WallBars {
     }
 }
 
-/// For each quantity of `list`, numbers of the film itself, how much it changes with what is uncertain of the wall.
+/// Change of each quantity of `list`, numbers of the film itself, with what is uncertain of the wall.
 pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured) -> WallBars {
     let SolvedFilm { problem, system, solution } = &solved.primary;
     let mut bars = WallBars::default();

@@ -37,7 +37,7 @@ pub(super) struct Sampled {
     pub(super) sample: Sample,
     /// What errors need; none where they are not estimated.
     pub(super) tangents: Option<Tangents>,
-    /// Its powers [W].
+    /// Powers of the film [W].
     pub(super) power: Power,
     /// Oil that enters less oil that leaves, over the oil that passes [1].
     pub(super) imbalance: f64,
@@ -53,9 +53,9 @@ pub(super) struct Tangents {
     pub(super) damping: Stiffness,
     /// Force of the film whose numbers are reported, less that by which the orbit was followed [N].
     pub(super) defect: Vector,
-    /// Change of each number for each coordinate [1/m],
+    /// Change of each number for each coordinate [1/m].
     pub(super) by_offset: Vec<Vector>,
-    /// and for its rate [s/m].
+    /// Change of each number for the rate of each coordinate [s/m].
     pub(super) by_rate: Vec<Vector>,
 }
 
@@ -192,8 +192,8 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
     Ok((sampled, followed))
 }
 
-/// These numbers, but what the film carries is that of the film by which the orbit was followed: it balances the load.
-/// Its bar is that of the path.
+/// The quantities of a film with what it carries replaced by the forces of the film by which the orbit was followed:
+/// these balance the load. Their bars are those of the path.
 fn with_forces_of_path(film: &Film, followed: &SolvedFilm, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
     let of_path = measure(followed);
     let of_path = measured(&View::new(film, &film.problem, &of_path));

@@ -23,7 +23,7 @@ pub(crate) const GREATEST: f64 = 0.998;
 /// An orbit on a coarser mesh: tolerance and cycles.
 const ROUGH: f64 = 2e-2;
 const ROUGH_CYCLES: usize = 2;
-/// Where that one begins: eccentricity towards the load.
+/// Eccentricity towards the load at which the first orbit begins.
 const FIRST: f64 = 0.3;
 
 /// The film of an orbit on a mesh that resolves it, and the offsets [m] at which it begins.

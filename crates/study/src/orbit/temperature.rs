@@ -29,15 +29,15 @@ use crate::run_options::RunOptions;
 use crate::thermal::{Left, none};
 use crate::thermal_model::ThermalModel;
 
-/// The heat of a cycle is balanced where what is left over is this part of the tolerance of the orbit, of the mean
-/// power;
+/// Heat that is left over where the heat of a cycle is balanced, over the mean power and the tolerance of the orbit.
 const BALANCED: f64 = 0.1;
-/// on the coarser mesh, where it is this part of the power, by orbits of this tolerance.
+/// Heat that is left over where it is balanced on the coarser mesh, over the power; orbits there have the tolerance
+/// behind it.
 const ROUGHLY: f64 = 1e-2;
 const ROUGH_TOLERANCE: f64 = 1e-2;
-/// Orbits nearer to one another than this [K] do not show how numbers change with temperature;
+/// Least distance [K] of orbits that show how numbers change with temperature.
 const APART: f64 = 0.02;
-/// then one further away is followed [K].
+/// Distance [K] at which a further orbit is followed where the others are too near.
 const FURTHER: f64 = 1.0;
 
 /// What the balance of a cycle has found.

@@ -8,7 +8,7 @@ use super::view::View;
 /// How their errors are estimated, in words.
 pub(super) const RULE: &str = "the difference of two films, quadratic and cubic or fine and coarse, and where the edge of a cavity may run in its triangles";
 
-/// At the first frequency asked for; none where they are not asked for, or could not be computed.
+/// Coefficients at the first frequency asked for; none where they are not asked for, or could not be computed.
 pub(super) fn first<'a>(film: &'a View) -> Option<&'a Coefficients> {
     Some(&film.measured.dynamics()?.at.first()?.coefficients)
 }

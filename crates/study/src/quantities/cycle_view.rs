@@ -29,7 +29,7 @@ impl Sample {
         Some(self.quantities[self.index(row)?].value)
     }
 
-    /// Its bar.
+    /// Bar of the quantity.
     pub fn bar(&self, row: &Row) -> Option<Bar> {
         self.bar_of(self.index(row)?)
     }
@@ -64,7 +64,7 @@ pub struct CycleView<'a> {
     pub samples: &'a [Sample],
     /// The path from film to film.
     pub path: &'a [Span],
-    /// Where the film is least, of a rigid wall.
+    /// Gap of the film, of a rigid wall.
     pub gap: &'a Gap,
     /// A wall that gives way; `None`: it is rigid.
     pub wall: Option<WallOnPath<'a>>,

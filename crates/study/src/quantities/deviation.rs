@@ -58,7 +58,7 @@ fn sections(film: &View) -> Option<Sections> {
 /// Least sections of a cycle, and how far off each may be.
 struct OfCycle {
     sections: Sections,
-    /// Of the middle, and of both ends.
+    /// Bars of the middle, and of both ends.
     bars: Option<[Bar; 3]>,
 }
 

@@ -1,4 +1,4 @@
-//! Where the oil goes.
+//! Flows of the oil.
 
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 use oilwedge_reynolds::supply::BoundaryKind;

@@ -1,4 +1,4 @@
-//! Where the journal is, and how it lies to the load.
+//! Position of the journal, and its relation to the load.
 
 use oilwedge_reynolds::quantities::similarity;
 

@@ -11,13 +11,13 @@ use super::row::Row;
 /// One reported number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// Its row of the catalogue.
+    /// Row of the quantity in the catalogue.
     pub row: &'static Row,
-    /// Its name, as `load` or `feed_flow.feed_hole`: the key in `quantities`.
+    /// Name of the quantity, as `load` or `feed_flow.feed_hole`: the key in `quantities`.
     pub name: Cow<'static, str>,
     /// The value in the unit of its row.
     pub value: f64,
-    /// Its error bar; `None` where it is not estimated or not resolved.
+    /// Error bar of the quantity; `None` where it is not estimated or not resolved.
     pub bar: Option<Bar>,
 }
 

@@ -36,16 +36,16 @@ pub enum Measure {
     OverCycle(fn(&CycleView) -> Option<Judged>),
 }
 
-/// In which table people read a quantity.
+/// Table in which people read a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Table {
-    /// That of the film.
+    /// The table of the film.
     Film,
-    /// That of the balance of heat.
+    /// The table of the balance of heat.
     Temperature,
-    /// That of the cap of a connecting rod.
+    /// The table of the cap of a connecting rod.
     Cap,
-    /// That of small motions of the journal.
+    /// The table of small motions of the journal.
     Dynamics,
 }
 
@@ -53,11 +53,12 @@ pub enum Table {
 /// first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Headline {
-    /// It does not.
+    /// The quantity stands in no short table.
     Never,
-    /// It does.
+    /// The quantity stands in every short table.
     Always(u8),
-    /// It does where the position of the journal is given; under a load it repeats what the scene says.
+    /// The quantity stands in a short table where the position of the journal is given; for a given load it repeats
+    /// what the scene says.
     AtPosition(u8),
 }
 
@@ -77,11 +78,11 @@ pub struct Row {
     pub measure: Measure,
     /// How its error is estimated.
     pub error: ErrorRule,
-    /// Where it is read.
+    /// Table in which the quantity is read.
     pub table: Table,
     /// Whether a mesh may be refined until its bar is small enough.
     pub may_be_tolerance: bool,
-    /// Its place in short tables.
+    /// Place of the quantity in short tables.
     pub headline: Headline,
     /// Whether a film of this scene may have it.
     pub occurs: fn(&Scene) -> bool,

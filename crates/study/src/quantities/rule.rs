@@ -32,15 +32,15 @@ impl Subject<'_> {
 /// How the error of a quantity is estimated.
 #[derive(Clone, Copy)]
 pub enum ErrorRule {
-    /// It follows from given numbers: no error.
+    /// The number follows from given numbers: no error.
     Exact,
-    /// It follows from given numbers and from the shape of the rim of a region, which the mesh has roughly unless it is
-    /// one hole or has straight sides.
+    /// The number follows from given numbers and from the shape of the rim of a region, which the mesh has roughly
+    /// unless it is one hole or has straight sides.
     Rim,
-    /// It follows from the journal's position: no error where that is given.
+    /// The number follows from the journal's position: no error where that is given.
     Position,
-    /// It is the place of the least film, which follows from the position likewise; between surfaces that are no
-    /// circles it is found by values, which leave open this much.
+    /// The place of the least film, which follows from the position likewise; between surfaces that are no circles it
+    /// is found by values, which leave open this much.
     LeastFilmPlace(fn(&View) -> f64),
     /// Magnitude of the load.
     Load,
@@ -56,11 +56,12 @@ pub enum ErrorRule {
     LoadPlace,
     /// A rule of its own, in words and as it is computed.
     Of(&'static str, fn(&dyn Estimate, &Subject) -> Option<Bar>),
-    /// It is one of a cycle and measured with its bar: in words.
+    /// A number of a cycle, measured with its bar; the rule is given in words.
     OverCycle(&'static str),
-    /// It follows from given numbers and from the temperature of the film: by how much for each kelvin.
+    /// The number follows from given numbers and from the temperature of the film: by how much for each kelvin.
     Temperature(fn(&Warming) -> Option<f64>),
-    /// It is a part of the balance of heat: its bar at the temperature of the film, and how it changes for each kelvin.
+    /// The number is a part of the balance of heat: its bar at the temperature of the film, and how it changes for each
+    /// kelvin.
     Balance(fn(&Warming) -> Option<f64>, fn(&Warming) -> Option<f64>),
 }
 
@@ -114,7 +115,7 @@ impl ErrorRule {
         )
     }
 
-    /// In words.
+    /// The rule in words.
     pub fn sentence(&self) -> &'static str {
         match self {
             Self::Exact => "exact: it follows from given numbers",

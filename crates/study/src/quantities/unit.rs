@@ -5,48 +5,48 @@ use oilwedge_scene::unit::Dimension;
 /// Unit of a reported number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
-    /// Without dimension.
+    /// A number without dimension.
     One,
-    /// Of forces.
+    /// Unit of forces.
     Newton,
-    /// Of angles.
+    /// Unit of angles.
     Degree,
-    /// Of small slopes.
+    /// Unit of small slopes.
     Radian,
-    /// Of pressures.
+    /// Unit of pressures.
     Pascal,
-    /// Of stresses in metal.
+    /// Unit of stresses in metal.
     PascalOfStress,
-    /// Of lengths.
+    /// Unit of lengths.
     Metre,
-    /// Of dynamic viscosities.
+    /// Unit of dynamic viscosities.
     PascalSecond,
-    /// Of temperatures.
+    /// Unit of temperatures.
     Celsius,
-    /// Of volume flows.
+    /// Unit of volume flows.
     CubicMetrePerSecond,
-    /// Of torques.
+    /// Unit of torques.
     NewtonMetre,
-    /// Of powers.
+    /// Unit of powers.
     Watt,
-    /// Of masses.
+    /// Unit of masses.
     Kilogram,
-    /// Of forces by offsets.
+    /// Unit of forces by offsets.
     NewtonPerMetre,
-    /// Of forces by slopes, and of moments by offsets.
+    /// Unit of forces by slopes, and of moments by offsets.
     NewtonPerRadian,
-    /// Of moments by slopes.
+    /// Unit of moments by slopes.
     NewtonMetrePerRadian,
-    /// Of forces by velocities.
+    /// Unit of forces by velocities.
     NewtonSecondPerMetre,
-    /// Of forces by rates of slopes, and of moments by velocities.
+    /// Unit of forces by rates of slopes, and of moments by velocities.
     NewtonSecondPerRadian,
-    /// Of moments by rates of slopes.
+    /// Unit of moments by rates of slopes.
     NewtonMetreSecondPerRadian,
 }
 
 impl Unit {
-    /// As results write it.
+    /// Name of the unit as results write it.
     pub fn name(self) -> &'static str {
         self.texts()[0]
     }

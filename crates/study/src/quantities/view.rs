@@ -18,7 +18,7 @@ const NO_LOAD: f64 = 1e-12;
 pub struct View<'a> {
     /// The film at the position found.
     pub base: &'a Film,
-    /// Its film, whose journal may be elsewhere.
+    /// Problem of the film, whose journal may be elsewhere.
     pub problem: &'a FilmProblem,
     /// What was measured on it.
     pub measured: &'a Measured,

@@ -5,9 +5,9 @@ use oilwedge_reynolds::FilmProblem;
 use super::level::Level;
 use crate::result::{LevelFacts, Refinement};
 
-/// A mesh is drawn for bars this much smaller than asked for,
+/// Part of the bars asked for that a mesh is drawn for.
 const SAFETY: f64 = 0.7;
-/// with at least this many times the unknowns of the one before.
+/// Least growth of the number of unknowns from one mesh to the next.
 const LEAST_GROWTH: f64 = 1.4;
 /// A mesh that was drawn finer and has not this many times the unknowns is bound by its features.
 const BOUND: f64 = 1.25;

@@ -7,13 +7,13 @@ use crate::solved::Solved;
 pub(super) struct Level {
     pub(super) solved: Solved,
     pub(super) estimated: Estimated,
-    /// Its greatest bar over what it may be.
+    /// Greatest bar over what it may be.
     pub(super) worst: f64,
     /// Quantity that has this greatest bar.
     pub(super) worst_name: String,
     /// Greatest bar over what it may be, the load being that of the film and not of its hill, where the program chooses
     /// the mesh: flows and cavity are those of the film in any case.
     pub(super) by_film: f64,
-    /// Its greatest bar over what is wanted beside that.
+    /// Greatest bar over what is wanted besides.
     pub(super) wanted: f64,
 }

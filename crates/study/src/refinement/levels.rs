@@ -39,7 +39,7 @@ const MOST_WANTED_ON_WALL: usize = 5_000;
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
 impl Level {
-    /// It is the answer.
+    /// The level as the answer.
     fn answer(self, levels: Vec<LevelFacts>, limit: Option<Limit>) -> Answer {
         Answer { film: self.solved.film.clone(), outcome: Ok((self.solved, self.estimated)), levels, limit }
     }
@@ -56,7 +56,7 @@ struct Refining<'a> {
     scene: &'a Scene,
     targets: &'a Targets,
     options: &'a RunOptions,
-    /// When the run began, by its clock.
+    /// Time at which the run began, by its clock.
     begun: Moment,
     watch: Watch,
     /// Is told of each mesh but the last.

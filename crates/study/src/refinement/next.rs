@@ -36,18 +36,18 @@ pub(super) const FIRST_UNKNOWNS: usize = 10_000;
 const UNDECIDED: f64 = 0.7;
 /// Least edges of such a mesh over those of a mesh that is used as it is.
 const FINEST: f64 = 0.5;
-/// A mesh with this part of the triangles wanted has enough;
+/// Part of the triangles wanted with which a mesh has enough.
 const NEARLY_AS_MANY: f64 = 0.9;
-/// one with so many times as many has too many;
+/// Multiple of the triangles wanted with which a mesh has too many.
 const TOO_MANY: f64 = 4.0;
-/// meshes drawn to find it.
+/// Most meshes that are drawn to find one with the triangles wanted.
 const DRAWN: usize = 5;
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;
 /// Triangles of a mesh divided locally over those before: where fewer triangles carry that share they are divided
-/// again,
+/// again, [`MOST_DIVISIONS`] times at most.
 const LOCAL_GROWTH: f64 = 1.2;
-/// so many times at most.
+/// Most times that a mesh is divided locally for one step.
 const MOST_DIVISIONS: usize = 4;
 /// The scene with the first mesh on the way to its tolerance.
 pub fn at_first(scene: &Scene) -> Scene {
@@ -130,15 +130,15 @@ fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), Compil
 
 /// The next mesh.
 pub(super) enum Next {
-    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment
-    /// takes.
+    /// A mesh made of the scene with longest edges times this, from what a coarser one has shown of the way that a
+    /// moment takes.
     Drawn(f64, Option<Shown>),
-    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the
-    /// film found before.
+    /// A mesh made of the scene with longest edges times this or less, so that it has about as many triangles as this,
+    /// for the film found before.
     DrawnFiner(f64, usize, Known),
-    /// That of the scene as it is.
+    /// The mesh of the scene as it is.
     Given,
-    /// One at hand, for the film found before.
+    /// A mesh at hand, for the film found before.
     Divided(Arc<Mesh>, Refinement, Known),
 }
 
@@ -238,7 +238,7 @@ impl Next {
         }
     }
 
-    /// Another start where the first mesh, that of `film`, was too coarse to have an answer.
+    /// A start on a finer mesh where the first mesh, that of `film`, was too coarse to have an answer.
     pub(super) fn finer_first(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
         match self {
             Self::Drawn(factor, _) if *factor > 1.0 => Some(Self::Drawn(1.0, Shown::of(film, reason))),
@@ -246,7 +246,8 @@ impl Next {
         }
     }
 
-    /// Another start where a mesh that is as fine as usual, that of `film`, does not show whether a moment is carried.
+    /// A start on a finer mesh where one that is as fine as usual, that of `film`, does not show whether a moment is
+    /// carried.
     pub(super) fn finer_undecided(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
         match self {
             Self::Drawn(factor, _) if *factor > FINEST && reason.is_undecided() => {
@@ -256,7 +257,7 @@ impl Next {
         }
     }
 
-    /// Another start where a rough search on the first mesh has found no balance.
+    /// A start on a finer mesh where a rough search on the first mesh has found no balance.
     pub(super) fn finer_than_failed(&self) -> Option<Self> {
         matches!(self, Self::Drawn(factor, _) if *factor > 1.0).then_some(Self::Drawn(1.0, None))
     }
@@ -376,7 +377,8 @@ mod tests {
         assert_eq!(locally.triangles(), once.triangles());
     }
 
-    /// With and without rows, for a parallel journal and for one near contact at an end.
+    /// About as many triangles are drawn as are expected, with and without rows, for a parallel journal and for one
+    /// near contact at an end.
     #[test]
     fn about_as_many_triangles_are_expected_as_are_drawn() {
         let parallel = Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [0.0; 2] };

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub enum Verdict {
     /// The limit is kept.
     Pass,
-    /// It is not.
+    /// The limit is not kept.
     Fail,
     /// The limit lies inside the error bar, or errors are estimated and that of this number is not known.
     Undecided,
@@ -23,7 +23,7 @@ impl Verdict {
         decide.map(|criterion| criterion.verdict).max_by_key(rank)
     }
 
-    /// Its name in files and tables.
+    /// Name of the verdict in files and tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pass => "pass",
@@ -36,7 +36,7 @@ impl Verdict {
 /// How well a number that is judged is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Accuracy {
-    /// Its error bar, in the unit of the number.
+    /// The error bar, in the unit of the number.
     Within(f64),
     /// Errors are estimated, and that of this number is not known.
     NotResolved,
@@ -74,11 +74,11 @@ pub struct Criterion {
     pub what: String,
     /// The value found, in `unit`.
     pub value: f64,
-    /// Its error bar, in `unit`; `None`: it was not estimated, or could not be.
+    /// Error bar of the value, in `unit`; `None`: it was not estimated, or could not be.
     pub bar: Option<f64>,
-    /// From which value on it is met; `None`: there is no such bound.
+    /// Value from which on the criterion is met; `None`: there is no such bound.
     pub least: Option<f64>,
-    /// Up to which value.
+    /// Value up to which the criterion is met; `None`: there is no such bound.
     pub most: Option<f64>,
     /// Unit of all four, one that people read.
     pub unit: String,

@@ -40,12 +40,13 @@ pub struct Pair {
 pub struct CoefficientReport {
     /// Frequency of the motion over the speed of the journal [1].
     pub whirl: f64,
-    /// In bearing axes [N/m, N/rad, N.m/rad, and these times s].
+    /// Coefficients in bearing axes [N/m, N/rad, N.m/rad, and these times s].
     #[serde(flatten)]
     pub in_bearing: Pair,
-    /// In axes along the load and 90 degrees on in the sense of rotation, likewise; `null` without a load.
+    /// Coefficients in axes along the load and 90 degrees on in the sense of rotation [N/m, N/rad, N.m/rad, and these
+    /// times s]; `null` without a load.
     pub along_load: Option<Pair>,
-    /// These without dimension, `K c/W` and `C c omega/W`; `null` without a load or at rest.
+    /// Coefficients without dimension, `K c/W` and `C c omega/W`; `null` without a load or at rest.
     pub without_dimension: Option<Pair>,
 }
 
@@ -70,18 +71,18 @@ pub struct RotorReport {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stable {
-    /// Whatever its mass.
+    /// The rotor is stable with any mass.
     WithAnyMass,
-    /// Below a critical mass.
+    /// The rotor is stable below a critical mass.
     BelowCriticalMass,
-    /// Never.
+    /// The rotor is stable with no mass.
     WithNoMass,
-    /// It is not known.
+    /// Stability is not known.
     Undetermined,
 }
 
 impl DynamicsReport {
-    /// Of a film; `None` where that is not asked, or could not be computed.
+    /// The report of a film; `None` where dynamics is not asked for, or could not be computed.
     pub fn of(film: &Film, measured: &Measured) -> Option<Self> {
         let (asked, dynamics) = (film.dynamics.as_ref()?, measured.dynamics()?);
         let problem = &film.problem;
@@ -128,7 +129,7 @@ impl DynamicsReport {
 struct Frame {
     /// Magnitude of the load [N].
     load: f64,
-    /// Its direction [rad], if there is one.
+    /// Direction of the load [rad], if there is one.
     angle: Option<f64>,
     /// Speed of the journal [rad/s].
     speed: f64,

@@ -21,7 +21,7 @@ pub struct Geometry {
 }
 
 impl Geometry {
-    /// That of a scene.
+    /// The geometry of a scene.
     pub fn of(scene: &Scene) -> Self {
         let bearing = &scene.bearing;
         Self {

@@ -1,4 +1,4 @@
-//! Which quantities short tables show.
+//! Quantities that short tables show.
 
 use crate::effects::{Effects, Socket};
 use crate::quantities::{Headline, Row};

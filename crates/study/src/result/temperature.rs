@@ -26,7 +26,7 @@ pub struct TemperaturePoint {
 }
 
 impl Serialize for TemperaturePoint {
-    /// By the names of the quantities.
+    /// Writes the numbers as a map by the names of the quantities.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map([
             ("temperature", self.temperature),

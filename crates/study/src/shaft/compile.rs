@@ -16,7 +16,7 @@ use crate::effects::Sockets;
 use crate::film::Film;
 use crate::orbit::on_mesh_for;
 
-/// At how many angles of a period it is checked that loads are finite.
+/// Number of angles of a period at which it is checked that loads are finite.
 const CHECKED: u32 = 1440;
 
 /// A bearing of a shaft.
@@ -30,14 +30,14 @@ pub struct Bearing {
     pub at: f64,
     /// Stiffness of what holds the shell against force [N/m] and moment [N m/rad], infinite for a rigid one.
     pub support: [f64; 2],
-    /// Its film, with the journal in the middle.
+    /// Film of the bearing, with the journal in the middle.
     pub film: Film,
 }
 
 /// A shaft on films, ready to be solved.
 #[derive(Debug)]
 pub struct Compiled {
-    /// Its bearings along the axis.
+    /// Bearings of the shaft along the axis.
     pub bearings: Vec<Bearing>,
     /// The shaft as its journals see it.
     pub shaft: Shaft,
@@ -84,13 +84,13 @@ pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, 
     })
 }
 
-/// Which coordinates of its journal a film on a shaft sees.
+/// Coordinates of its journal that a film on a shaft sees.
 fn coordinates(film: &Film) -> Coordinates {
     Coordinates { order: if film.scene.support.is_some() { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
 }
 
 impl Bearing {
-    /// Which coordinates of its journal the film sees.
+    /// Coordinates of its journal that the film sees.
     pub fn coordinates(&self) -> Coordinates {
         coordinates(&self.film)
     }

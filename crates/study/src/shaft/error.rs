@@ -21,15 +21,15 @@ pub enum ShaftError {
     /// The scene of a bearing does not become a film.
     #[error("the scene {} of a bearing: {source}", path.display())]
     Film {
-        /// Its file.
+        /// File of the bearing's scene.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         source: CompileError,
     },
     /// The scene of a bearing has what is not solved on a shaft.
     #[error("the scene {} of a bearing: {reason}; {help}", path.display())]
     Refused {
-        /// Its file.
+        /// File of the bearing's scene.
         path: PathBuf,
         /// The key or table, and why.
         reason: &'static str,

@@ -32,7 +32,7 @@ pub struct BearingPath {
     pub name: String,
     /// What its film carries.
     pub load: DutyCycle,
-    /// Its path, and its films.
+    /// Path of the journal, and its films.
     pub path: OrbitPath,
 }
 
@@ -91,12 +91,12 @@ pub struct ShaftResult {
 pub struct ShaftBalances {
     /// Loads less forces of all films, over the loads [1].
     pub force: f64,
-    /// Their moments about z = 0, over the moments of the magnitudes of the loads [1].
+    /// Sum of the moments of all forces about z = 0, over the moments of the magnitudes of the loads [1].
     pub moment: f64,
     /// What is left of the equations of all journals, over the loads [1].
     pub journals: f64,
-    /// Over a cycle: power of the loads and of what turns the journals, less what the films dissipate and the shaft
-    /// stores, over the greatest dissipation [1]; zero at rest.
+    /// Balance of power over a cycle: power of the loads and of what turns the journals, less what the films dissipate
+    /// and the shaft stores, over the greatest dissipation [1]; zero at rest.
     pub power: f64,
 }
 
@@ -128,21 +128,21 @@ pub struct BearingReport {
     pub at: f64,
     /// Unknown pressures on its mesh.
     pub unknowns: usize,
-    /// Its shape, and the speed of its journal.
+    /// Shape of the bearing, and speed of its journal.
     pub geometry: Geometry,
     /// Greatest displacement of its shell [m], and greatest slope [rad].
     pub shell: [f64; 2],
     /// Greatest slope of the journal against the shell [rad].
     pub tilt_max: f64,
-    /// Its error bar [rad], of a shaft at rest with bars; `null` where there is none.
+    /// Error bar of the greatest tilt [rad], of a shaft at rest with bars; `null` where there is none.
     pub tilt_max_error: Option<f64>,
-    /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft
-    /// at rest.
+    /// Balance of energy over a cycle: what turns the journal and the work of the load, less the heat, over that [1];
+    /// `null` for a shaft at rest.
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
-    /// Its numbers. At rest their error bars hold the errors of all films of the shaft, over a cycle they are those of
-    /// its orbit under the load that it carries; what only the shaft decides has none there.
+    /// Quantities of the bearing. At rest their error bars hold the errors of all films of the shaft, over a cycle they
+    /// are those of its orbit under the load that it carries; what only the shaft decides has none there.
     #[serde(serialize_with = "named")]
     pub quantities: Vec<Quantity>,
 }

@@ -10,9 +10,9 @@ use crate::run_options::RunOptions;
 /// What differs in a shaft beside that of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variant {
-    /// It is cut at its bearings.
+    /// The shaft is cut at its bearings.
     Cut,
-    /// Its counterweights are those that serve the bearings best.
+    /// The counterweights are those that serve the bearings best.
     Counterweights,
 }
 
@@ -20,7 +20,7 @@ impl Variant {
     /// All of them.
     pub const ALL: [Self; 2] = [Self::Cut, Self::Counterweights];
 
-    /// Its name in files.
+    /// Name of the variant in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Cut => "cut",

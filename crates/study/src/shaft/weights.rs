@@ -28,7 +28,7 @@ const CYCLES: usize = 3;
 const PLACES: u32 = 6;
 /// The search asks for so many shafts at most.
 const MOST: usize = 600;
-/// Its first steps, of the mean counterweight.
+/// First steps of the search, over the mean counterweight.
 const STEP: f64 = 0.3;
 
 /// What the search has found.
@@ -57,7 +57,7 @@ pub struct CounterweightReport {
 pub struct WebReport {
     /// Number of its throw, from 1.
     pub throw: usize,
-    /// Its number on the throw, 1 or 2.
+    /// Number of the web on the throw, 1 or 2.
     pub web: usize,
     /// Mass times radius before and after [kg m].
     pub moment: [f64; 2],
@@ -74,7 +74,7 @@ pub enum NoWeights {
     /// The loads do not change.
     #[error("the scene has no [crank], so counterweights have no effect")]
     AtRest,
-    /// Too few may change.
+    /// The counterweights that may change are too few.
     #[error(
         "counterweights on {0} webs leave no choice where force and moment of the shaft stay; give [[crankshaft.counterweight]] on three webs or more, be their mass zero"
     )]
@@ -84,7 +84,7 @@ pub enum NoWeights {
     NoMap {
         /// Name of the bearing.
         bearing: String,
-        /// Why.
+        /// The cause, in words.
         reason: String,
     },
     /// The orbits by maps lead nowhere.

@@ -44,7 +44,7 @@ pub(crate) fn thermal_flows(model: &ThermalModel, film: &Film, measured: &Measur
     }
 }
 
-/// To a tenth of a kelvin [K].
+/// The temperature to a tenth of a kelvin [K].
 pub(crate) fn rounded(temperature: f64) -> f64 {
     // That of the ice point is a tenth and a twentieth.
     (10.0 * (temperature - 0.05)).round() / 10.0 + 0.05

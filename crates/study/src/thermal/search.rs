@@ -34,14 +34,14 @@ const BESIDE_ACCURACY: f64 = 1e-9;
 /// Friction under a load falls with temperature like this power of the viscosity: the slope of a first step, which
 /// later ones correct.
 const FRICTION_EXPONENT: f64 = 0.6;
-/// Films nearer to one another than this [K] do not show how numbers change with temperature;
+/// Least distance [K] of films that show how numbers change with temperature.
 const APART: f64 = 0.02;
-/// then one further away is solved [K].
+/// Distance [K] at which a further film is solved where the others are too near.
 const FURTHER: f64 = 0.5;
 
 /// Why a search for the temperature was left.
 pub(crate) enum Left {
-    /// There is no film.
+    /// No film was found.
     NoAnswer(NoAnswer),
     /// The deadline came; the film reached is the answer.
     Ended,
@@ -50,11 +50,11 @@ pub(crate) enum Left {
 /// How a film of the search is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Kind {
-    /// It leads to the balance; its position is found roughly.
+    /// The film leads to the balance; its position is found roughly.
     Leading,
-    /// It shows how numbers change near the balance.
+    /// The film shows how numbers change near the balance.
     Beside,
-    /// Its numbers are reported: with an error estimate, where one is asked for.
+    /// The film whose numbers are reported: with an error estimate, where one is asked for.
     Last,
 }
 
@@ -262,7 +262,7 @@ impl Tried {
         self.kind == kind || self.kind == Kind::Last
     }
 
-    /// Where the search was ended: the balance that is not one.
+    /// The film at which the search was ended: the balance that is not one.
     fn unbalanced(&self) -> Balanced {
         Balanced { temperature: self.temperature, film: self.flows, surplus: self.surplus, slope: f64::NAN, films: 0 }
     }
@@ -275,7 +275,7 @@ pub(crate) fn work_of(solved: &Solved) -> Work {
     solved.balance.map_or(own, |balance| balance.work)
 }
 
-/// Where a film's operating point lies among those of other temperatures.
+/// Place of a film's operating point among those of other temperatures.
 pub(super) fn point(film: &Film) -> Point {
     let duty = -film.problem.lubricant.viscosity.ln();
     Point { coordinate: duty, duty }
@@ -286,7 +286,7 @@ pub(super) fn visited(film: &Film) -> Visited {
     film.position().visited(point(film))
 }
 
-/// From a balance on, to another one nearby.
+/// A start from a balance towards another one nearby.
 fn again(found: &Balanced) -> Start {
     Start { temperature: found.temperature, slope: Some(found.slope) }
 }

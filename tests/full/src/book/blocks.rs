@@ -6,7 +6,7 @@ use super::Page;
 /// How a block is tested.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum How {
-    /// As a whole: run, or solved.
+    /// The block is used as a whole: run, or solved.
     Whole,
     /// A part of a scene, checked within another one.
     Fragment,
@@ -14,7 +14,7 @@ pub enum How {
     File(String),
     /// Lines that the block of shell before it prints.
     Output,
-    /// Not at all, for this reason.
+    /// The block is not run, for this reason.
     Not(String),
 }
 
@@ -23,11 +23,11 @@ pub enum How {
 pub struct Block {
     /// Page and line of its opening fence, for messages.
     pub place: String,
-    /// Its language; empty for formulas and drawings.
+    /// Language of the block; empty for formulas and drawings.
     pub language: String,
     /// How it is tested.
     pub how: How,
-    /// Its text.
+    /// Text of the block.
     pub text: String,
 }
 

@@ -9,7 +9,7 @@ use super::Page;
 pub struct Link {
     /// Page and line, for messages.
     pub place: String,
-    /// Where it leads, as it is written.
+    /// Target of the link, as it is written.
     pub target: String,
     /// Whether it shows what is there.
     pub is_image: bool,

@@ -15,9 +15,9 @@ pub const README: &str = "README.md";
 /// A page.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Page {
-    /// Its path below the repository, with `/`.
+    /// Path of the page below the repository, with `/`.
     pub path: String,
-    /// Its text.
+    /// Text of the page.
     pub text: String,
 }
 

@@ -21,12 +21,12 @@ use oilwedge_tests::program::repository;
 /// Bearings of the page.
 const BEARINGS: u64 = 300;
 
-/// Which random bearings are meant.
+/// Kinds of random bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Bearings {
-    /// In rigid, round bores, their surfaces smooth.
+    /// Bearings with rigid, round bores and smooth surfaces.
     Plain,
-    /// With walls that give way, rough surfaces and bores out of round.
+    /// Bearings with walls that give way, rough surfaces and bores out of round.
     Walls,
 }
 
@@ -46,7 +46,7 @@ impl Bearings {
         }
     }
 
-    /// Their page, from the root of the repository.
+    /// Page of the bearings, from the root of the repository.
     fn page(self) -> &'static str {
         match self {
             Self::Plain => "docs/validation/tilted_bearings.md",

@@ -84,7 +84,7 @@ impl Family {
 pub struct Bearing {
     /// Name in messages.
     pub name: String,
-    /// Its family.
+    /// Family of the bearing.
     pub family: Family,
     /// Model of cavitation.
     pub model: &'static str,

@@ -38,7 +38,7 @@ pub struct Solve {
     pub kind: Kind,
     /// The film and its reference film.
     pub solved: Solved,
-    /// Its numbers and bars.
+    /// Numbers and bars of the film.
     pub judged: Estimated,
     /// Unknown pressures.
     pub unknowns: usize,

@@ -80,7 +80,7 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     Ok(Reference { unknowns: last.unknowns, known: known.collect() })
 }
 
-/// For each triangle its greatest share in the error of any goal, relative to that goal's shares together.
+/// Greatest share of each triangle in the error of any goal, relative to that goal's shares together.
 fn indicator(solve: &Solve) -> Option<Vec<f64>> {
     let Some(ReferenceFilm::Cubic(cubic)) = &solve.solved.reference else {
         return None;

@@ -48,12 +48,12 @@ const ROUNDING: f64 = 1e-9;
 /// Unknowns from which on a difference of two degrees should tell the error of a smooth film's load.
 const FINE: usize = 500;
 
-/// Whose bar.
+/// Value that a bar belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Of {
-    /// Of the value reported.
+    /// The value that is reported.
     Reported,
-    /// Of the value of the quadratic film.
+    /// The value of the quadratic film.
     Quadratic,
 }
 
@@ -62,13 +62,13 @@ pub enum Of {
 pub struct Pair {
     /// Name of the bearing.
     pub bearing: String,
-    /// Its family.
+    /// Family of the bearing.
     pub family: Family,
-    /// Its model of cavitation.
+    /// Cavitation model of the bearing.
     pub model: &'static str,
     /// One of [`COUNTED`].
     pub quantity: &'static str,
-    /// Whose bar.
+    /// Value that the bar belongs to.
     pub of: Of,
     /// How the mesh was made.
     pub kind: Kind,

@@ -29,7 +29,7 @@ angle = "270 deg"
 model = "jfo"
 pressure = "0 bar"
 "#;
-/// Near the temperature that its heat balance finds.
+/// Oil near the temperature that its heat balance finds.
 const GIVEN: &str = "[oil]\ngrade = \"SAE 5W-30\"\ntemperature = \"94 C\"\n";
 /// Petrol engine: oil fed at 75 C.
 const SOUGHT: &str = "[oil]\ngrade = \"SAE 5W-30\"\n[heat]\npreset = \"petrol\"\n";

@@ -14,7 +14,7 @@ use oilwedge_tests::program::repository;
 
 /// Radius [m] of the ring.
 const RADIUS: f64 = 0.0375;
-/// Its length [m].
+/// Length of the bearing [m].
 const LENGTH: f64 = 0.075;
 /// Radius of its feed hole [m], and the angle [deg] of that.
 const HOLE: (f64, f64) = (0.0085, 130.0);
@@ -37,14 +37,14 @@ pressure = "0 bar"
 group = "feed_hole"
 pressure = "1 bar"
 "#;
-/// Where its journal is, in most films,
+/// Table of a journal at a given position, in most films.
 const AT_REST: &str = r#"
 [journal]
 speed = "10 rad/s"
 eccentricity = 0.8
 min_film_angle = "180 deg"
 "#;
-/// or what it carries.
+/// Table of a journal under a load.
 const LOADED: &str = r#"
 [journal]
 speed = "10 rad/s"
@@ -69,7 +69,7 @@ pub enum Kind {
     Barus,
     /// A cavity after Swift and Stieber.
     SwiftStieber,
-    /// This film under a load whose position is sought.
+    /// The film under a load whose position is sought.
     Loaded,
 }
 
@@ -99,7 +99,7 @@ impl Films {
         Self { folder: TempDir::new().expect("a folder") }
     }
 
-    /// Where scenes and meshes lie, and where the program may write.
+    /// Folder of scenes and meshes, in which the program may write.
     pub fn folder(&self) -> &Path {
         self.folder.path()
     }

@@ -7,11 +7,14 @@
 //! | draw | the mesh once | |
 //! | number | the triangles and edges once, the pattern once (4 an entry, 4 a row) | |
 //! | order and analyse | the pattern once, order and its inverse (8 a row) | |
-//! | assemble | the mesh once, unknowns and residual once (16 a row), the matrix once (8 an entry) | 260 a triangle: film thickness at 7 points (20 each), element 120 |
-//! | factorise | the matrix and its pattern once (12 an entry), the factor once (8 an entry) | squares of the column counts |
+//! | assemble | the mesh, unknowns and residual (16 a row) and the matrix (8 an entry) once | 260 a triangle |
+//! | factorise | matrix and pattern (12 an entry) and the factor (8 an entry) once | squares of the column counts |
 //! | back-substitute | the factor twice (16 an entry), the vector twice (32 a row) | 4 an entry of the factor |
 //! | measure | the mesh once, the unknown once | |
-//! | file to load | read, number, assemble; the matrix read once more (12 an entry): whatever the solver | that of assembly |
+//! | file to load | read, number, assemble; the matrix read once more (12 an entry) | that of assembly |
+//!
+//! Of the 260 operations a triangle the film thickness takes 20 at each of 7 points, the element 120. The floor from
+//! file to load is that of any solver.
 //!
 //! The mesh is 16 bytes a vertex, 12 a triangle, 16 an edge (ends and triangles). Indices have 4 bytes, numbers 8.
 //! Iterative paths (cavity, equilibrium) have the floor of one film from file to load without its file.
@@ -66,7 +69,7 @@ pub enum Path {
 }
 
 impl Sizes {
-    /// Those of an assembled and analysed system whose mesh came from `file` bytes.
+    /// The sizes of an assembled and analysed system whose mesh came from `file` bytes.
     pub fn of(assembler: &Assembler, analysis: &Analysis, file: u64) -> Self {
         let mesh = assembler.space().mesh();
         Self {

@@ -1,4 +1,4 @@
-//! Other programs on the same meshes: `tests/crosscheck/compare_speed.py`.
+//! Times of other programs on the same meshes: `tests/crosscheck/compare_speed.py`.
 
 use std::path::Path;
 use std::process::Command;

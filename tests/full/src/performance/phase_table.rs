@@ -14,7 +14,7 @@ pub struct Timed {
     pub name: &'static str,
     /// What it took.
     pub spent: Spent,
-    /// Its floor [s].
+    /// Floor of the phase [s].
     pub floor: f64,
 }
 

@@ -11,7 +11,7 @@ use super::clock::Spent;
 /// What a process took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Process {
-    /// Its time.
+    /// Time of the process.
     pub spent: Spent,
     /// Most memory that it held [B].
     pub peak: u64,

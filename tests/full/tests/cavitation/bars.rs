@@ -23,7 +23,7 @@ fn bars(film: &SolvedFilm) -> ConservingError {
     bars
 }
 
-/// On the mesh of `study`, refined uniformly so often.
+/// Numbers of a scene on the mesh of `study`, refined uniformly `times` times.
 fn finer(scene: &Scene, study: &Film, times: usize) -> Measured {
     let mut mesh = (**study.system.space().mesh()).clone();
     for _ in 0..times {

@@ -25,7 +25,7 @@ fn value(result: &RunResult, name: &str) -> f64 {
     quantity.unwrap_or_else(|| panic!("no {name}: {:?}", result.reason)).value
 }
 
-/// Under a load that does not change the orbit ends where film and contact together carry it at rest.
+/// An orbit whose load does not change ends where film and contact together carry it at rest.
 #[test]
 fn a_load_at_rest_leads_to_its_mixed_film() {
     let load = "load = { force = \"10 kN\", angle = \"0 deg\" }";

@@ -18,7 +18,7 @@ fn by_script(bench: &Bench, script: &str, arguments: &[&str]) -> Output {
         .expect("a shell")
 }
 
-/// With files of at most 4 blocks: a write beyond fails, as on a full disk.
+/// A shell that limits files to 4 blocks: a write beyond fails, as on a full disk.
 const LIMITED: &str = "trap '' XFSZ; ulimit -f 4; exec \"$@\"";
 
 fn refuses(output: &Output, words: &[&str]) {

@@ -27,7 +27,7 @@ struct Kills<'a> {
     started: usize,
     /// Runs that were killed before they ended.
     killed: usize,
-    /// Those of them that were writing.
+    /// Number of kills at which the program was writing.
     writing: usize,
     /// What killed runs have left.
     left: Vec<String>,

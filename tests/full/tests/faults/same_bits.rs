@@ -12,7 +12,7 @@ fn bits(bench: &Bench, threads: &str) -> (String, Vec<u8>) {
     (text, picture)
 }
 
-/// More than 150 000 unknowns: multigrid, and every parallel path.
+/// A film of more than 150 000 unknowns takes multigrid and every parallel path.
 #[test]
 fn a_large_film_on_one_thread_and_on_three() {
     let bench = Bench::new();

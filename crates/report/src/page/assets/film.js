@@ -133,7 +133,8 @@ function quadraticAt({ triangles }, { values }, [t, a, b, c]) {
   return sum;
 }
 
-// The value that is drawn: a field that is linear on the parts of triangles by its part, a quadratic nowhere below the least value of the model.
+// The value that is drawn: a field that is linear on the parts of triangles by its part, a quadratic nowhere below the
+// least value of the model.
 function valueAt(film, field, place) {
   if (!place) return null;
   const [t, ...shares] = place;

@@ -1,4 +1,5 @@
-// A sweep: the chosen quantity over one axis as curves with error bars, over two as a map, and the chosen case in words.
+// A sweep: the chosen quantity over one axis as curves with error bars, over two as a map, and the chosen case in
+// words.
 const CURVES = ["s0", "s1", "s2", "s3", "s4", "s5"], MARKS = ["\u25cf", "\u25a0", "\u25b2", "\u25c6", "\u25cb", "\u25a1"];
 const escaped = (text) => String(text).replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 

@@ -1,5 +1,6 @@
 // The liner in space, with a depth buffer of its own, so that it looks the same everywhere and needs no graphics card.
-// Triangles are divided into small ones, on which a field is as it is, not linear; light is that of slopes averaged at the nodes, so that a coarse mesh does not show.
+// Triangles are divided into small ones, on which a field is as it is, not linear; light is that of slopes averaged at
+// the nodes, so that a coarse mesh does not show.
 const SMALL = [0.06, 0.08], MOST_PARTS = 12;
 
 function gridOf({ x, z, cells, origin, top, bottom }) {
