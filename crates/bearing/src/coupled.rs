@@ -10,8 +10,10 @@ use std::borrow::Cow;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::Closing;
 use oilwedge_reynolds::quantities::load::{load, load_change, load_touching};
-use oilwedge_reynolds::solve::{FilmStart, Neighbour};
-use oilwedge_reynolds::{FilmChange, FilmProblem, JournalChange, JournalState, MixedChange, NoFilm, SolvedFilm};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{
+    FilmChange, FilmProblem, FilmStart, JournalChange, JournalState, MixedChange, NoFilm, SolvedFilm,
+};
 
 use crate::coordinates::{Vector, moved, unit};
 use crate::deflection::{Bordered, Follower, Joint, Left, Moves, NEARLY, contact_points, settled};

@@ -209,6 +209,8 @@ impl Search<'_> {
                 match self.open(problem, at, FilmSolve::Settled(Neighbour::None), self.left_at_balance()) {
                     // Without a supply there is no film anywhere.
                     Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {}
+                    // Beyond the viscosity law there is none either.
+                    Ok(trial) if !trial.film.is_within_law() => {}
                     other => return other,
                 }
             }

@@ -12,7 +12,7 @@ use oilwedge_fem::LinearSolver;
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::nested::Nested;
 
-use crate::solve::Steps;
+use crate::film_start::Steps;
 use crate::{Form, NoFilm, SolvedFilm};
 
 impl SolvedFilm {

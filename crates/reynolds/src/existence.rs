@@ -177,15 +177,24 @@ impl SolvedFilm {
     /// # Errors
     /// The law has no pressure for the film, or it is so near to the limit that the mesh does not tell.
     pub fn accepted(self, law: &PressureLaw) -> Result<Self, NoFilm> {
-        let PressureLaw::Saturating(tried) = &self.problem.lubricant.pressure_law else {
+        if !matches!(self.problem.lubricant.pressure_law, PressureLaw::Saturating(_)) {
             return Ok(self);
-        };
-        let is_exact = tried.is_exact(self.greatest_unknown().value);
+        }
+        let is_exact = self.is_within_law();
         let lubricant = Lubricant { pressure_law: law.clone(), ..self.problem.lubricant };
         let film = Self { problem: FilmProblem { lubricant, ..self.problem }, ..self };
         match is_exact {
             true => Ok(film),
             false => Err(film.beyond(law.limit())),
+        }
+    }
+
+    /// Whether the viscosity law of its oil has a pressure for a film that was [tried](FilmProblem::tried): one that
+    /// saturates has every pressure.
+    pub fn is_within_law(&self) -> bool {
+        match &self.problem.lubricant.pressure_law {
+            PressureLaw::Saturating(tried) => tried.is_exact(self.greatest_unknown().value),
+            _ => true,
         }
     }
 

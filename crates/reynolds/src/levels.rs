@@ -15,8 +15,8 @@ use oilwedge_mesh::locate::Locator;
 use oilwedge_mesh::quality::lies_in_rows;
 use rayon::prelude::*;
 
+use crate::film_start::FilmStart;
 use crate::film_thickness::FilmContribution;
-use crate::solve::FilmStart;
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem, SolvedFilm};
 

@@ -8,7 +8,8 @@ use oilwedge_fem::newton::Failure;
 
 use crate::cavitation;
 use crate::film_law::FilmLaw;
-use crate::solve::{FilmStart, Neighbour};
+use crate::film_start::FilmStart;
+use crate::solve::Neighbour;
 use crate::{FilmChange, FilmProblem, FilmSolution, JournalChange, NoFilm, SolvedFilm};
 
 /// First-order change of a film at each dof: of the unknown [Pa] or, in the cavity of a film that conserves oil, of the

@@ -7,23 +7,11 @@ use oilwedge_fem::newton::{self, Equation, Failure};
 use oilwedge_fem::{Constraints, Error, LinearSolver};
 
 use crate::film_law::FilmLaw;
+use crate::film_start::{FilmStart, Steps};
 use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm, SolvedFilm};
 
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
-
-/// How many steps a film whose cavity is sought takes, each with one factorisation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Steps {
-    /// As many as it needs until no dof is on the wrong side.
-    UntilSettled,
-    /// One, with the cavity of its start.
-    One,
-}
-
-/// What one step of a film starts from: the unknown, and the cavity with which it is solved.
-#[derive(Debug, Clone)]
-pub struct FilmStart(pub(crate) InitialGuess);
 
 /// A film of the same system to start from.
 #[derive(Debug, Clone, Copy)]

@@ -77,7 +77,7 @@ fn headlines_stand_first_and_the_verdict_last() {
     for other in [" MPa", " kPa", " GPa", "┆ Pa "] {
         assert!(!told.stdout.contains(other) && !told.stderr.contains(other), "{other}");
     }
-    let all = bench.run(&["solve", "bearing.toml", "--all"]);
+    let all = bench.run(&["solve", "bearing.toml", "--all", "--curve"]);
     for name in ["load_x", "sommerfeld_number", "friction_coefficient", "heat_carried", "carried off [W]"] {
         assert!(all.stdout.contains(name) && !told.stdout.contains(name), "{name}");
     }

@@ -33,7 +33,7 @@ inlet = "80 C"
 fn told(bench: &Bench, from: &str, to: &str) -> (i32, Value, String) {
     assert!(RING.contains(from), "{from}");
     std::fs::write(bench.path().join("ring.toml"), RING.replacen(from, to, 1)).expect("written");
-    let told = bench.run(&["solve", "ring.toml", "--json"]);
+    let told = bench.run(&["solve", "ring.toml", "--json", "--curve"]);
     let result = if told.stdout.is_empty() { Value::Null } else { object(&told.stdout) };
     (told.status, result, told.stderr)
 }

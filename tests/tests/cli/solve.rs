@@ -40,6 +40,7 @@ fn check_keys(result: &Value) {
     let counts = [
         "bars",
         "factorisations",
+        "films",
         "levels",
         "linear_solves",
         "nonlinear_iterations",

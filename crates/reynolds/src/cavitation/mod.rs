@@ -19,8 +19,8 @@ pub(crate) use jfo::{
     Carriage, PointChanges, cell_volumes, check_supply, held_volume, oil_carried, residual_changes, spread, work,
 };
 
+use crate::film_start::Steps;
 use crate::lubricant::PressureLaw;
-use crate::solve::Steps;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 /// The closure.

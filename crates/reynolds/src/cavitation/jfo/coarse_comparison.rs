@@ -10,7 +10,7 @@ use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::InitialGuess;
 
 use super::solve;
-use crate::solve::Steps;
+use crate::film_start::Steps;
 use crate::{FilmSystem, NoFilm, SolvedFilm};
 
 impl FilmSystem {

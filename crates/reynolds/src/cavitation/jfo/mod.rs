@@ -49,7 +49,7 @@ pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, oil_carried, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::solve::Steps;
+use crate::film_start::Steps;
 use crate::{FilmProblem, FilmSolution, FilmSystem, SolvedFilm, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
