@@ -71,11 +71,6 @@ impl ShaftView {
         ShaftScene::parse(&self.result.head.scene, Path::new("scene.toml")).ok()
     }
 
-    /// Its title.
-    pub fn title(&self) -> &str {
-        &self.result.head.title
-    }
-
     /// Its bearings along the axis.
     pub fn bearings(&self) -> &[BearingReport] {
         &self.result.bearings

@@ -72,14 +72,6 @@ impl DrawnFilm {
         self.result.geometry.radius
     }
 
-    pub(crate) fn speed(&self) -> f64 {
-        self.result.geometry.speed
-    }
-
-    pub(crate) fn is_ring(&self) -> bool {
-        self.result.geometry.arc.is_none()
-    }
-
     /// Angles [rad] between which the liner is drawn.
     pub(crate) fn angles(&self) -> [f64; 2] {
         self.liner.angles()

@@ -163,7 +163,7 @@ fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, (shape, outer)
         let back = shape.arc(axes, [to, from], inwards);
         axes.arc(outer, from, to).into_iter().chain(back).collect()
     };
-    match film.is_ring() {
+    match film.result.geometry.arc.is_none() {
         true => {
             figure.disc(axes.centre, outer, SHELL, Pen::new(0.8, INK));
             match shape.radii.is_empty() {
@@ -207,10 +207,10 @@ fn draw_motion(figure: &mut Figure, film: &DrawnFilm, axes: Polar, radius: f64) 
     let load = film.quantity(&LOAD_ANGLE).map(f64::to_radians);
     let attitude = film.quantity(&ATTITUDE_ANGLE).map(f64::to_radians);
     let towards = film.position().map_or(0.0, |[_, angle]| angle);
-    if film.speed() != 0.0 {
+    if film.result.geometry.speed != 0.0 {
         // Across from the load, where nothing else is drawn.
         let middle = load.map_or(towards, |load| load + 0.5 * attitude.unwrap_or(0.0)) + TAU / 2.0;
-        let half = 0.6 * film.speed().signum();
+        let half = 0.6 * film.result.geometry.speed.signum();
         let arc = axes.arc(0.62 * radius, middle - half, middle + half);
         figure.line(&arc, Pen::new(1.0, INK));
         if let [.., from, tip] = arc.as_slice() {

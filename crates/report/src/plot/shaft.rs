@@ -77,7 +77,7 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
     let letters = Letters::sized(SMALLEST_LETTERS);
     let top = MARGIN + Letters::default().line() + 1.5 * letters.line();
     let drawn = Drawn { shaft, radius, throws, journal, scale, origin: [MARGIN - scale * from, top + scale * half] };
-    let title = format!("{}: the shaft", view.title());
+    let title = format!("{}: the shaft", view.result.head.title);
     let description = "the shaft to scale from the side, with its bearings, and along its axis, with its throws";
     let mut figure = Figure::new([width, 0.0], &title, description);
     let head = Letters::default().bold();

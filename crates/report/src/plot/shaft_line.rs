@@ -29,7 +29,7 @@ pub(super) fn shaft_line(view: &ShaftView, width: f64) -> Option<Figure> {
     ];
     let charts: Vec<Chart> = planes.iter().map(|plane| chart(view.bearings(), line, plane)).collect();
     let when = line.crank_angle_deg.map_or(String::new(), |angle| format!(" at {angle:.0} deg, where a film is least"));
-    Some(charts_figure(&format!("The shaft bent{when}: {}", view.title()), &charts, 2, width))
+    Some(charts_figure(&format!("The shaft bent{when}: {}", view.result.head.title), &charts, 2, width))
 }
 
 fn chart(bearings: &[BearingReport], line: &ShaftDeflection, plane: &Plane) -> Chart {
