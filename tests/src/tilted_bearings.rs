@@ -68,7 +68,7 @@ pub fn run(text: &str) -> RunResult {
 /// # Panics
 /// If it has none of that name, or no bar.
 pub fn quantity(result: &RunResult, name: &str) -> [f64; 2] {
-    let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+    let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.head.reason));
     [quantity.value, quantity.error().unwrap_or_else(|| panic!("no bar of {name}"))]
 }
 

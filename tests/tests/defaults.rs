@@ -40,7 +40,7 @@ fn value(result: &RunResult, row: &Row) -> f64 {
 fn what_an_engineer_reads_is_known_to_two_percent() {
     let oil = "oil = { grade = \"SAE 5W-30\", temperature = \"100 C\" }";
     let film = result(&main_bearing("3000 rpm", oil));
-    assert_eq!(film.status, Status::Converged);
+    assert_eq!(film.head.status, Status::Converged);
     for row in [&PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW, &FRICTION_TORQUE] {
         let quantity = film.quantity(row).expect("a number");
         let bar = quantity.error().expect("a bar");
@@ -65,7 +65,7 @@ fn a_bar_that_stays_wide_has_a_warning() {
     assert!(quantity.error().expect("a bar") > 0.02 * quantity.value);
     let told = film.warnings.iter().find(|warning| *warning.kind == warning::WIDE_BAR);
     assert!(told.is_some_and(|told| told.text.contains("pressure_max")), "{:?}", film.warnings);
-    assert_eq!(film.status, Status::Converged, "what is required is met");
+    assert_eq!(film.head.status, Status::Converged, "what is required is met");
 }
 
 /// A shell that is thinnest at its edge loses hardly any oil at its ends: that number is the least certain, and no mesh
@@ -84,7 +84,7 @@ cavitation = { model = "reynolds" }
     let quantity = film.quantity(&SIDE_FLOW).expect("a side flow");
     let is_wide = quantity.error().expect("a bar") > 0.02 * quantity.value.abs();
     let told = (film.warnings.iter()).any(|told| *told.kind == warning::WIDE_BAR && told.text.contains("side_flow"));
-    assert_eq!((film.status, is_wide, told), (Status::Converged, true, true), "{:?}", film.warnings);
+    assert_eq!((film.head.status, is_wide, told), (Status::Converged, true, true), "{:?}", film.warnings);
 }
 
 #[test]
@@ -104,7 +104,7 @@ cavitation = { model = "reynolds" }
 fn a_heat_balance_takes_few_positions() {
     let heat = "oil = { grade = \"SAE 5W-30\" }\nheat = { inlet = \"72.5 C\" }\nmesh = { size = \"3 mm\" }";
     let warm = result(&main_bearing("5000 rpm", heat));
-    assert_eq!(warm.status, Status::Converged, "{:?}", warm.reason);
+    assert_eq!(warm.head.status, Status::Converged, "{:?}", warm.head.reason);
     let counts = warm.counts;
     assert!(counts.position_steps <= 40 && counts.temperature_steps <= 14, "{counts:?}");
     assert!(warm.balances.thermal < 1e-7 && warm.balances.force < 1e-8, "{:?}", warm.balances);

@@ -22,7 +22,7 @@ fn an_as_printed_film_has_bars_up_to_its_fold() {
     let at = |speed_of: &str| text.replace(&speed, &format!("speed = \"{speed_of}\""));
     for (speed, known) in [("36 rad/s", Some(144.42)), ("36.6 rad/s", None)] {
         let film = result(&at(speed), &folder, &RunOptions::default());
-        assert_eq!(film.status, Status::Converged, "{speed}: {:?}", film.reason);
+        assert_eq!(film.head.status, Status::Converged, "{speed}: {:?}", film.head.reason);
         let quantity = film.quantity(&LOAD_COEFFICIENT).expect("C_w");
         let bar = quantity.error().expect("a bar");
         assert!(bar < 1e-3 * quantity.value, "{speed}: {} +- {bar}", quantity.value);
@@ -30,7 +30,7 @@ fn an_as_printed_film_has_bars_up_to_its_fold() {
         assert!(known.is_none_or(|known| (quantity.value - known).abs() < 0.01), "{}", quantity.value);
     }
     let beyond = result(&at("37 rad/s"), &folder, &RunOptions::default());
-    assert!(beyond.status != Status::Converged);
+    assert!(beyond.head.status != Status::Converged);
 }
 
 fn pad(arc: &str, journal: &str, rest: &str) -> String {
@@ -51,7 +51,7 @@ fn a_load_towards_the_edge_of_an_arc_is_carried() {
     let arc = "{ from = \"200 deg\", to = \"340 deg\" }";
     let load = "load = { force = \"1990 N\", angle = \"205.9 deg\" }";
     let found = result(&pad(arc, "speed = \"3000 rpm\"", load), Path::new("."), &RunOptions::default());
-    assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+    assert_eq!(found.head.status, Status::Converged, "{:?}", found.head.reason);
     let eps = found.quantity(&ECCENTRICITY).expect("eps").value;
     assert!((eps - 0.884).abs() < 0.01, "{eps}");
     let fine = format!("{load}\nmesh = {{ size = \"2 mm\" }}");
@@ -67,7 +67,7 @@ fn a_pad_without_load_ends_on_few_triangles() {
     let arc = "{ from = \"10 deg\", to = \"170 deg\" }";
     let journal = "speed = \"3000 rpm\", eccentricity = 0.6, min_film_angle = \"340 deg\"";
     let film = result(&pad(arc, journal, ""), Path::new("."), &RunOptions::default());
-    assert_eq!(film.status, Status::Converged, "{:?}", film.reason);
+    assert_eq!(film.head.status, Status::Converged, "{:?}", film.head.reason);
     assert!(film.mesh.cells < 5_000, "{} triangles", film.mesh.cells);
     assert!(film.quantity(&LOAD).is_some_and(|load| load.value < 10.0));
 }

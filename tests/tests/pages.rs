@@ -3,20 +3,19 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use oilwedge_report::page::film_page;
+use oilwedge_report::page::{Extras, film_page};
+use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::oilwedge_command;
 use oilwedge_tests::scenes::{variant, written};
-use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 /// The result of a scene, and its page.
-fn paged(name: &str) -> (Value, String) {
+fn paged(name: &str) -> (RunResult, String) {
     let run = run(&variant(name, |_| {}), &RunOptions::default()).expect("a film");
-    let result = serde_json::to_value(&run.result).expect("JSON");
-    let page = film_page(&result, run.picture.as_ref()).expect("a page");
-    (result, page)
+    let page = film_page(&run.result, run.picture.as_ref(), Extras::default()).expect("a page");
+    (run.result, page)
 }
 
 /// What stands between two marks, each time.
@@ -34,6 +33,7 @@ fn timeless(page: &str) -> String {
 #[test]
 fn the_page_of_the_engine_bearing_is_whole_small_and_alone() {
     let (result, page) = paged("17_engine_main_bearing");
+    let result = serde_json::to_value(&result).expect("JSON");
     assert!(page.len() < 1_000_000, "{} bytes", page.len());
     for other in ["url(http", "<link", "<img", "<iframe", "@import", "fetch(", "eval(", " src="] {
         assert!(!page.contains(other), "{other}");
@@ -85,7 +85,7 @@ fn the_header_is_the_verdict() {
              [oil]\ngrade = 'SAE 30'\n[heat]\ninlet = '60 C'\n[cavitation]\nmodel = 'reynolds'\n{limits}"
         ));
         let run = run(&scene, &RunOptions::of(&scene)).expect("a film");
-        film_page(&serde_json::to_value(&run.result).expect("JSON"), None).expect("a page")
+        film_page(&run.result, None, Extras::default()).expect("a page")
     };
     let limited = page("[criteria]\nfilm_min = '11 um'\npressure_max = '1 bar'\n");
     let header = between(&limited, "<header>", "</header>")[0];
@@ -127,9 +127,9 @@ fn the_same_results_give_the_same_page_but_for_its_wall_times() {
 #[test]
 fn titles_cannot_break_out_of_the_page() {
     let mut result = paged("01_plain_ring").0;
-    result["title"] = "</title><script>alert(1)</script>".into();
-    result["scene"] = "title = \"</pre><script>alert(2)</script>\"".into();
-    let page = film_page(&result, None).expect("a page");
+    result.head.title = "</title><script>alert(1)</script>".into();
+    result.head.scene = "title = \"</pre><script>alert(2)</script>\"".into();
+    let page = film_page(&result, None, Extras::default()).expect("a page");
     assert!(!page.contains("<script>alert"), "not escaped");
 }
 

@@ -8,18 +8,20 @@ use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_study::film_lines::{REFORMATION, RUPTURE};
 use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::quantities::MIN_FILM_ANGLE;
+use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::variant;
 
-fn solved(name: &str, unrolled: bool) -> (serde_json::Value, FilmPicture) {
+fn solved(name: &str, unrolled: bool) -> (RunResult, FilmPicture) {
     let options = RunOptions { bars: false, unrolled, ..RunOptions::default() };
     let run = run(&variant(name, |_| {}), &options).expect("a film");
-    (serde_json::to_value(&run.result).expect("JSON"), run.picture.expect("a picture"))
+    (run.result, run.picture.expect("a picture"))
 }
 
-fn svgs(result: serde_json::Value, picture: &FilmPicture, width: f64) -> Vec<(String, String)> {
+fn svgs(result: RunResult, picture: &FilmPicture, width: f64) -> Vec<(String, String)> {
     let film = DrawnFilm::new(result, picture).expect("a film to draw");
     let options = PlotOptions { selected: Vec::new(), width };
     let figures = film_figures(&film, &options).expect("pictures");
@@ -90,8 +92,8 @@ fn tension_is_drawn_in_the_diverging_map_and_a_film_of_one_sign_is_not() {
 #[test]
 fn the_film_breaks_behind_its_thinnest_place() {
     let (result, picture) = solved("11_swift_stieber_ring", true);
-    let radius = result["geometry"]["radius"].as_f64().expect("a radius");
-    let thinnest = result["quantities"]["min_film_angle"]["value"].as_f64().expect("an angle");
+    let radius = result.geometry.radius;
+    let thinnest = result.quantity(&MIN_FILM_ANGLE).expect("an angle").value;
     let line = |name: &str| picture.lines.iter().find(|(other, _)| other == name).map(|(_, pieces)| pieces.clone());
     let rupture = line(RUPTURE).expect("a rupture");
     for piece in rupture.iter().flatten() {
@@ -100,11 +102,11 @@ fn the_film_breaks_behind_its_thinnest_place() {
     }
     let extent = rupture.iter().flatten().map(|point| point[1]);
     let length = extent.clone().fold(f64::NEG_INFINITY, f64::max) - extent.fold(f64::INFINITY, f64::min);
-    assert!(length > 0.8 * result["geometry"]["length"].as_f64().expect("a length"));
+    assert!(length > 0.8 * result.geometry.length);
     let (result, full) = solved("02_flexpde_shell", true);
     assert_eq!(full.lines.len(), 1, "a full film has only the rim of its hole");
     assert!(full.lines[0].0.starts_with("rim."), "{}", full.lines[0].0);
-    assert!(result["geometry"]["arc"].is_array());
+    assert!(result.geometry.arc.is_some());
     let (_, conserving) = solved("17_engine_main_bearing", true);
     let has = |name: &str| conserving.lines.iter().any(|(other, _)| other == name);
     assert!(has(RUPTURE) && has(REFORMATION));

@@ -1,17 +1,12 @@
 //! Numbers beside numbers: other answers that stand beside a result, in its file and on the terminal.
 
-use ciborium::Value;
 use oilwedge_study::quantities::{Quantity, Row};
-use oilwedge_study::result::Status;
 
-/// A record of the result file, its entries in their order.
-pub type Record = Value;
+use crate::records::{Compared, Records};
 
 /// Further answers beside a film: the film without each effect, by other theories, or by a standard.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AddOn {
-    /// Key of the add-on in the result file.
-    pub key: &'static str,
     /// One sentence about what is compared.
     pub title: String,
     /// What the film is called here, as `all effects`.
@@ -23,7 +18,7 @@ pub struct AddOn {
     /// Reasons and conclusions, in sentences.
     pub notes: Vec<String>,
     /// Record of the add-on in the result file.
-    pub record: Record,
+    pub record: Records,
 }
 
 /// One other answer, number beside number.
@@ -93,19 +88,28 @@ impl Comparison {
     }
 }
 
-/// An object of the result file, its entries in this order.
-pub(crate) fn object<'a>(entries: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
-    Value::Map(entries.into_iter().map(|(name, value)| (name.into(), value)).collect())
+impl Records {
+    /// Those of add-ons together.
+    pub fn of(add_ons: &[AddOn]) -> Self {
+        add_ons.iter().map(|it| it.record.clone()).fold(Self::default(), |all, it| Self {
+            cost: it.cost.or(all.cost),
+            standard: it.standard.or(all.standard),
+            theories: it.theories.or(all.theories),
+            mobility: it.mobility.or(all.mobility),
+        })
+    }
 }
 
-/// A value that may be absent: `null` then.
-pub(crate) fn nullable(value: Option<impl Into<Value>>) -> Value {
-    value.map_or(Value::Null, Into::into)
-}
-
-/// How a run ended, and why if it did not converge.
-pub(crate) fn ending(status: Status, reason: &Option<String>) -> [(&'static str, Value); 2] {
-    [("status", status.name().into()), ("reason", nullable(reason.clone()))]
+/// Comparisons as the result file has them: `numbers` of each, by the names of the quantities.
+pub(crate) fn by_name<T>(
+    comparisons: &[Comparison],
+    numbers: impl Fn(&Comparison) -> Option<T>,
+) -> Vec<(String, Compared<T>)> {
+    let entry = |it: &Comparison| {
+        let (symbol, unit) = (it.row.symbol.to_owned(), it.row.unit.name().to_owned());
+        Some((it.row.name.to_owned(), Compared { symbol, unit, numbers: numbers(it)? }))
+    };
+    comparisons.iter().filter_map(entry).collect()
 }
 
 #[cfg(test)]

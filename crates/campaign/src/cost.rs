@@ -2,7 +2,6 @@
 //!
 //! The drag of a journal counts as an effect only where feeds drive the oil too. A load is none: it is an input.
 
-use ciborium::Value;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::effects::{Effect, present};
@@ -11,7 +10,8 @@ use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
 
-use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
+use crate::add_on::{AddOn, Alternative, Comparison, by_name};
+use crate::records::{Change, CostRecord, Records};
 
 /// Runs of one scene at most, of which the median time is reported.
 const RUNS: usize = 9;
@@ -20,11 +20,8 @@ const ENOUGH: f64 = 1.0;
 
 /// The run without one effect, beside that with all.
 struct EffectCost {
-    effect: &'static Effect,
-    status: Status,
-    reason: Option<String>,
-    changes: Vec<Comparison>,
-    seconds: [f64; 2],
+    record: CostRecord,
+    comparisons: Vec<Comparison>,
 }
 
 /// Runs `scene` without each of its effects; `result` is that of the scene itself, with the same options.
@@ -41,7 +38,6 @@ pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> 
     let costs = variants.into_iter().map(|(effect, without)| cost(effect, &without, scene, run_with));
     let costs: Vec<EffectCost> = costs.collect();
     Ok(AddOn {
-        key: "cost",
         title: match costs.is_empty() {
             true => "effects   none can be left out",
             false => "the film without each effect, and in brackets its difference from the film with all of them",
@@ -51,7 +47,7 @@ pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> 
         alternatives: costs.iter().map(EffectCost::alternative).collect(),
         lists: Vec::new(),
         notes: notes(&costs, result.bars),
-        record: Value::Array(costs.iter().map(EffectCost::record).collect()),
+        record: Records { cost: Some(costs.into_iter().map(|cost| cost.record).collect()), ..Records::default() },
     })
 }
 
@@ -63,89 +59,79 @@ fn cost(
     run_with: (&RunOptions, &RunResult, f64),
 ) -> EffectCost {
     let (options, with, seconds) = run_with;
-    let mut cost = EffectCost {
-        effect,
+    let mut record = CostRecord {
+        effect: effect.name.to_owned(),
+        instead: effect.instead.to_owned(),
         status: Status::NoSolution,
         reason: unfit(without),
         changes: Vec::new(),
-        seconds: [seconds, 0.0],
+        could_be_left_out: Some(false),
+        seconds_with: seconds,
+        seconds_without: 0.0,
     };
-    if cost.reason.is_some() {
-        return cost;
+    if record.reason.is_some() {
+        return EffectCost { record, comparisons: Vec::new() };
     }
     let found = run(without, options).and_then(|found| {
-        cost.seconds[1] = median_seconds(without, options, &found.result)?;
+        record.seconds_without = median_seconds(without, options, &found.result)?;
         Ok(found.result)
     });
-    match found {
-        Ok(result) => {
-            cost.changes = changes(scene, with, &result);
-            cost.status = result.status;
-            cost.reason = result.reason;
-        }
-        Err(error) => cost.reason = Some(error.to_string()),
-    }
-    cost
+    let comparisons = found.as_ref().map_or_else(|_| Vec::new(), |found| changes(scene, with, found));
+    (record.status, record.reason) = match found {
+        Ok(found) => (found.head.status, found.head.reason),
+        Err(error) => (record.status, Some(error.to_string())),
+    };
+    EffectCost::of(record, comparisons)
 }
 
 impl EffectCost {
-    /// Whether nothing changes beyond the error bars; `None` where bars that could decide are missing.
-    fn could_be_left_out(&self) -> Option<bool> {
-        let stays = |it: &Comparison| match (it.surplus(), it.error()) {
-            (None, _) => Some(false),
-            (Some(change), error) => error.map(|error| change.abs() <= error),
+    /// Fills the comparisons into the record.
+    fn of(record: CostRecord, comparisons: Vec<Comparison>) -> Self {
+        let change = |it: &Comparison| {
+            Some(Change {
+                with: it.film.map(|film| film.value),
+                without: it.other.map(|other| other.value),
+                change: it.surplus(),
+                error: it.error(),
+            })
         };
-        let answers: Vec<_> = self.changes.iter().map(stays).collect();
-        match answers.contains(&Some(false)) || answers.is_empty() {
-            true => Some(false),
-            false => answers.into_iter().collect::<Option<Vec<_>>>().map(|_| true),
-        }
+        let changes = by_name(&comparisons, change);
+        let record = CostRecord { changes, could_be_left_out: could_be_left_out(&comparisons), ..record };
+        Self { record, comparisons }
     }
 
     fn alternative(&self) -> Alternative {
         Alternative {
-            name: format!("without {}", self.effect.name),
-            comparisons: self.changes.clone(),
-            seconds: Some(self.seconds),
+            name: format!("without {}", self.record.effect),
+            comparisons: self.comparisons.clone(),
+            seconds: Some([self.record.seconds_with, self.record.seconds_without]),
         }
     }
+}
 
-    fn record(&self) -> Value {
-        let change = |it: &Comparison| {
-            object([
-                ("symbol", it.row.symbol.into()),
-                ("unit", it.row.unit.name().into()),
-                ("with", nullable(it.film.map(|film| film.value))),
-                ("without", nullable(it.other.map(|other| other.value))),
-                ("change", nullable(it.surplus())),
-                ("error", nullable(it.error())),
-            ])
-        };
-        let changes = self.changes.iter().map(|it| (it.row.name, change(it)));
-        let [status, reason] = ending(self.status, &self.reason);
-        object([
-            ("effect", self.effect.name.into()),
-            ("instead", self.effect.instead.into()),
-            status,
-            reason,
-            ("changes", object(changes)),
-            ("could_be_left_out", nullable(self.could_be_left_out())),
-            ("seconds_with", self.seconds[0].into()),
-            ("seconds_without", self.seconds[1].into()),
-        ])
+/// Whether nothing changes beyond the error bars; `None` where bars that could decide are missing.
+fn could_be_left_out(changes: &[Comparison]) -> Option<bool> {
+    let stays = |it: &Comparison| match (it.surplus(), it.error()) {
+        (None, _) => Some(false),
+        (Some(change), error) => error.map(|error| change.abs() <= error),
+    };
+    let answers: Vec<_> = changes.iter().map(stays).collect();
+    match answers.contains(&Some(false)) || answers.is_empty() {
+        true => Some(false),
+        false => answers.into_iter().collect::<Option<Vec<_>>>().map(|_| true),
     }
 }
 
 /// Why there is no film without an effect, and which effects make no difference.
 fn notes(costs: &[EffectCost], bars: bool) -> Vec<String> {
     let named = |answer: Option<bool>| {
-        let named = costs.iter().filter(|cost| cost.could_be_left_out() == answer);
-        let names: Vec<&str> = named.map(|cost| cost.effect.name).collect();
+        let named = costs.iter().filter(|cost| cost.record.could_be_left_out == answer);
+        let names: Vec<&str> = named.map(|cost| cost.record.effect.as_str()).collect();
         (!names.is_empty()).then(|| names.join(", "))
     };
-    let reason = |cost: &EffectCost| {
-        let reason = cost.reason.as_ref()?;
-        Some(format!("without {} ({}): {reason}", cost.effect.name, cost.effect.instead))
+    let reason = |EffectCost { record, .. }: &EffectCost| {
+        let reason = record.reason.as_ref()?;
+        Some(format!("without {} ({}): {reason}", record.effect, record.instead))
     };
     let negligible =
         named(Some(true)).map(|names| format!("could be left out: {names} (no change exceeds the error bars)"));
@@ -202,13 +188,18 @@ mod tests {
         let change = |&(change, error): &(f64, _)| {
             Comparison::between(Some(&load(10.0 + change, error)), Some(&load(10.0, Some(0.0))))
         };
-        EffectCost {
-            effect: EFFECTS.iter().find(|effect| effect.name == "barus").expect("a row"),
+        let barus = EFFECTS.iter().find(|effect| effect.name == "barus").expect("a row");
+        let record = CostRecord {
+            effect: barus.name.to_owned(),
+            instead: barus.instead.to_owned(),
             status: Status::Converged,
             reason: None,
-            changes: changes.iter().filter_map(change).collect(),
-            seconds: [0.03, 0.012],
-        }
+            changes: Vec::new(),
+            could_be_left_out: None,
+            seconds_with: 0.03,
+            seconds_without: 0.012,
+        };
+        EffectCost::of(record, changes.iter().filter_map(change).collect())
     }
 
     #[test]
@@ -275,17 +266,17 @@ oil = { viscosity = "0.4 Pa.s" }
             (&[(0.5, Some(0.25)), (0.0, None)], Some(false)),
             (&[], Some(false)),
         ] {
-            assert_eq!(cost(changes).could_be_left_out(), wanted, "{changes:?}");
+            assert_eq!(cost(changes).record.could_be_left_out, wanted, "{changes:?}");
         }
-        let mut lost = cost(&[(0.0, Some(9.0))]);
-        lost.changes[0].other = None;
-        assert_eq!(lost.could_be_left_out(), Some(false));
+        let mut lost = cost(&[(0.0, Some(9.0))]).comparisons;
+        lost[0].other = None;
+        assert_eq!(could_be_left_out(&lost), Some(false));
     }
 
     #[test]
     fn notes_name_reasons_and_what_could_be_left_out() {
         let mut hopeless = cost(&[]);
-        hopeless.reason = Some("nothing carries the oil".into());
+        hopeless.record.reason = Some("nothing carries the oil".into());
         let found = notes(&[cost(&[(0.0, Some(0.0))]), cost(&[(1.0, Some(0.0))]), hopeless], true);
         assert_eq!(found.len(), 2);
         assert!(found[0].contains("without barus (constant viscosity): nothing carries the oil"));

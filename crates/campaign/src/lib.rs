@@ -6,15 +6,17 @@ pub mod characteristics;
 pub mod convergence;
 mod cost;
 mod mobility;
+pub mod records;
 mod standard;
 pub mod sweep;
 mod theories;
 
-pub use add_on::{AddOn, Alternative, Comparison, Estimate, Record};
+pub use add_on::{AddOn, Alternative, Comparison, Estimate};
 pub use characteristics::characteristics;
 pub use convergence::converge;
 pub use cost::effect_costs;
 pub use mobility::mobility;
+pub use records::Records;
 pub use standard::standard;
 pub use theories::theories;
 

@@ -1,6 +1,5 @@
 //! An orbit by maps of its film: the short-film map and that of the finite film, beside the orbit of the film itself.
 
-use ciborium::Value;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::orbit::{ByMap, OrbitPath, by_maps};
@@ -9,7 +8,8 @@ use oilwedge_study::quantities::{
 };
 use oilwedge_study::result::RunResult;
 
-use crate::add_on::{AddOn, Alternative, Comparison, nullable, object};
+use crate::add_on::{AddOn, Alternative, Comparison, by_name};
+use crate::records::{MapNumber, MapRecord, Records};
 
 /// The numbers that are compared.
 const COMPARED: [&Row; 3] =
@@ -30,11 +30,10 @@ pub fn mobility(scene: &Scene, result: &RunResult, path: &OrbitPath) -> Result<A
     let records = found.iter().zip(&alternatives).map(|(orbit, it)| record(orbit, it));
     let reasons = orbits.iter().filter_map(|orbit| orbit.as_ref().err());
     Ok(AddOn {
-        key: "mobility",
         title: "the orbit by maps of the film (mobility), and in brackets the difference from that of the film"
             .to_owned(),
         film: "film",
-        record: Value::Array(records.collect()),
+        record: Records { mobility: Some(records.collect()), ..Records::default() },
         alternatives,
         lists: Vec::new(),
         notes: found.iter().map(|orbit| note(orbit)).chain(reasons.map(|reason| format!("no map: {reason}"))).collect(),
@@ -47,41 +46,24 @@ fn alternative(orbit: &ByMap, result: &RunResult, direct: f64) -> Alternative {
         Comparison::between(result.quantity(row), other)
     };
     Alternative {
-        name: format!("{} map", orbit.name),
+        name: format!("{} map", orbit.map),
         comparisons: COMPARED.iter().filter_map(comparison).collect(),
-        seconds: Some([direct, orbit.seconds[1]]),
+        seconds: Some([direct, orbit.orbit_seconds]),
     }
 }
 
 fn note(orbit: &ByMap) -> String {
     let map = match orbit.films {
         0 => "closed form".to_owned(),
-        films => format!("{films} films in {:.1} s", orbit.seconds[0]),
+        films => format!("{films} films in {:.1} s", orbit.map_seconds),
     };
     format!(
         "{} map: {map}; its orbit is at most {:.1e} of the clearance away, its film differs by at most {:.1e}",
-        orbit.name, orbit.distance, orbit.film_difference
+        orbit.map, orbit.distance, orbit.film_difference
     )
 }
 
-fn record(orbit: &ByMap, numbers: &Alternative) -> Value {
-    let quantities = numbers.comparisons.iter().filter_map(|it| {
-        let number = object([
-            ("symbol", it.row.symbol.into()),
-            ("unit", it.row.unit.name().into()),
-            ("value", it.other?.value.into()),
-            ("difference", nullable(it.difference())),
-        ]);
-        Some((it.row.name, number))
-    });
-    object([
-        ("map", orbit.name.into()),
-        ("distance", orbit.distance.into()),
-        ("film_difference", orbit.film_difference.into()),
-        ("films", (orbit.films as u64).into()),
-        ("map_seconds", orbit.seconds[0].into()),
-        ("orbit_seconds", orbit.seconds[1].into()),
-        ("closure", orbit.closure.into()),
-        ("quantities", object(quantities)),
-    ])
+fn record(orbit: &ByMap, numbers: &Alternative) -> MapRecord {
+    let number = |it: &Comparison| Some(MapNumber { value: it.other?.value, difference: it.difference() });
+    MapRecord { orbit: orbit.clone(), quantities: by_name(&numbers.comparisons, number) }
 }

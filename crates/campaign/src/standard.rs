@@ -4,7 +4,6 @@
 //! groove all around makes two bearings of the lands beside it, each with half of the load. `twin.rs` evaluates the
 //! fits, `feed.rs` finds the standard's feed.
 
-use ciborium::Value;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::{CentreVelocity, Theory};
@@ -14,13 +13,14 @@ use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::{self, Quantity, Row, VISCOSITY_EFFECTIVE};
 use oilwedge_study::result::RunResult;
 
-use crate::add_on::{AddOn, Alternative, Comparison, Estimate, nullable, object};
+use crate::add_on::{AddOn, Alternative, Comparison, Estimate};
+use crate::records::{OwnBalance, Records, StandardNumber, StandardRecord};
 
 mod feed;
 mod twin;
 
 use feed::{fed, words};
-use twin::{BALANCE_KEY, Given, NAME, Twin, own_balance};
+use twin::{Given, NAME, Twin, own_balance};
 
 /// B/D for which the fits were made.
 const SLENDERNESS: [f64; 2] = [0.25, 1.5];
@@ -36,23 +36,20 @@ pub fn standard(scene: &Scene, result: &RunResult) -> AddOn {
         (true, Some(celsius)) => oil.at(celsius + ZERO_CELSIUS).viscosity,
         _ => oil.viscosity,
     };
-    let numbers = answer(scene, result, viscosity).unwrap_or_else(|reason| Numbers {
-        notes: vec![format!("the standard has no such bearing: {reason}")],
-        ..Numbers::default()
+    let numbers = answer(scene, result, viscosity).unwrap_or_else(|reason| {
+        let notes = vec![format!("the standard has no such bearing: {reason}")];
+        Numbers { head: StandardRecord { viscosity, notes, ..StandardRecord::default() }, ..Numbers::default() }
     });
-    numbers.add_on(viscosity)
+    numbers.add_on()
 }
 
 /// What the standard gives.
 #[derive(Debug, Default)]
 struct Numbers {
-    given: Option<&'static str>,
-    feed: Option<&'static str>,
-    by_film: Option<f64>,
-    by_feed: Option<f64>,
+    /// Its record without lists of numbers.
+    head: StandardRecord,
     comparisons: Vec<Comparison>,
     balance: Vec<Quantity>,
-    notes: Vec<String>,
 }
 
 /// What the standard gives, or why it has no such bearing.
@@ -78,69 +75,66 @@ fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<Numbers, 
     let twin = Twin::of(scene, viscosity, given, &feed).ok_or("the film carries no load")?;
     let mut notes = notes(scene, &twin);
     notes.extend(feed.as_ref().err().cloned());
-    Ok(Numbers {
-        given: Some(given.name()),
-        feed: feed.as_ref().ok().and_then(|feed| Some(words(feed.as_ref()?.0))),
-        by_film: Some(twin.by_film),
-        by_feed: twin.by_feed,
-        comparisons: beside(scene, result, &twin, given),
-        balance: own_balance(scene, given, &feed),
+    let head = StandardRecord {
+        given: Some(given.name().to_owned()),
+        viscosity,
+        feed: feed.as_ref().ok().and_then(|feed| Some(words(feed.as_ref()?.0).to_owned())),
+        squeezed_flow: Some(twin.by_film),
+        pressed_flow: twin.by_feed,
         notes,
-    })
+        ..StandardRecord::default()
+    };
+    let balance = own_balance(scene, given, &feed);
+    Ok(Numbers { head, comparisons: beside(scene, result, &twin, given), balance })
 }
 
 impl Numbers {
-    fn record(&self, viscosity: f64) -> Value {
+    fn record(&self) -> StandardRecord {
         let number = |it: &Comparison| {
             let (standard, film) = (it.other?.value, it.film?);
-            Some(object([
-                ("quantity", it.row.name.into()),
-                ("unit", it.row.unit.name().into()),
-                ("standard", standard.into()),
-                ("film", film.value.into()),
-                ("error", nullable(film.error)),
-                ("difference", (standard - film.value).into()),
-            ]))
+            Some(StandardNumber {
+                quantity: it.row.name.to_owned(),
+                unit: it.row.unit.name().to_owned(),
+                standard,
+                film: film.value,
+                error: film.error,
+                difference: standard - film.value,
+            })
         };
         let balance = self.balance.iter().map(|it| match it.row == &VISCOSITY_EFFECTIVE {
-            true => ("viscosity", it.value.into()),
-            false => (it.row.name, it.value.into()),
+            true => ("viscosity".to_owned(), it.value),
+            false => (it.row.name.to_owned(), it.value),
         });
-        let notes = self.notes.iter().map(|note| note.as_str().into());
-        object([
-            ("given", nullable(self.given)),
-            ("viscosity", viscosity.into()),
-            ("feed", nullable(self.feed)),
-            ("squeezed_flow", nullable(self.by_film)),
-            ("pressed_flow", nullable(self.by_feed)),
-            ("numbers", Value::Array(self.comparisons.iter().filter_map(number).collect())),
-            (BALANCE_KEY, nullable((!self.balance.is_empty()).then(|| object(balance)))),
-            ("notes", Value::Array(notes.collect())),
-        ])
+        StandardRecord {
+            numbers: self.comparisons.iter().filter_map(number).collect(),
+            balance: (!self.balance.is_empty()).then(|| OwnBalance(balance.collect())),
+            ..self.head.clone()
+        }
     }
 
-    fn add_on(self, viscosity: f64) -> AddOn {
-        let feed = self.feed.map_or(String::new(), |feed| format!(", fed through {feed}"));
-        let title = self.given.map_or(NAME.to_owned(), |given| {
+    fn add_on(self) -> AddOn {
+        let record = self.record();
+        let StandardRecord { given, viscosity, feed, squeezed_flow, pressed_flow, notes, .. } = self.head;
+        let feed = feed.map_or(String::new(), |feed| format!(", fed through {feed}"));
+        let title = given.as_ref().map_or(NAME.to_owned(), |given| {
             format!("{NAME} at the same {given}{feed}, and in brackets its difference from this film")
         });
         let flow = |value: f64| vec![Quantity::new(&quantities::SIDE_FLOW, value)];
-        let flows = self.by_film.zip(self.by_feed).map(|(by_film, by_feed)| {
+        let flows = squeezed_flow.zip(pressed_flow).map(|(squeezed, pressed)| {
             [
-                ("its side_flow by the narrowing film, Q_3", flow(by_film)),
-                ("its side_flow by the feed pressure, Q_p", flow(by_feed)),
+                ("its side_flow by the narrowing film, Q_3", flow(squeezed)),
+                ("its side_flow by the feed pressure, Q_p", flow(pressed)),
             ]
         });
         let of_both = ("viscosity of both", vec![Quantity::new(&VISCOSITY_EFFECTIVE, viscosity)]);
-        let balance = ("with its own temperature", self.balance.clone());
-        let lists = self.given.map(|_| of_both).into_iter().chain(flows.into_iter().flatten()).chain([balance]);
+        let balance = ("with its own temperature", self.balance);
+        let lists = given.map(|_| of_both).into_iter().chain(flows.into_iter().flatten()).chain([balance]);
         AddOn {
-            key: "standard",
             title,
             film: "this film",
             lists: lists.filter(|(_, quantities)| !quantities.is_empty()).collect(),
-            record: self.record(viscosity),
-            notes: self.notes,
+            record: Records { standard: Some(record), ..Records::default() },
+            notes,
             alternatives: vec![Alternative { name: NAME.to_owned(), comparisons: self.comparisons, seconds: None }],
         }
     }
@@ -237,7 +231,10 @@ journal = {{ speed = "3000 rpm"{journal} }}
     #[test]
     fn a_ring_is_near_its_twin_at_its_eccentricity_and_under_its_load() {
         let at = twin(AT, "");
-        assert_eq!((at.given, &at.feed, &at.notes[..]), (Some("eccentricity"), &None, &[][..]));
+        assert_eq!(
+            (at.head.given.as_deref(), &at.head.feed, &at.head.notes[..]),
+            (Some("eccentricity"), &None, &[][..])
+        );
         assert!(
             off(&at, &quantities::LOAD).abs() < 0.03 && off(&at, &quantities::ATTITUDE_ANGLE).abs() < 2.0,
             "{at:?}"
@@ -248,7 +245,7 @@ journal = {{ speed = "3000 rpm"{journal} }}
         );
         let load = number(&at, &quantities::LOAD).film.expect("a load").value;
         let under = twin("", &format!("load = {{ force = \"{load} N\", angle = \"270 deg\" }}"));
-        assert_eq!(under.given, Some("load"));
+        assert_eq!(under.head.given.as_deref(), Some("load"));
         assert!(off(&under, &quantities::ECCENTRICITY).abs() < 0.02, "{under:?}");
         let thickness = number(&under, &quantities::FILM_THICKNESS_MIN).other.expect("a thickness").value;
         assert!((thickness - 7.5e-6).abs() < 5e-7);
@@ -278,9 +275,13 @@ journal = {{ speed = "3000 rpm"{journal} }}
             (groove("from = \"20 deg\", to = \"140 deg\", "), None),
         ] {
             let twin = twin(AT, &more);
-            assert_eq!(twin.feed, wanted, "{more}: {twin:?}");
+            assert_eq!(twin.head.feed.as_deref(), wanted, "{more}: {twin:?}");
             let has_flow = Comparison::of(&quantities::SIDE_FLOW, &twin.comparisons).is_some();
-            assert_eq!((has_flow, twin.notes.is_empty()), (wanted.is_some(), wanted.is_some()), "{more}: {twin:?}");
+            assert_eq!(
+                (has_flow, twin.head.notes.is_empty()),
+                (wanted.is_some(), wanted.is_some()),
+                "{more}: {twin:?}"
+            );
         }
     }
 

@@ -7,7 +7,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use ciborium::Value;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 
 use oilwedge_scene::{Position, Scene, Theory};
@@ -23,7 +22,8 @@ use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
 
-use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
+use crate::add_on::{AddOn, Alternative, Comparison, by_name};
+use crate::records::{FilmRecord, Records, TheoriesRecord, TheoryNumber};
 
 /// The numbers that are compared, those of a position under a load and of an orbit included.
 const COMPARED: [&Row; 11] = [
@@ -45,11 +45,8 @@ const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 /// The film by one theory.
 #[derive(Debug, PartialEq)]
 struct TheoryFilm {
-    theory: &'static str,
-    status: Status,
-    reason: Option<String>,
-    /// Angle [deg] of the film start that a long ring was given, where the scene has none.
-    film_start: Option<f64>,
+    /// Its record without numbers.
+    head: FilmRecord,
     /// The numbers that are compared; none where there is no film.
     quantities: Vec<Quantity>,
 }
@@ -60,21 +57,18 @@ pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> AddO
     let (films, without) = films(scene, options, result);
     let alternatives = [0, 1, 2].map(|k| films[k].beside(&films[1]));
     let slenderness = scene.bearing.length / scene.bearing.diameter;
-    let records = films.iter().zip(&alternatives).map(|(film, it)| film.record(it)).collect();
+    let notes = notes(slenderness, &without, &films);
+    let films = films.iter().zip(&alternatives).map(|(film, it)| film.record(it)).collect();
+    let without = without.into_iter().map(str::to_owned).collect();
     let [short, _, long] = alternatives;
     AddOn {
-        key: "theories",
         title: "short and long bearing theory (pressure flow along the axis only, around only), and in brackets the difference from the full film"
             .to_owned(),
         film: "full",
         alternatives: vec![short, long],
         lists: Vec::new(),
-        notes: notes(slenderness, &without, &films),
-        record: object([
-            ("slenderness", slenderness.into()),
-            ("without", Value::Array(without.into_iter().map(Value::from).collect())),
-            ("films", Value::Array(records)),
-        ]),
+        notes,
+        record: Records { theories: Some(TheoriesRecord { slenderness, without, films }), ..Records::default() },
     }
 }
 
@@ -90,6 +84,11 @@ fn films(scene: &Scene, options: &RunOptions, result: &RunResult) -> ([TheoryFil
 }
 
 impl TheoryFilm {
+    fn ended(theory: Theory, status: Status, reason: Option<String>, quantities: Vec<Quantity>) -> Self {
+        let theory = theory.name().to_owned();
+        Self { head: FilmRecord { theory, status, reason, film_start_deg: None, quantities: Vec::new() }, quantities }
+    }
+
     fn quantity(&self, row: &Row) -> Option<&Quantity> {
         self.quantities.iter().find(|it| it.row == row)
     }
@@ -100,31 +99,18 @@ impl TheoryFilm {
         let lacking = full.quantities.iter().filter(|it| self.quantity(it.row).is_none());
         let pairs = own.chain(lacking.map(|it| (Some(it), None)));
         Alternative {
-            name: self.theory.to_owned(),
+            name: self.head.theory.clone(),
             comparisons: pairs.filter_map(|(full, it)| Comparison::between(full, it)).collect(),
             seconds: None,
         }
     }
 
-    fn record(&self, numbers: &Alternative) -> Value {
-        let quantities = numbers.comparisons.iter().filter_map(|it| {
-            let number = object([
-                ("symbol", it.row.symbol.into()),
-                ("unit", it.row.unit.name().into()),
-                ("value", it.other?.value.into()),
-                ("error", nullable(it.other?.error)),
-                ("difference", nullable(it.difference())),
-            ]);
-            Some((it.row.name, number))
-        });
-        let [status, reason] = ending(self.status, &self.reason);
-        object([
-            ("theory", self.theory.into()),
-            status,
-            reason,
-            ("film_start_deg", nullable(self.film_start)),
-            ("quantities", object(quantities)),
-        ])
+    fn record(&self, numbers: &Alternative) -> FilmRecord {
+        let number = |it: &Comparison| {
+            let other = it.other?;
+            Some(TheoryNumber { value: other.value, error: other.error, difference: it.difference() })
+        };
+        FilmRecord { quantities: by_name(&numbers.comparisons, number), ..self.head.clone() }
     }
 }
 
@@ -136,12 +122,12 @@ fn notes(slenderness: f64, without: &[&'static str], films: &[TheoryFilm]) -> Ve
     }
     for film in films {
         let label = match film.quantities.is_empty() {
-            true => format!("no {} film", film.theory),
-            false => film.theory.to_owned(),
+            true => format!("no {} film", film.head.theory),
+            false => film.head.theory.clone(),
         };
-        notes.extend(film.reason.iter().map(|reason| format!("{label}: {reason}")));
+        notes.extend(film.head.reason.iter().map(|reason| format!("{label}: {reason}")));
         let start = |start| format!("{label}: the ring was given a film start at its widest gap, {start:.1} deg");
-        notes.extend(film.film_start.map(start));
+        notes.extend(film.head.film_start_deg.map(start));
     }
     let kind = match slenderness {
         low if low <= SHORT_TO => format!("a short bearing (B/D up to {SHORT_TO})"),
@@ -181,18 +167,16 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
 /// The scene by a theory that is not its own.
 fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
     let (scene, film_start) = by(scene, theory);
-    let without = |reason: String| TheoryFilm {
-        theory: theory.name(),
-        status: Status::NoSolution,
-        reason: Some(reason),
-        film_start: None,
-        quantities: Vec::new(),
-    };
+    let without = |reason: String| TheoryFilm::ended(theory, Status::NoSolution, Some(reason), Vec::new());
     if let Some(complaint) = complaints(&scene).first() {
         return without(complaint.to_string());
     }
     match run(&scene, options) {
-        Ok(found) => TheoryFilm { film_start: film_start.map(f64::to_degrees), ..film(&scene, theory, &found.result) },
+        Ok(found) => {
+            let mut film = film(&scene, theory, &found.result);
+            film.head.film_start_deg = film_start.map(f64::to_degrees);
+            film
+        }
         Err(error) => without(error.to_string()),
     }
 }
@@ -219,13 +203,8 @@ fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
 fn film(scene: &Scene, theory: Theory, result: &RunResult) -> TheoryFilm {
     let given = GIVEN[usize::from(scene.journal.load().is_some())];
     let wanted = COMPARED.iter().filter(|row| !given.contains(row));
-    TheoryFilm {
-        theory: theory.name(),
-        status: result.status,
-        reason: result.reason.clone(),
-        film_start: None,
-        quantities: wanted.filter_map(|row| result.quantity(row)).cloned().collect(),
-    }
+    let quantities = wanted.filter_map(|row| result.quantity(row)).cloned().collect();
+    TheoryFilm::ended(theory, result.head.status, result.head.reason.clone(), quantities)
 }
 
 #[cfg(test)]
@@ -246,7 +225,7 @@ cavitation = { model = "guembel" }
         let options = RunOptions { bars: false, ..RunOptions::default() };
         let result = run(&scene, &options).unwrap_or_else(|error| panic!("{error}")).result;
         let (films, without) = films(&scene, &options, &result);
-        let own = films.iter().find(|film| film.theory == scene.bearing.theory.name());
+        let own = films.iter().find(|film| film.head.theory == scene.bearing.theory.name());
         for it in own.expect("its own").quantities.iter().filter(|_| without.is_empty()) {
             assert_eq!(result.quantity(it.row), Some(it));
         }
@@ -264,7 +243,7 @@ cavitation = { model = "guembel" }
         let (all, _) = found(RING);
         let (again, _) = found(&RING.replacen("\"37.5 um\"", "\"37.5 um\", theory = \"short\"", 1));
         for (one, other) in all.iter().zip(&again) {
-            assert_eq!(value(one, &LOAD), value(other, &LOAD), "{}", one.theory);
+            assert_eq!(value(one, &LOAD), value(other, &LOAD), "{}", one.head.theory);
         }
         let scale = 0.02 * 100.0 / 1e-6 * 0.075 * 0.015;
         let ocvirk =
@@ -273,7 +252,7 @@ cavitation = { model = "guembel" }
         assert!((value(short, &LOAD) / (scale * ocvirk) - 1.0).abs() < 5e-3);
         assert!(value(short, &LOAD) > value(full, &LOAD));
         assert!(value(long, &LOAD) > 10.0 * value(full, &LOAD));
-        let start = long.film_start.expect("a film start");
+        let start = long.head.film_start_deg.expect("a film start");
         assert!((start - 20.0).abs() < 1e-9, "{start}");
         let beside = full.beside(full);
         assert!(beside.comparisons.iter().all(|it| it.difference() == Some(0.0)));
@@ -305,10 +284,10 @@ cavitation = { model = "guembel" }
             for (film, wanted) in found(&text).0.iter().zip(wanted) {
                 match wanted {
                     Some(words) => {
-                        assert!(film.quantities.is_empty() && film.status == Status::NoSolution);
-                        assert!(film.reason.as_ref().is_some_and(|it| it.contains(words)), "{film:?}");
+                        assert!(film.quantities.is_empty() && film.head.status == Status::NoSolution);
+                        assert!(film.head.reason.as_ref().is_some_and(|it| it.contains(words)), "{film:?}");
                     }
-                    None => assert!(!film.quantities.is_empty() && film.reason.is_none(), "{text}{film:?}"),
+                    None => assert!(!film.quantities.is_empty() && film.head.reason.is_none(), "{text}{film:?}"),
                 }
             }
         }

@@ -59,14 +59,14 @@ impl CharacteristicsOf {
                 }
             };
             let fit = fit(&scene, &options, &done).map_err(Failure::of(path))?;
-            if let (Some(reason), Status::Converged) = (&fit.reason, found.status) {
-                (found.status, found.reason) = (Status::NotConverged, Some(format!("fit: {reason}")));
+            if let (Some(reason), Status::Converged) = (&fit.reason, found.head.status) {
+                found.head.end(Status::NotConverged, format!("fit: {reason}"));
             }
             found.fit = Some(fit);
         }
         files::write(&folder, &found)?;
         complain::warn(&found.warnings);
         output(self.run.json, || json(&found), || characteristics_report(&found, &folder), Some(&folder))?;
-        Ok(exit_code(found.status))
+        Ok(exit_code(found.head.status))
     }
 }

@@ -13,8 +13,8 @@ const DIGITS: usize = 5;
 
 /// Everything about the characteristics of a film.
 pub(crate) fn characteristics_report(found: &Characteristics, folder: &Path) -> String {
-    let mut parts = vec![heading(&found.title, status(found.status))];
-    parts.extend(found.reason.as_ref().map(|reason| format!("reason: {}", printable(reason))));
+    let mut parts = vec![heading(&found.head.title, status(found.head.status))];
+    parts.extend(found.head.reason.as_ref().map(|reason| format!("reason: {}", printable(reason))));
     parts.extend(found.journal.as_ref().map(journal));
     if let Some(units) = found.units {
         parts.push(sixteen(found, units));

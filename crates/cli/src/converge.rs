@@ -84,13 +84,13 @@ impl Converge {
         let page = match self.page.is_wanted() {
             true => {
                 let svg = report.levels().next().is_some().then(|| convergence_figure(&study).to_svg());
-                Some(convergence_page(&plot::value(&json(report)?)?, svg.as_deref())?)
+                Some(convergence_page(report, svg.as_deref())?)
             }
             false => None,
         };
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, STUDY_PAGE_FILE, page)?;
         output(self.json, || json(report), || convergence_report(report, &folder) + &drawn, Some(&folder))?;
-        Ok(exit_code(report.status))
+        Ok(exit_code(report.head.status))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::report::PageArguments;
 use crate::terminal::{exit_code, output};
 use oilwedge_report::json;
 use oilwedge_report::orbit_course::OrbitCourse;
-use oilwedge_report::page::{PAGE_FILE, SceneFile, shaft_page_with};
+use oilwedge_report::page::{PAGE_FILE, SceneFile, shaft_page};
 use oilwedge_report::plot::{load_figures, orbit_figures, shaft_figures};
 use oilwedge_report::shaft::{ShaftBeside, write_shaft};
 use oilwedge_report::shaft_view::ShaftViews;
@@ -94,8 +94,8 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
     }
     drop(working);
     let text = json(&run.result)?;
-    let views = ShaftViews::of_runs(&run, &beside)?;
-    let page = || shaft_page_with(&views, &SceneFile::all(&scene.text, asked.scene));
+    let views = ShaftViews::of_runs(&run, &beside);
+    let page = || shaft_page(&views, &SceneFile::all(&scene.text, asked.scene));
     let page = asked.page.is_wanted().then(page).transpose()?;
     let files = write_shaft(asked.folder, &run, &beside)?;
     let pictures = drawn(asked.folder, &run, &views)? + &asked.page.written(asked.folder, PAGE_FILE, page)?;
@@ -108,7 +108,7 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
         || shaft_report(&run.result, &beside, asked.folder, (&files, &pictures)),
         Some(asked.folder),
     )?;
-    Ok(exit_code(run.result.status))
+    Ok(exit_code(run.result.head.status))
 }
 
 /// The shaft with all its bearings, and the load, the path and the film of each one over the cycle as pictures, and a
@@ -116,7 +116,7 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
 fn drawn(folder: &Path, run: &ShaftRun, views: &ShaftViews) -> Result<String, Failure> {
     let width = plot::usual().width;
     let of_bearing = |(number, bearing): (usize, &oilwedge_study::shaft::BearingPath)| {
-        let title = format!("{}, bearing {}", run.result.title, bearing.name);
+        let title = format!("{}, bearing {}", run.result.head.title, bearing.name);
         let course = OrbitCourse::of_path(&bearing.path);
         let figures =
             load_figures(&title, &bearing.load, width).into_iter().chain(orbit_figures(&title, &course, width));

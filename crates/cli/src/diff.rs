@@ -4,11 +4,12 @@ use crate::complain::Failure;
 use crate::readable::significant;
 use crate::terminal::output;
 use oilwedge_report::difference::{Changed, ChangedQuantity, Difference, of_results};
+use oilwedge_report::json;
 use oilwedge_report::readable::readable_unit_of;
 use oilwedge_report::results::RESULT_FILE;
 use oilwedge_report::tables::{printable, table};
-use oilwedge_report::{json, result_json};
 use oilwedge_study::RunOptions;
+use oilwedge_study::result::{RESULT_FORMAT, RunResult};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -55,23 +56,22 @@ impl Diff {
 }
 
 /// The result in a folder, or that of a scene.
-fn result(path: &Path) -> Result<Value, Failure> {
-    let cannot = |path: &Path, why: &dyn std::fmt::Display| {
-        Failure::Message(format!("cannot read {}: {why}; give a scene, or a folder of oilwedge solve", path.display()))
-    };
-    let value = |path: &Path, text: &str| serde_json::from_str(text).map_err(|error| cannot(path, &error));
-    if path.is_dir() {
-        let file = path.join(RESULT_FILE);
-        let text = std::fs::read_to_string(&file).map_err(|error| cannot(&file, &error))?;
-        let result: Value = value(&file, &text)?;
-        if !result["quantities"].is_object() {
-            return Err(cannot(&file, &"it is no result of oilwedge solve"));
-        }
-        return Ok(result);
+fn result(path: &Path) -> Result<RunResult, Failure> {
+    if !path.is_dir() {
+        let scene = oilwedge_study::read(path)?;
+        return Ok(oilwedge_study::run(&scene, &RunOptions::of(&scene)).map_err(Failure::of(path))?.result);
     }
-    let scene = oilwedge_study::read(path)?;
-    let run = oilwedge_study::run(&scene, &RunOptions::of(&scene)).map_err(Failure::of(path))?;
-    value(path, &result_json(&run.result, &[])?)
+    let file = path.join(RESULT_FILE);
+    let cannot = |why: &dyn std::fmt::Display| {
+        let file = file.display();
+        Failure::Message(format!("cannot read {file}: {why}; give a scene, or a folder of oilwedge solve"))
+    };
+    let text = std::fs::read_to_string(&file).map_err(|error| cannot(&error))?;
+    match serde_json::from_str::<RunResult>(&text) {
+        Ok(result) if result.head.format == RESULT_FORMAT => Ok(result),
+        Err(error) if !error.is_data() => Err(cannot(&error)),
+        _ => Err(cannot(&"it is no result of oilwedge solve")),
+    }
 }
 
 fn in_words(difference: &Difference) -> String {

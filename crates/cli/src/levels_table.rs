@@ -11,8 +11,8 @@ const SMALL: f64 = 0.02;
 
 /// Everything about a study.
 pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> String {
-    let mut parts = vec![heading(&report.title, status(report.status))];
-    if let Some(reason) = &report.reason {
+    let mut parts = vec![heading(&report.head.title, status(report.head.status))];
+    if let Some(reason) = &report.head.reason {
         parts.push(format!("reason: {}", printable(reason)));
     }
     if !report.effects.simulated.is_empty() {

@@ -5,7 +5,6 @@ use crate::terminal::print;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use oilwedge_report::kinds::{KINDS, kind};
 use oilwedge_report::{json, schema};
-use serde_json::Value;
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -90,8 +89,12 @@ fn is_ours(schema: &Path) -> bool {
     if schema.symlink_metadata().is_err() {
         return true;
     }
+    #[derive(serde::Deserialize)]
+    struct Titled {
+        title: String,
+    }
     let text = std::fs::read_to_string(schema).unwrap_or_default();
-    serde_json::from_str::<Value>(&text).is_ok_and(|value| value["title"] == schema::TITLE)
+    serde_json::from_str::<Titled>(&text).is_ok_and(|it| it.title == schema::TITLE)
 }
 
 fn exists(path: &Path) -> Failure {

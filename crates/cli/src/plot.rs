@@ -14,16 +14,16 @@ use oilwedge_report::plot::{
     self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PictureFiles, PlotOptions, Unknown, WIDTHS, film_figures, orbit_figures,
     orbits_beside, picture_files, write_pictures,
 };
-use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
-use oilwedge_report::sweep::REPORT_FILE;
+use oilwedge_report::sweep::{REPORT_FILE, SweepResult};
 use oilwedge_report::tables::printable;
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_study::RunOptions;
 use oilwedge_study::picture::FilmPicture;
-use serde_json::Value;
+use oilwedge_study::result::RunResult;
+use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -81,25 +81,38 @@ pub(crate) fn usual() -> PlotOptions {
 /// Pictures by name.
 type Figures = Vec<(String, Figure)>;
 
-/// The pictures of a film, from the text of `result.json`.
+/// The pictures of a film.
 ///
 /// # Errors
 /// [`Failure`]: a selected picture is not there.
-pub(crate) fn figures_of_film(json: &str, picture: &FilmPicture, options: &PlotOptions) -> Result<Figures, Failure> {
-    let film = DrawnFilm::new(value(json)?, picture)?;
+pub(crate) fn figures_of_film(
+    result: &RunResult,
+    picture: &FilmPicture,
+    options: &PlotOptions,
+) -> Result<Figures, Failure> {
+    let film = DrawnFilm::new(result.clone(), picture)?;
     film_figures(&film, options).map_err(unknown)
 }
 
-/// The pictures of a sweep, from the text of `sweep.json`.
+/// The pictures of a sweep.
 ///
 /// # Errors
 /// [`Failure`]: a selected quantity is not there.
-pub(crate) fn figures_of_sweep(json: &str, options: &PlotOptions) -> Result<Figures, Failure> {
-    plot::figures_of_sweep(&value(json)?, options).map_err(unknown)
+pub(crate) fn figures_of_sweep(sweep: &SweepResult, options: &PlotOptions) -> Result<Figures, Failure> {
+    plot::figures_of_sweep(sweep, options).map_err(unknown)
 }
 
-pub(crate) fn value(json: &str) -> Result<Value, Failure> {
-    serde_json::from_str(json).map_err(|error| Failure::Message(format!("the results are no JSON: {error}")))
+/// The results in the file at `path`.
+///
+/// # Errors
+/// [`Failure`]: it cannot be read, or holds something else.
+pub(crate) fn results<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
+    serde_json::from_str(&text(path)?).map_err(|error| {
+        Failure::Message(match error.is_data() {
+            true => format!("{}: the results have another form: {error}; solve the scene again", path.display()),
+            false => format!("the results are no JSON: {error}"),
+        })
+    })
 }
 
 fn unknown(Unknown { name, known }: Unknown) -> Failure {
@@ -149,13 +162,12 @@ impl Plot {
         let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;
         drop(working);
         let folder = folder(&self.out, &self.of);
-        let json = result_json(&run.result, &[])?;
         let figures = match &run.picture {
-            Some(picture) => figures_of_film(&json, picture, &self.options())?,
+            Some(picture) => figures_of_film(&run.result, picture, &self.options())?,
             None => Vec::new(),
         };
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
-        let figures = self.with_orbit(&run.result.title, course.as_ref(), figures);
+        let figures = self.with_orbit(&run.result.head.title, course.as_ref(), figures);
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = Compression::usual(&picture);
@@ -166,11 +178,11 @@ impl Plot {
         write_results(&folder, &run.result, &[], Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;
-        if let Some(reason) = &run.result.reason {
+        if let Some(reason) = &run.result.head.reason {
             text += &format!("{}\n", printable(reason));
         }
         print(&text, Some(&folder))?;
-        Ok(exit_code(run.result.status))
+        Ok(exit_code(run.result.head.status))
     }
 
     fn of_folder(&self) -> Result<ExitCode, Failure> {
@@ -185,14 +197,13 @@ impl Plot {
                     )));
                 }
                 let picture = from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?;
-                let json = text(&result)?;
-                let figures = figures_of_film(&json, &picture, &self.options())?;
+                let result: RunResult = results(&result)?;
+                let figures = figures_of_film(&result, &picture, &self.options())?;
                 let has_orbit = self.of.join(ORBIT_FILE).is_file();
                 let orbit = has_orbit.then(|| orbit_in(&self.of)).transpose()?;
-                let title = value(&json)?["title"].as_str().unwrap_or_default().to_owned();
-                self.with_orbit(&title, orbit.as_ref(), figures)
+                self.with_orbit(&result.head.title, orbit.as_ref(), figures)
             }
-            [_, true, _] => figures_of_sweep(&text(&sweep)?, &self.options())?,
+            [_, true, _] => figures_of_sweep(&results(&sweep)?, &self.options())?,
             [.., true] => return self.of_study(&study),
             _ => {
                 return Err(Failure::Message(format!(

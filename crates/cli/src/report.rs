@@ -7,17 +7,20 @@ use std::time::{Duration, Instant};
 
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::folder::replace;
+use oilwedge_report::json::ResultFile;
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::page::{
-    Extras, PAGE_FILE, STUDY_PAGE_FILE, SWEEP_PAGE_FILE, convergence_page, film_page_with, shaft_page, sweep_page,
+    Extras, PAGE_FILE, STUDY_PAGE_FILE, SWEEP_PAGE_FILE, convergence_page, film_page, shaft_page, sweep_page,
 };
 use oilwedge_report::results::{ORBIT_FILE, PICTURE_FILE, RESULT_FILE};
-use oilwedge_report::shaft_view::{ShaftViews, is_of_shaft};
+use oilwedge_report::shaft_view::ShaftViews;
 use oilwedge_report::sweep::REPORT_FILE as SWEEP_FILE;
 use oilwedge_report::vtu_read::from_vtu;
+use oilwedge_study::result::ResultHead;
+use oilwedge_study::shaft::SHAFT_FORMAT;
 
 use crate::complain::{self, Failure};
-use crate::plot::{read, text, value};
+use crate::plot::{read, results, text};
 use crate::terminal::print;
 
 /// Arguments of verbs that write results.
@@ -130,13 +133,13 @@ impl Report {
             pages.push((PAGE_FILE, self.of_result(&result)?));
         }
         if sweep.is_file() {
-            let page = sweep_page(&value(&text(&sweep)?)?).map_err(Failure::of_file(&sweep))?;
+            let page = sweep_page(&results(&sweep)?, &[]).map_err(Failure::of_file(&sweep))?;
             pages.push((SWEEP_PAGE_FILE, page));
         }
         if study.is_file() {
             let svg = study.with_extension("svg");
             let svg = svg.is_file().then(|| text(&svg)).transpose()?;
-            let page = convergence_page(&value(&text(&study)?)?, svg.as_deref()).map_err(Failure::of_file(&study))?;
+            let page = convergence_page(&results(&study)?, svg.as_deref()).map_err(Failure::of_file(&study))?;
             pages.push((STUDY_PAGE_FILE, page));
         }
         if pages.is_empty() {
@@ -154,11 +157,12 @@ impl Report {
 
     /// The page of a film or a crankshaft.
     fn of_result(&self, file: &Path) -> Result<String, Failure> {
-        let result = value(&text(file)?)?;
-        if is_of_shaft(&result) {
+        let head: ResultHead = results(file)?;
+        if head.format == SHAFT_FORMAT {
             let views = ShaftViews::read(&self.of).map_err(Failure::of_file(file))?;
-            return shaft_page(&views).map_err(Failure::of_file(file));
+            return shaft_page(&views, &[]).map_err(Failure::of_file(file));
         }
+        let ResultFile { result, records } = results(file)?;
         let picture = self.of.join(PICTURE_FILE);
         let picture = match picture.is_file() {
             true => Some(from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?),
@@ -169,7 +173,7 @@ impl Report {
             true => Some(OrbitCourse::from_csv(&read(&orbit)?).map_err(Failure::of_file(&orbit))?),
             false => None,
         };
-        let extras = Extras { course: course.as_ref(), files: &[] };
-        film_page_with(&result, picture.as_ref(), extras).map_err(Failure::of_file(file))
+        let extras = Extras { records: Some(&records), course: course.as_ref(), files: &[] };
+        film_page(&result, picture.as_ref(), extras).map_err(Failure::of_file(file))
     }
 }

@@ -8,11 +8,11 @@ use crate::progress::Progress;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
-use oilwedge_campaign::{effect_costs, mobility, standard, theories};
+use oilwedge_campaign::{Records, effect_costs, mobility, standard, theories};
 use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
-use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page_with};
+use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page};
 use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, earlier_orbit, write_results};
@@ -190,20 +190,21 @@ impl Solve {
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         interrupt::keep(Best { result: run.result.clone(), orbit: orbit.clone() });
         let figures = match run.picture.as_ref().filter(|_| self.plot) {
-            Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
+            Some(picture) => plot::figures_of_film(&run.result, picture, &plot::usual())?,
             None => Vec::new(),
         };
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
         let figures = match course.as_ref().filter(|_| self.plot) {
             Some(course) => {
-                orbit_figures(&run.result.title, course, plot::usual().width).into_iter().chain(figures).collect()
+                orbit_figures(&run.result.head.title, course, plot::usual().width).into_iter().chain(figures).collect()
             }
             None => figures,
         };
         let page = match self.page.is_wanted() {
             true => {
-                let extras = Extras { course: course.as_ref(), files: &SceneFile::all(&scene.text, path) };
-                Some(film_page_with(&plot::value(&json)?, run.picture.as_ref(), extras)?)
+                let (records, files) = (Records::of(&add_ons), SceneFile::all(&scene.text, path));
+                let extras = Extras { records: Some(&records), course: course.as_ref(), files: &files };
+                Some(film_page(&run.result, run.picture.as_ref(), extras)?)
             }
             false => None,
         };
@@ -226,7 +227,7 @@ impl Solve {
             || run_report(&run.result, self.shown(), &add_ons, Some(written)),
             Some(&folder),
         )?;
-        Ok(exit_code(run.result.status))
+        Ok(exit_code(run.result.head.status))
     }
 
     /// What writes and prints the numbers of a run, without its pictures, that an interrupt ends before it ends by
@@ -242,7 +243,7 @@ impl Solve {
                 output(json, || Ok(text), || run_report(&result, shown, &[], Some(written)), Some(&folder))
             };
             match written() {
-                Ok(()) => u8::from(result.status != Status::Converged),
+                Ok(()) => u8::from(result.head.status != Status::Converged),
                 Err(failure) => {
                     let status = failure.status();
                     failure.report();

@@ -10,8 +10,8 @@ use crate::run_options::RunArguments;
 use crate::terminal::output;
 use oilwedge_campaign::sweep::{Forecast, Part, Sweep as Cases};
 use oilwedge_report::json;
-use oilwedge_report::page::{SWEEP_PAGE_FILE, SceneFile, sweep_page_with};
-use oilwedge_report::sweep::{Notice, SweepError, SweepOptions, SweepReport, part_folder};
+use oilwedge_report::page::{SWEEP_PAGE_FILE, SceneFile, sweep_page};
+use oilwedge_report::sweep::{Notice, SweepError, SweepOptions, SweepReport, SweepResult, part_folder};
 use oilwedge_report::tables::{counted, duration, sweep_report};
 use oilwedge_scene::ShaftScene;
 use oilwedge_study::RunOptions;
@@ -82,13 +82,13 @@ impl Sweep {
             None => computed(&cases, &options, &folder)?,
         };
         let figures = match self.plot {
-            true => plot::figures_of_sweep(&json(&report)?, &plot::usual())?,
+            true => plot::figures_of_sweep(&SweepResult::from(&report), &plot::usual())?,
             false => Vec::new(),
         };
         let page = match self.page.is_wanted() {
             true => {
                 let files = SceneFile::all(&report.plan.text, &self.run.scene);
-                Some(sweep_page_with(&plot::value(&json(&report)?)?, &files)?)
+                Some(sweep_page(&SweepResult::from(&report), &files)?)
             }
             false => None,
         };

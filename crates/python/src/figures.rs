@@ -3,19 +3,21 @@
 use std::path::PathBuf;
 
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use oilwedge_report::json::ResultFile;
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::page::{self as pages, SceneFile};
 use oilwedge_report::plot::{self, DrawnFilm, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures};
 use oilwedge_study::fields::field as field_row;
+use oilwedge_study::result::RunResult;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use serde_json::Value;
+use serde::de::DeserializeOwned;
 
 use crate::failure::Failure;
 use crate::film::picture;
 use crate::work::done;
 
-fn value(json: &str) -> Result<Value, Failure> {
+fn results<T: DeserializeOwned>(json: &str) -> Result<T, Failure> {
     serde_json::from_str(json).map_err(|error| Failure::Argument(format!("the result is no JSON: {error}")))
 }
 
@@ -42,8 +44,8 @@ pub(crate) fn sampled<'py>(
     let [angles, z] = &places;
     let places: Vec<[f64; 2]> = angles.as_slice()?.iter().zip(z.as_slice()?).map(|(angle, z)| [*angle, *z]).collect();
     let values = done(py, Some(1), move |_| {
-        let result = value(&json)?;
-        let radius = result["geometry"]["radius"].as_f64().unwrap_or(f64::NAN);
+        let result: RunResult = results(&json)?;
+        let radius = result.geometry.radius;
         let film = DrawnFilm::new(result, &picture)?;
         let points: Vec<[f64; 2]> = places.iter().map(|[angle, z]| [radius * angle.to_radians(), *z]).collect();
         let values = field_row(&field).and_then(|row| plot::sampled(&film, row, &points));
@@ -64,11 +66,10 @@ pub(crate) fn figure<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let picture = film.map(|film| picture(film, None)).transpose()?;
     let bytes = done(py, Some(1), move |_| {
-        let result = value(&json)?;
         let options = options(name, width)?;
         let figures = match &picture {
-            Some(picture) => film_figures(&DrawnFilm::new(result, picture)?, &options),
-            None => figures_of_sweep(&result, &options),
+            Some(picture) => film_figures(&DrawnFilm::new(results(&json)?, picture)?, &options),
+            None => figures_of_sweep(&results(&json)?, &options),
         };
         let figures = figures.map_err(unknown)?;
         let nothing = || Failure::Argument(format!("\"{}\" has nothing to draw", options.selected[0]));
@@ -92,16 +93,16 @@ pub(crate) fn page<'py>(
 ) -> PyResult<String> {
     let picture = film.map(|film| picture(film, None)).transpose()?;
     done(py, None, move |_| {
-        let result = value(&json)?;
+        let ResultFile { result, records } = results(&json)?;
         let course = orbit.map(|table| OrbitCourse::from_csv(&table)).transpose()?;
-        let files = SceneFile::all(result["scene"].as_str().unwrap_or_default(), &path);
-        let extras = pages::Extras { course: course.as_ref(), files: &files };
-        Ok(pages::film_page_with(&result, picture.as_ref(), extras)?)
+        let files = SceneFile::all(&result.head.scene, &path);
+        let extras = pages::Extras { records: Some(&records), course: course.as_ref(), files: &files };
+        Ok(pages::film_page(&result, picture.as_ref(), extras)?)
     })
 }
 
 /// The page of a sweep.
 #[pyfunction]
 pub(crate) fn sweep_page(py: Python<'_>, json: String) -> PyResult<String> {
-    done(py, None, move |_| Ok(pages::sweep_page(&value(&json)?)?))
+    done(py, None, move |_| Ok(pages::sweep_page(&results(&json)?, &[])?))
 }

@@ -14,7 +14,7 @@ use oilwedge_study::effects::Effects;
 use oilwedge_study::orbit::{expected_seconds, film_of_orbit};
 use oilwedge_study::refinement::at_first;
 use oilwedge_study::regime::unusual_clearance;
-use oilwedge_study::result::{MeshFacts, in_parts};
+use oilwedge_study::result::{MeshFacts, in_order};
 use oilwedge_study::run::facts;
 use oilwedge_study::warnings::mesh_warnings;
 
@@ -48,10 +48,10 @@ pub struct CheckReport {
     /// The mesh.
     pub mesh: MeshFacts,
     /// How small error bars would be made by refinement, relative, by name of quantity; empty without a tolerance.
-    #[serde(serialize_with = "in_parts")]
+    #[serde(serialize_with = "in_order::serialize")]
     pub tolerance: Vec<(String, f64)>,
     /// The axes of the sweep and their numbers of values; empty without one.
-    #[serde(serialize_with = "in_axes")]
+    #[serde(serialize_with = "in_order::serialize")]
     pub sweep: Vec<(String, usize)>,
     /// The liner in words, a line each; empty where a mesh was checked.
     pub liner: Vec<String>,
@@ -89,10 +89,6 @@ pub struct RegionFacts {
     pub kind: String,
     /// Number of its edges or cells.
     pub parts: usize,
-}
-
-fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(axes.iter().map(|(name, values)| (name, values)))
 }
 
 /// Reads the mesh of a scene and reports what would be computed.

@@ -1,9 +1,12 @@
 //! What differs between two results, and between two scenes.
 
+use std::collections::BTreeSet;
+
 use crate::Error;
-use oilwedge_study::quantities::CATALOGUE;
+use oilwedge_study::quantities::{CATALOGUE, Quantity, Unit};
+use oilwedge_study::result::RunResult;
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// A key of a scene or result whose value differs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,40 +60,32 @@ impl Difference {
 /// Round-off relative to the greatest value of a unit [1].
 const ROUND_OFF: f64 = 1e-12;
 
-/// The facts of a result that are compared.
-const FACTS: [&str; 3] = ["status", "reason", "mesh_sha256"];
-/// Facts that follow from the scene, and are compared where a result does not hold its text.
-const FACTS_OF_SCENE: [&str; 2] = ["scene_sha256", "geometry"];
-
-/// What differs between two results, the texts of `result.json` as values.
+/// What differs between two results.
 ///
 /// # Errors
 /// [`Error::Unreadable`]: the scene of one of them is no TOML.
-pub fn of_results(a: &Value, b: &Value) -> Result<Difference, Error> {
+pub fn of_results(a: &RunResult, b: &RunResult) -> Result<Difference, Error> {
     let mut facts = Vec::new();
-    let keys = match (a["scene"].as_str(), b["scene"].as_str()) {
+    let mut fact = |key: &str, [a, b]: [Value; 2]| compare(key, &a, &b, &mut facts);
+    let of_both = |value: &dyn Fn(&RunResult) -> Value| [a, b].map(value);
+    let keys = match a.head.scene.is_empty() || b.head.scene.is_empty() {
         // A comment makes another text of the same scene, so the check sums are not compared.
-        (Some(a), Some(b)) => of_scenes(a, b)?,
-        _ => {
-            for name in FACTS_OF_SCENE {
-                compare(name, &a[name], &b[name], &mut facts);
-            }
+        false => of_scenes(&a.head.scene, &b.head.scene)?,
+        true => {
+            fact("scene_sha256", of_both(&|it| json!(it.head.scene_sha256)));
+            fact("geometry", of_both(&|it| json!(it.geometry)));
             Vec::new()
         }
     };
-    for name in FACTS {
-        compare(name, &a[name], &b[name], &mut facts);
-    }
-    let [first, second] = [a, b].map(|side| &side["effects"]["simulated"]);
-    compare("effects", &less(first, second), &less(second, first), &mut facts);
-    Ok(Difference { keys, facts, quantities: quantities(&a["quantities"], &b["quantities"]) })
-}
-
-/// The items of a list that are not in another one.
-fn less(list: &Value, other: &Value) -> Value {
-    let items = |list: &Value| list.as_array().cloned().unwrap_or_default();
-    let other = items(other);
-    items(list).into_iter().filter(|item| !other.contains(item)).collect()
+    fact("status", of_both(&|it| json!(it.head.status)));
+    fact("reason", of_both(&|it| json!(it.head.reason)));
+    fact("mesh_sha256", of_both(&|it| json!(it.head.mesh_sha256)));
+    let less = |a: &RunResult, b: &RunResult| {
+        let others = &b.effects.simulated;
+        a.effects.simulated.iter().filter(|effect| !others.contains(effect)).map(|effect| effect.name).collect()
+    };
+    fact("effects", [less(a, b), less(b, a)]);
+    Ok(Difference { keys, facts, quantities: quantities(&a.quantities, &b.quantities) })
 }
 
 /// Keys whose values differ between the texts of two scenes.
@@ -137,66 +132,56 @@ fn names<'a>(a: &'a Map<String, Value>, b: &'a Map<String, Value>) -> impl Itera
     a.keys().chain(others).map(String::as_str)
 }
 
-fn quantities(a: &Value, b: &Value) -> Vec<ChangedQuantity> {
-    let empty = Map::new();
-    let (a, b) = (a.as_object().unwrap_or(&empty), b.as_object().unwrap_or(&empty));
-    let changed = |name| {
-        let mut changed = quantity(name, a.get(name), b.get(name))?;
-        let round_off = ROUND_OFF * greatest(a, &changed.unit).max(greatest(b, &changed.unit));
-        if changed.change.is_some_and(|change| change.abs() <= round_off) {
-            return None;
-        }
-        let exceeds = |(change, bars): (f64, f64)| change.abs() > bars;
-        changed.exceeds_bars = changed.change.zip(changed.bars).map(exceeds);
-        Some(changed)
+fn quantities(a: &[Quantity], b: &[Quantity]) -> Vec<ChangedQuantity> {
+    let changed = |name: &str| {
+        let [first, second] = [a, b].map(|all| all.iter().find(|it| it.name == name));
+        let row = first.or(second)?.row;
+        let [from, to] = [first, second].map(|it| it.map(|it| it.value));
+        let change = from.zip(to).map(|(from, to)| row.difference(to, from));
+        let bars = first.and_then(Quantity::error).zip(second.and_then(Quantity::error)).map(|(a, b)| a + b);
+        let round_off = ROUND_OFF * greatest(a, row.unit).max(greatest(b, row.unit));
+        let is_changed = from != to && change.is_none_or(|change| change.abs() > round_off);
+        is_changed.then(|| ChangedQuantity {
+            name: name.to_owned(),
+            unit: row.unit.name().to_owned(),
+            a: from,
+            b: to,
+            change,
+            bars,
+            exceeds_bars: change.zip(bars).map(|(change, bars)| change.abs() > bars),
+        })
     };
-    let mut all: Vec<_> = names(a, b).filter_map(changed).collect();
+    let names = |of: &'_ [Quantity]| of.iter().map(|it| it.name.clone()).collect::<BTreeSet<_>>();
+    let (own, others) = (names(a), names(b));
+    let mut all: Vec<_> = own.iter().chain(others.difference(&own)).filter_map(|name| changed(name)).collect();
     all.sort_by_key(|quantity| CATALOGUE.iter().position(|row| row.has(&quantity.name)));
     all
 }
 
 /// The greatest magnitude of the quantities of a unit.
-fn greatest(quantities: &Map<String, Value>, unit: &str) -> f64 {
-    let of_unit = quantities.values().filter(|entry| entry["unit"] == unit);
-    of_unit.filter_map(|entry| entry["value"].as_f64()).fold(0.0, |greatest, value| greatest.max(value.abs()))
-}
-
-fn quantity(name: &str, a: Option<&Value>, b: Option<&Value>) -> Option<ChangedQuantity> {
-    let number = |entry: Option<&Value>, key: &str| entry?.get(key)?.as_f64();
-    let (first, second) = (number(a, "value"), number(b, "value"));
-    let row = oilwedge_study::quantities::row(name);
-    let change = first.zip(second).map(|(a, b)| row.map_or(b - a, |row| row.difference(b, a)));
-    if first == second {
-        return None;
-    }
-    let bars = number(a, "error").zip(number(b, "error")).map(|(a, b)| a + b);
-    let unit = a.or(b).and_then(|entry| entry["unit"].as_str()).unwrap_or_default();
-    Some(ChangedQuantity {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        a: first,
-        b: second,
-        change,
-        bars,
-        exceeds_bars: None,
-    })
+fn greatest(quantities: &[Quantity], unit: Unit) -> f64 {
+    let of_unit = quantities.iter().filter(|it| it.row.unit == unit);
+    of_unit.fold(0.0, |greatest, it| it.value.abs().max(greatest))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use oilwedge_study::effects::{EFFECTS, Effect, Effects};
+    use oilwedge_study::quantities::{Bar, LOAD, LOAD_ANGLE};
+    use oilwedge_study::result::ResultHead;
 
-    fn result(load: f64, error: Option<f64>, angle: f64) -> Value {
-        let entry =
-            |value: f64, unit: &str, error: Option<f64>| json!({ "value": value, "unit": unit, "error": error });
-        json!({ "status": "converged", "quantities": { "load": entry(load, "N", error), "load_angle": entry(angle, "deg", Some(0.5)) } })
+    fn result(load: f64, error: Option<f64>, angle: f64) -> RunResult {
+        let quantity =
+            |row, value, error: Option<f64>| Quantity { bar: error.map(Bar::of), ..Quantity::new(row, value) };
+        let quantities = vec![quantity(&LOAD, load, error), quantity(&LOAD_ANGLE, angle, Some(0.5))];
+        RunResult { quantities, ..RunResult::default() }
     }
 
     #[test]
     fn a_change_is_held_against_both_bars() {
         let a = result(100.0, Some(1.0), 359.0);
-        let to = |b: &Value| of_results(&a, b).expect("a difference");
+        let to = |b: &RunResult| of_results(&a, b).expect("a difference");
         assert!(to(&a).is_none());
         let exceeds = |load: f64, error: Option<f64>| to(&result(load, error, 359.0)).quantities[0].exceeds_bars;
         assert_eq!(exceeds(102.9, Some(2.0)), Some(false));
@@ -209,19 +194,25 @@ mod tests {
 
     #[test]
     fn scenes_are_compared_by_their_keys_where_results_hold_them() -> Result<(), Error> {
-        let with = |scene: &str, sum: &str| json!({ "scene": scene, "scene_sha256": sum });
+        let with = |scene: &str, sum: &str| RunResult {
+            head: ResultHead { scene: scene.to_owned(), scene_sha256: sum.to_owned(), ..ResultHead::default() },
+            ..RunResult::default()
+        };
         assert!(of_results(&with("title = 'a'", "1"), &with("title = 'a' # b", "2"))?.is_none());
-        let without = json!({ "scene_sha256": "2" });
-        assert_eq!(of_results(&with("", "1"), &without)?.facts[0].key, "scene_sha256");
+        assert_eq!(of_results(&with("title = 'a'", "1"), &with("", "2"))?.facts[0].key, "scene_sha256");
         Ok(())
     }
 
     #[test]
     fn effects_of_one_alone_are_listed() -> Result<(), Error> {
-        let with = |effects: &[&str]| json!({ "scene": "", "effects": { "simulated": effects } });
-        let facts = of_results(&with(&["couette", "barus"]), &with(&["couette", "heat"]))?.facts;
-        assert_eq!((&facts[0].a, &facts[0].b), (&json!(["barus"]), &json!(["heat"])));
-        assert!(of_results(&with(&["couette"]), &with(&["couette"]))?.is_none());
+        let with = |simulated: &[&'static Effect]| RunResult {
+            effects: Effects { simulated: simulated.to_vec(), not_simulated: Vec::new() },
+            ..RunResult::default()
+        };
+        let [first, second, third] = [EFFECTS[0], EFFECTS[1], EFFECTS[2]];
+        let facts = of_results(&with(&[first, second]), &with(&[first, third]))?.facts;
+        assert_eq!((&facts[0].a, &facts[0].b), (&json!([second.name]), &json!([third.name])));
+        assert!(of_results(&with(&[first]), &with(&[first]))?.is_none());
         Ok(())
     }
 

@@ -2,9 +2,9 @@
 
 use crate::Error;
 use ciborium::Value;
-use oilwedge_campaign::AddOn;
+use oilwedge_campaign::{AddOn, Records};
 use oilwedge_study::result::RunResult;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 /// A value as JSON, with a line break at its end.
 ///
@@ -16,22 +16,23 @@ pub fn json(value: &impl Serialize) -> Result<String, Error> {
     Ok(text + "\n")
 }
 
+/// Everything in `result.json` of a film or an orbit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ResultFile {
+    /// The run.
+    #[serde(flatten)]
+    pub result: RunResult,
+    /// What was asked for beside it.
+    #[serde(flatten)]
+    pub records: Records,
+}
+
 /// The text of `result.json`.
 ///
 /// # Errors
 /// As [`json`].
 pub fn result_json(result: &RunResult, add_ons: &[AddOn]) -> Result<String, Error> {
-    #[derive(Serialize)]
-    struct Whole<'a> {
-        #[serde(flatten)]
-        result: &'a RunResult,
-        #[serde(flatten, serialize_with = "by_key")]
-        add_ons: &'a [AddOn],
-    }
-    fn by_key<S: Serializer>(add_ons: &&[AddOn], serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(add_ons.iter().map(|it| (it.key, &it.record)))
-    }
-    json(&Whole { result, add_ons })
+    json(&ResultFile { result: result.clone(), records: Records::of(add_ons) })
 }
 
 /// What a value must not hold.

@@ -15,7 +15,6 @@ use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::run_options::EarlierOrbit;
-use serde_json::Value;
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -44,10 +43,7 @@ pub struct Beside<'a> {
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
 pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: Beside) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
-    let figure = match &result.temperature {
-        Some(_) => temperature_figure(&serde_json::to_value(result).map_err(Error::format("JSON"))?, PAGE_WIDTH),
-        None => None,
-    };
+    let figure = temperature_figure(result, PAGE_WIDTH);
     let svg = figure.as_ref().map(Figure::to_svg);
     let png = figure.as_ref().map(to_png).transpose()?;
     let result = OsStr::new(RESULT_FILE);
@@ -72,15 +68,10 @@ pub fn earlier_orbit(dir: &Path, scene: &Scene) -> Option<EarlierOrbit> {
     // Of a balance of heat the orbits before were those of other temperatures.
     scene.orbit.as_ref().filter(|_| scene.inlet_temperature().is_none())?;
     let text = std::fs::read(dir.join(RESULT_FILE)).ok()?;
-    let result: Value = serde_json::from_slice(&text).ok()?;
-    let is_its_own = result["scene_sha256"] == scene.sha256.as_str() && result["version"] == env!("CARGO_PKG_VERSION");
-    let orbit = &result["orbit"];
-    if !is_its_own || orbit["closed"] != false {
-        return None;
-    }
-    let part = |k: usize| orbit["end"][k].as_f64();
-    let cycles = orbit["cycles"].as_array()?.len() as u64 + orbit["earlier_cycles"].as_u64()?;
-    Some(EarlierOrbit { cycles: usize::try_from(cycles).ok()?, end: [part(0)?, part(1)?, part(2)?, part(3)?] })
+    let RunResult { head, orbit, .. } = serde_json::from_slice(&text).ok()?;
+    let is_its_own = head.scene_sha256 == scene.sha256 && head.version == env!("CARGO_PKG_VERSION");
+    let orbit = orbit.filter(|orbit| is_its_own && !orbit.closed)?;
+    Some(EarlierOrbit { cycles: orbit.cycles.len() + orbit.earlier_cycles, end: orbit.end })
 }
 
 #[cfg(test)]
@@ -121,7 +112,7 @@ mod tests {
         write_results(&dir, &example(), &[], pictured(b"first"))?;
         let before = fs::read(dir.join(RESULT_FILE))?;
         let mut bad = example();
-        bad.title = "another".into();
+        bad.head.title = "another".into();
         bad.balances.mass = f64::NAN;
         assert!(matches!(write_results(&dir, &bad, &[], pictured(b"second")), Err(Error::NotFinite { .. })));
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"first");

@@ -29,7 +29,7 @@ use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span
 use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_scene::Scene;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use balances::CycleBalances;
 pub use by_map::{ByMap, by_maps, no_map};
@@ -50,7 +50,8 @@ use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
 
 /// Place at which an orbit ends its search, as results have it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct OrbitFacts {
     /// Crank angle of a cycle [deg].
     pub period_deg: f64,
@@ -70,7 +71,8 @@ pub struct OrbitFacts {
 }
 
 /// One cycle, as results have it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct CycleFacts {
     /// Distance between beginning and end, over the clearance [1].
     pub closure: f64,

@@ -10,7 +10,7 @@ use oilwedge_reynolds::Bearing;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::film::Film;
 use crate::measure::Measured;
@@ -45,7 +45,8 @@ const OF_SQUARE: f64 = 0.95;
 const YIELDING: f64 = 2e9;
 
 /// Numbers by which assumptions are judged.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Regime {
     /// `Re = rho U c/mu` [1].
     pub reynolds_number: f64,

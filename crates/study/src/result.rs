@@ -6,13 +6,17 @@
 mod criterion;
 mod dynamics;
 mod geometry;
+mod head;
 mod headlines;
+pub mod in_order;
 mod levels;
+pub(crate) mod named;
 mod temperature;
 
 pub use criterion::{Accuracy, Criterion, Origin, Reserve, Verdict};
 pub use dynamics::{CoefficientReport, DynamicsReport, Matrix, Pair, RotorReport, Stable};
 pub use geometry::Geometry;
+pub use head::ResultHead;
 pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
 pub use temperature::{SECONDS_KEY, TemperaturePoint, TemperatureReport};
@@ -23,14 +27,13 @@ use crate::orbit::OrbitFacts;
 use crate::quantities::{Quantity, Row};
 use crate::regime::Regime;
 use crate::warning::Warning;
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 /// Name and version of the form of `result.json`.
 pub const RESULT_FORMAT: &str = "oilwedge-result/1";
 
 /// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     /// The scene is solved.
@@ -39,6 +42,7 @@ pub enum Status {
     NoSolution,
     /// A solution may exist but was not reached; or there is one, but a limit ended the refinement before its bars were
     /// small enough: the reason begins with `limit` then, and quantities and bars are there.
+    #[default]
     NotConverged,
 }
 
@@ -62,7 +66,8 @@ impl Status {
 }
 
 /// Facts about a mesh.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct MeshFacts {
     /// Number of triangles.
     pub cells: usize,
@@ -75,7 +80,8 @@ pub struct MeshFacts {
 }
 
 /// What must vanish, and what was left of it [1].
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Balances {
     /// Oil that enters minus oil that leaves, relative to the oil that passes.
     pub mass: f64,
@@ -103,7 +109,8 @@ pub struct Balances {
 }
 
 /// One step of the iteration.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct HistoryStep {
     /// Number of the step, from 1.
     pub step: usize,
@@ -114,7 +121,8 @@ pub struct HistoryStep {
 }
 
 /// How often expensive operations were done.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Counts {
     /// Linear solves on the mesh of the result, those at all positions and temperatures included.
     pub linear_solves: usize,
@@ -141,34 +149,34 @@ pub struct Counts {
     pub deflection_products: Option<usize>,
 }
 
+/// How linear systems are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LinearRoute {
+    /// By a factor.
+    Direct,
+    /// By conjugate gradients with multigrid.
+    Multigrid,
+    /// By a factor, after multigrid was found to be slow.
+    Switched,
+}
+
 /// How the linear systems of the problem of the result were solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LinearSolver {
-    /// `direct`: by a factor; `multigrid`; `switched`: by a factor, after multigrid was found to be slow.
-    pub route: &'static str,
+    /// The way.
+    pub route: LinearRoute,
     /// Steps of conjugate gradients with multigrid.
     pub steps: usize,
 }
 
-/// Everything that a run found: the whole of `result.json`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// Everything that a run found: the whole of `result.json`. A key that a file does not have is empty.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct RunResult {
-    /// [`RESULT_FORMAT`].
-    pub format: String,
-    /// Title of the scene.
-    pub title: String,
-    /// Version of the program.
-    pub version: String,
-    /// The text of the scene.
-    pub scene: String,
-    /// SHA-256 of the scene's text, hexadecimal.
-    pub scene_sha256: String,
-    /// SHA-256 of the mesh file, hexadecimal.
-    pub mesh_sha256: String,
-    /// How the run ended.
-    pub status: Status,
-    /// Why there is no solution, or why it was not reached.
-    pub reason: Option<String>,
+    /// Scene, program and end of the run.
+    #[serde(flatten)]
+    pub head: ResultHead,
     /// What was computed and what was not.
     pub effects: Effects,
     /// The shape of the bearing.
@@ -176,14 +184,14 @@ pub struct RunResult {
     /// The mesh of the result.
     pub mesh: MeshFacts,
     /// The numbers, in the order of the report; an object keyed by name in JSON.
-    #[serde(serialize_with = "named")]
+    #[serde(with = "named")]
     pub quantities: Vec<Quantity>,
     /// Whether error bars were asked for and estimated; one that is missing then could not be resolved.
     pub bars: bool,
     /// Names of quantities that are those of the sharp hill of a mass-conserving film; what follows from them is, too.
     /// Absent in JSON where there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub of_hill: Vec<&'static str>,
+    pub of_hill: Vec<String>,
     /// The meshes on the way to a tolerance, the last being that of the result; none without a tolerance.
     pub levels: Vec<LevelFacts>,
     /// What must vanish.
@@ -213,7 +221,7 @@ pub struct RunResult {
     /// How linear systems were solved; `null` where there is no film.
     pub linear_solver: Option<LinearSolver>,
     /// Wall time of each part [s], in the order of the run; an object keyed by part in JSON.
-    #[serde(serialize_with = "in_parts")]
+    #[serde(with = "in_order")]
     pub timing_s: Vec<(String, f64)>,
     /// Doubts about the result, in sentences.
     pub warnings: Vec<Warning>,
@@ -229,22 +237,4 @@ impl RunResult {
     pub fn by_name(&self, name: &str) -> Option<&Quantity> {
         self.quantities.iter().find(|quantity| quantity.name == name)
     }
-}
-
-/// Serialises quantities as an object by their names.
-pub(crate) fn named<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(quantities.len()))?;
-    for quantity in quantities {
-        map.serialize_entry(&quantity.name, quantity)?;
-    }
-    map.end()
-}
-
-/// Serialises named numbers as an object.
-pub fn in_parts<S: Serializer>(parts: &[(String, f64)], serializer: S) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(parts.len()))?;
-    for (part, seconds) in parts {
-        map.serialize_entry(part, seconds)?;
-    }
-    map.end()
 }

@@ -24,8 +24,8 @@ use crate::reasons::Limit;
 use crate::refinement::{Tell, answer_telling};
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
-    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts, RESULT_FORMAT,
-    RunResult, SECONDS_KEY, Status, TemperatureReport,
+    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearRoute, LinearSolver, MeshFacts,
+    RESULT_FORMAT, ResultHead, RunResult, SECONDS_KEY, Status, TemperatureReport,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
@@ -90,7 +90,7 @@ pub fn run_telling(scene: &Scene, options: &RunOptions, best: Option<&dyn Fn(Run
         }
     };
     if let Some(limit) = answer.limit {
-        (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
+        result.head.end(Status::NotConverged, limit);
     }
     add_total(&mut result, "before", clock.elapsed().as_secs_f64());
     Ok(Run { result, picture, orbit: None, frames: Vec::new() })
@@ -108,7 +108,7 @@ fn result_of(
     let mut result = without_outcome(scene, (&solved.film, levels), options);
     report(scene, (solved, estimated), &options.limited(Some(0.0)), &mut result);
     if let Some(limit) = limit {
-        (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
+        result.head.end(Status::NotConverged, limit);
     }
     result
 }
@@ -189,7 +189,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     result.timing_s.push(("measure".to_owned(), measure));
     result.orbit = Some(facts);
     if let Some(limit) = limit {
-        (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
+        result.head.end(Status::NotConverged, limit);
     }
     Ok(Run { result, picture: Some(picture), orbit: Some(followed.path), frames: followed.frames })
 }
@@ -241,32 +241,17 @@ fn contracts(facts: &OrbitFacts) -> bool {
 /// What is known of a run whatever its outcome.
 fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), options: &RunOptions) -> RunResult {
     RunResult {
-        format: RESULT_FORMAT.to_owned(),
-        title: scene.title.clone(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        scene: scene.text.clone(),
-        scene_sha256: scene.sha256.clone(),
-        mesh_sha256: film.origin.sha256.clone(),
-        status: Status::Converged,
-        reason: None,
+        head: ResultHead {
+            mesh_sha256: Some(film.origin.sha256.clone()),
+            ..ResultHead::of(RESULT_FORMAT, [&scene.title, &scene.text, &scene.sha256])
+        },
         effects: Effects::of(&film.scene),
         geometry: Geometry::of(&film.scene),
         mesh: facts(film.system.space().mesh()),
-        quantities: Vec::new(),
         bars: options.bars,
         levels: levels.to_vec(),
-        balances: Balances::default(),
-        regime: None,
-        orbit: None,
-        temperature: None,
-        criteria: Vec::new(),
-        dynamics: None,
-        history: Vec::new(),
-        counts: Counts::default(),
-        linear_solver: None,
-        of_hill: Vec::new(),
         timing_s: (film.seconds.iter()).map(|&(part, seconds)| (part.to_owned(), seconds)).collect(),
-        warnings: Vec::new(),
+        ..RunResult::default()
     }
 }
 
@@ -283,8 +268,7 @@ fn report_reason(reason: &NoAnswer, options: &RunOptions, result: &mut RunResult
         }
         NoAnswer::Orbit(_) | NoAnswer::Temperature(_) | NoAnswer::NotBegun { .. } => {}
     }
-    result.status = Status::without(reason);
-    result.reason = Some(reason.told(options.cause()));
+    result.head.end(Status::without(reason), reason.told(options.cause()));
 }
 
 fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
@@ -304,9 +288,9 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
     result.counts = counts(solved);
     result.linear_solver = Some(LinearSolver {
         route: match solved.primary.solution.linearisation.route() {
-            Route::Direct => "direct",
-            Route::Multigrid => "multigrid",
-            Route::Switched => "switched",
+            Route::Direct => LinearRoute::Direct,
+            Route::Multigrid => LinearRoute::Multigrid,
+            Route::Switched => LinearRoute::Switched,
         },
         steps: solved.primary.solution.linearisation.steps(),
     });

@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 use std::fmt;
 use std::ops::Deref;
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// One kind of warning.
 #[derive(Debug, PartialEq, Eq)]
@@ -23,7 +23,8 @@ impl Kind {
 }
 
 /// A doubt about a result: its kind, and a sentence with the numbers of this film. Results hold the sentence.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(from = "String")]
 pub struct Warning {
     /// Kind of the warning.
     pub kind: &'static Kind,
@@ -70,6 +71,15 @@ impl Serialize for Warning {
         serializer.serialize_str(&self.text)
     }
 }
+
+impl From<String> for Warning {
+    fn from(sentence: String) -> Self {
+        READ.says(sentence)
+    }
+}
+
+/// The kind of a warning that was read from a file of results, which has its sentence alone.
+static READ: Kind = Kind { code: "", sentence: "" };
 
 /// Kinds as statics, and the list of all of them.
 macro_rules! kinds {

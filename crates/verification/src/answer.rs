@@ -26,7 +26,7 @@ impl Answer {
     pub(crate) fn end(&self) -> Expect {
         match self {
             Self::Refused(_) => Expect::Refused,
-            Self::Run(run) => match run.result.status {
+            Self::Run(run) => match run.result.head.status {
                 Status::Converged => Expect::Converged,
                 Status::NoSolution => Expect::NoSolution,
                 Status::NotConverged => Expect::NotConverged,
@@ -54,7 +54,7 @@ impl Answer {
     pub(crate) fn reason(&self) -> Option<&str> {
         match self {
             Self::Refused(message) => Some(message),
-            Self::Run(run) => run.result.reason.as_deref(),
+            Self::Run(run) => run.result.head.reason.as_deref(),
         }
     }
 }

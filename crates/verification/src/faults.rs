@@ -52,17 +52,17 @@ pub(crate) fn faults(case: &Case, answer: &Answer) -> Vec<String> {
 
 /// A run without an answer has a reason, and numbers only where they are the best so far.
 fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
-    if result.reason.as_ref().is_none_or(|reason| reason.len() < 20) {
+    if result.head.reason.as_ref().is_none_or(|reason| reason.len() < 20) {
         faults.push("gives no reason".to_owned());
     }
     // A load below round-off is reported before anything is tried.
     let is_zero = |reason: &String| reason.contains("round-off");
-    let tried = !result.reason.as_ref().is_some_and(is_zero);
+    let tried = !result.head.reason.as_ref().is_some_and(is_zero);
     let silent = tried && result.history.is_empty() && result.levels.is_empty();
-    if result.status == oilwedge_study::result::Status::NotConverged && silent {
+    if result.head.status == oilwedge_study::result::Status::NotConverged && silent {
         faults.push("is not converged, but shows no history".to_owned());
     }
-    if result.status == oilwedge_study::result::Status::NoSolution && !result.quantities.is_empty() {
+    if result.head.status == oilwedge_study::result::Status::NoSolution && !result.quantities.is_empty() {
         faults.push("has no solution, but numbers".to_owned());
     }
 }

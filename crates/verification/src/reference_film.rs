@@ -49,7 +49,7 @@ pub(crate) struct Second {
 /// Holds another method against an answer; what does not agree goes to `faults`.
 pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Vec<String>) -> Second {
     let (mut methods, mut compared) = (Vec::new(), Vec::new());
-    if run.result.status == oilwedge_study::result::Status::Converged {
+    if run.result.head.status == oilwedge_study::result::Status::Converged {
         match &series.against {
             Against::Finer => methods.push(on_finer_mesh(scene, run, faults)),
             Against::Other(wanted) => methods.push(elsewhere(wanted, scene, run, faults)),

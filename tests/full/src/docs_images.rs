@@ -32,8 +32,7 @@ pub fn images() -> Vec<(String, String)> {
         if of_scene.as_ref().is_none_or(|(other, _)| *other != name) {
             let options = RunOptions { bars: false, unrolled: true, ..RunOptions::default() };
             let run = run(&variant(name, |_| {}), &options).expect("a film");
-            let result = serde_json::to_value(&run.result).expect("JSON");
-            let film = DrawnFilm::new(result, &run.picture.expect("a picture")).expect("a film to draw");
+            let film = DrawnFilm::new(run.result, &run.picture.expect("a picture")).expect("a film to draw");
             of_scene = Some((name, film));
         }
         let (_, film) = of_scene.as_ref().expect("the film of the scene");

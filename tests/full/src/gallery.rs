@@ -4,17 +4,15 @@ use std::path::PathBuf;
 
 use oilwedge_campaign::sweep::Sweep;
 use oilwedge_report::digits::{bar, quantity_value};
-use oilwedge_report::json;
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::plot::{DrawnFilm, PlotOptions, figures_of_sweep, film_figures, orbit_figures};
 use oilwedge_report::readable::{printed_unit, readable_unit, readable_unit_of};
-use oilwedge_report::sweep::{SweepOptions, SweepReport};
+use oilwedge_report::sweep::{CaseRecord, SweepOptions, SweepReport, SweepResult};
 use oilwedge_scene::Scene;
 use oilwedge_study::column::Column;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::headlines;
 use oilwedge_study::{RunOptions, run};
-use serde_json::Value;
 
 use crate::tables::{row, written};
 use oilwedge_tests::program::repository;
@@ -108,8 +106,7 @@ fn of_film(scene: &Scene, picture: &str) -> (String, String, String) {
     let figures = match (&run.orbit, picture) {
         (Some(orbit), "orbit") => orbit_figures(&scene.title, &OrbitCourse::of_path(orbit), WIDTH),
         _ => {
-            let value = serde_json::to_value(result).expect("JSON");
-            let film = DrawnFilm::new(value, run.picture.as_ref().expect("a film")).expect("a film to draw");
+            let film = DrawnFilm::new(result.clone(), run.picture.as_ref().expect("a film")).expect("a film to draw");
             let selected = vec![picture.to_owned()];
             film_figures(&film, &PlotOptions { selected, ..options() }).expect("such a picture")
         }
@@ -140,28 +137,26 @@ fn of_sweep(sweep: &Sweep, picture: &str) -> (String, String, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let options_of_run = SweepOptions { case: RunOptions::default(), ..SweepOptions::default() };
     let report = oilwedge_report::sweep::run(sweep, &options_of_run, folder.path(), &mut |_| {}).expect("a sweep");
-    let value: Value = serde_json::from_str(&json(&report).expect("finite numbers")).expect("JSON");
+    let result = SweepResult::from(&report);
     let selected = vec![picture.to_owned()];
-    let figures = figures_of_sweep(&value, &PlotOptions { selected, ..options() }).expect("such a picture");
+    let figures = figures_of_sweep(&result, &PlotOptions { selected, ..options() }).expect("such a picture");
     let (_, figure) = figures.first().expect("a picture");
     let effects = names(report.effects.simulated.iter().map(|effect| effect.name));
-    (extremes(&report, &value), effects, figure.to_svg())
+    (extremes(&report, &result.rows), effects, figure.to_svg())
 }
 
 /// The quantities of a sweep where they are least and greatest: those that the scene asks for, in their units, else the
 /// main ones.
-fn extremes(report: &SweepReport, value: &Value) -> String {
+fn extremes(report: &SweepReport, cases: &[CaseRecord]) -> String {
     let head = row(["quantity", "symbol", "least", "± error", "greatest", "± error", "unit"]);
     let all = &report.columns.quantities;
     let columns: Vec<&Column> = match report.plan.columns {
         Some(_) => all.iter().collect(),
         None => headlines(all, |column| column.row, &report.effects),
     };
-    let cases = value["rows"].as_array().expect("rows");
     let rows = columns.into_iter().filter_map(|column| {
-        let quantity = |case: &Value, key: &str| case["quantities"][&*column.name][key].as_f64();
-        let found = cases.iter().filter_map(|case| Some((quantity(case, "value")?, quantity(case, "error"))));
-        let mut found: Vec<(f64, Option<f64>)> = found.collect();
+        let found = cases.iter().filter_map(|case| case.quantities.get(&*column.name));
+        let mut found: Vec<(f64, Option<f64>)> = found.map(|it| (it.value, it.error)).collect();
         found.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let (unit, size) = readable_unit_of(found.last()?.0, &column.unit);
         let [least, greatest] = [found.first()?, found.last()?];

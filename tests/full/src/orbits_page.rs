@@ -23,7 +23,7 @@ pub fn page(page: &str) -> String {
         let by = by.unwrap_or_else(|reason| panic!("{reason}"));
         let value = |row: &Row| by.quantities.iter().find(|it| it.row == row).expect("a number").value;
         maps.push(vec![
-            by.name.to_owned(),
+            by.map.clone(),
             format!("{:.4}", 1e6 * value(&CYCLE_FILM_THICKNESS_MIN)),
             format!("{:.2}", value(&CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE)),
             by.films.to_string(),

@@ -159,10 +159,10 @@ pub fn ratios(found: &RunResult, reference: &RunResult) -> [Option<f64>; 2] {
 
 /// What is wrong with an answer: neither closed nor explained, a journal in the wall, or no number.
 pub fn fault(result: &RunResult) -> Option<String> {
-    if result.status != Status::Converged && result.reason.is_none() {
+    if result.head.status != Status::Converged && result.head.reason.is_none() {
         return Some("not converged, without a reason".to_owned());
     }
-    if result.status == Status::Converged && result.quantities.is_empty() {
+    if result.head.status == Status::Converged && result.quantities.is_empty() {
         return Some("converged, without numbers".to_owned());
     }
     if let Some(quantity) = result.quantities.iter().find(|quantity| !quantity.value.is_finite()) {

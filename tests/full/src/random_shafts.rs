@@ -131,8 +131,8 @@ pub fn fault(result: &ShaftResult) -> Option<String> {
     if let Some(quantity) = quantities.into_iter().find(|quantity| !quantity.value.is_finite()) {
         return Some(format!("{} is {}", quantity.name, quantity.value));
     }
-    if result.status != Status::Converged {
-        return result.reason.is_none().then(|| "not converged, without a reason".to_owned());
+    if result.head.status != Status::Converged {
+        return result.head.reason.is_none().then(|| "not converged, without a reason".to_owned());
     }
     let balances = result.balances;
     let off = [balances.force, balances.moment, balances.journals, balances.power];

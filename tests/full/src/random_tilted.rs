@@ -209,10 +209,10 @@ pub fn solved(bearing: &TiltedBearing) -> (oilwedge_study::result::RunResult, Op
     let run = oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{}", bearing.text));
     let result = run.result;
     use oilwedge_study::result::Status;
-    let fault = match result.status {
+    let fault = match result.head.status {
         Status::Converged => (left(&result) > BALANCED).then(|| format!("balances: {:e} left", left(&result))),
         Status::NoSolution => None,
-        Status::NotConverged => Some(result.reason.clone().unwrap_or_default()),
+        Status::NotConverged => Some(result.head.reason.clone().unwrap_or_default()),
     };
     let number = bearing.number;
     (result, fault.map(|what| Fault { number, what }))

@@ -34,9 +34,9 @@ impl Outcome {
         let ((result, fault), spent) = timed(|| solved(&bearing));
         Self {
             bearing,
-            status: result.status,
+            status: result.head.status,
             left: left(&result),
-            reason: result.reason.unwrap_or_default(),
+            reason: result.head.reason.unwrap_or_default(),
             fault,
             seconds: spent.cpu,
         }

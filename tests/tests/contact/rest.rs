@@ -10,7 +10,7 @@ fn a_journal_at_rest_lies_on_its_asperities() {
     for contact in [ASPERITIES, CURVE] {
         let result = run(&scene(0.0, contact, ""));
         let of = |name: &str| {
-            let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+            let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.head.reason));
             quantity.value
         };
         assert!((of("contact_share") - 1.0).abs() < 1e-9, "{}", of("contact_share"));
@@ -26,7 +26,7 @@ fn contact_at_one_edge_bears_a_moment() {
     let text = scene(300.0, CURVE, "").replace("angle = \"0 deg\" }", "angle = \"0 deg\", at = \"3 mm\" }");
     let result = run(&text);
     let of = |name: &str| {
-        let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+        let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.head.reason));
         quantity.value
     };
     assert!((of("load_z") / 3e-3 - 1.0).abs() < 1e-8);

@@ -73,7 +73,7 @@ pub(crate) fn constant(scene: &mut toml::Table) {
 /// The result of a scene; it has to be converged.
 pub(crate) fn answer(scene: &Scene, options: &RunOptions) -> RunResult {
     let result = run(scene, options).unwrap_or_else(|error| panic!("{error}")).result;
-    assert_eq!(result.reason, None);
+    assert_eq!(result.head.reason, None);
     oilwedge_report::json(&result).expect("all numbers are finite");
     result
 }

@@ -61,8 +61,8 @@ fn a_limit_that_is_reached_is_told_with_the_best_numbers() {
         RunOptions { max_seconds: 1e-3, ..RunOptions::default() },
     ] {
         let result = run(&scene, &options).expect("a mesh").result;
-        assert_eq!(result.status, Status::NotConverged);
-        let reason = result.reason.as_deref().expect("a reason");
+        assert_eq!(result.head.status, Status::NotConverged);
+        let reason = result.head.reason.as_deref().expect("a reason");
         assert!(reason.starts_with("limit: "), "{reason}");
         let flag = if options.max_unknowns < 1_000_000 { "--max-unknowns" } else { "--max-seconds" };
         assert!(reason.contains(flag), "{reason}");
@@ -132,12 +132,14 @@ fn a_film_that_a_finer_mesh_has_not_is_no_solution() {
         run(&scene, &RunOptions::default()).expect("a mesh").result
     };
     let below = at("81.47 rad/s");
-    assert_eq!(below.status, Status::Converged);
+    assert_eq!(below.head.status, Status::Converged);
     assert!(below.levels.len() > 1);
     // The limit lies at 81.4745 rad/s, as edges of 1.5 mm tell.
     let above = at("81.48 rad/s");
-    assert_eq!(above.status, Status::NoSolution);
-    assert!(above.quantities.is_empty() && above.reason.is_some_and(|reason| reason.starts_with("no steady film")));
+    assert_eq!(above.head.status, Status::NoSolution);
+    assert!(
+        above.quantities.is_empty() && above.head.reason.is_some_and(|reason| reason.starts_with("no steady film"))
+    );
 }
 
 /// A bar tells how well a mesh resolves a film; without one its steepest triangle does.
@@ -205,7 +207,7 @@ fn a_run_tells_of_the_search_that_grades_its_mesh() {
     static TOLD: Told = Told { first: AtomicUsize::new(0), later: AtomicUsize::new(0), levels: AtomicUsize::new(0) };
     let options = RunOptions { observer: Some(&TOLD), ..RunOptions::default() };
     let result = answer(&variant("24_load_off_the_middle", |_| ()), &options);
-    assert_eq!(result.status, Status::Converged);
+    assert_eq!(result.head.status, Status::Converged);
     let [first, later, levels] = [&TOLD.first, &TOLD.later, &TOLD.levels].map(|count| count.load(Ordering::Relaxed));
     assert!(first > 0 && later > 0 && levels == result.levels.len(), "{first} {later} {levels}");
 }

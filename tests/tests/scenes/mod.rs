@@ -55,7 +55,7 @@ fn same_mesh(name: &str, quantity: &str, value: f64, attitude: f64) {
 
 fn answer(scene: &Scene) -> RunResult {
     let run = run(scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(run.result.reason, None);
+    assert_eq!(run.result.head.reason, None);
     run.result
 }
 

@@ -38,7 +38,7 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
         std::fs::write(&path, bearing(keys)).expect("a file");
         let scene = two_films_with(cut);
         let run = run(&scene.replace("bearings/small_ring.toml", path.to_str().expect("a path")));
-        assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+        assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
         let single = alone(keys, rows);
         for (row, single) in rows.iter().zip(single) {
             let found = numbers(&run, row)[1];

@@ -7,8 +7,8 @@ use oilwedge_tests::crankshafts::*;
 #[test]
 fn the_page_of_a_shaft_at_rest_has_its_balances_and_no_courses() {
     let whole = run(&text("three_films.toml"));
-    let views = ShaftViews::of_runs(&whole, &[]).expect("views");
-    let page = shaft_page(&views).expect("a page");
+    let views = ShaftViews::of_runs(&whole, &[]);
+    let page = shaft_page(&views, &[]).expect("a page");
     for part in ["middle</td>", "load towards", "Balances", "The shaft", "id=\"figure-shaft_bent\""] {
         assert!(page.contains(part), "no {part}");
     }

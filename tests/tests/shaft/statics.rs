@@ -9,7 +9,7 @@ use oilwedge_tests::crankshafts::*;
 /// all films, extrapolated.
 fn compare(case: &ThreeFilms) {
     let run = case.solved();
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+    assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
     let columns = [&LOAD_X, &LOAD_Y, &TILT_X, &TILT_Y, &FILM_THICKNESS_MIN].map(|row| numbers(run, row));
     let scale = CLEARANCE / RADIUS;
     let tilt = case.greatest_tilt();
@@ -82,7 +82,7 @@ fn films_with_bars_balance_the_loads() {
 #[test]
 fn thin_films_are_knife_edges() {
     let run = on_thin_films();
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+    assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
     for (force, part) in numbers(run, &LOAD_Y).iter().zip(KNIFE_EDGES) {
         assert!((force / (-12e3 * part) - 1.0).abs() < 1e-6, "{force} {part}");
     }
@@ -91,7 +91,7 @@ fn thin_films_are_knife_edges() {
 #[test]
 fn two_films_bear_what_statics_gives_them() {
     for ((name, _), run) in BY_STATICS.iter().zip(by_statics()) {
-        assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+        assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
         for (force, wanted) in numbers(run, &LOAD_Y).iter().zip([13.0 - RIGHT, RIGHT]) {
             assert!((force / (-1e3 * wanted) - 1.0).abs() < 1e-9, "{name}: {force} {wanted}");
         }
@@ -126,7 +126,7 @@ fn peaks_that_touch_carry_a_part_of_the_shaft() {
     let folder = tempfile::tempdir().expect("a folder");
     let change = ("\"30 um\"\n", rough);
     let run = run(&with_bearing(folder.path(), "small_ring", change, &two_films_with(cut)));
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+    assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
     for (force, wanted) in numbers(&run, &LOAD_Y).iter().zip([13.0 - RIGHT, RIGHT]) {
         assert!((force / (-1e3 * wanted) - 1.0).abs() < 1e-9, "{force} {wanted}");
     }

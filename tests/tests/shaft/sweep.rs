@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use oilwedge_campaign::sweep::Sweep;
-use oilwedge_report::json;
 use oilwedge_report::page::sweep_page;
 use oilwedge_report::plot::{PlotOptions, figures_of_sweep};
-use oilwedge_report::sweep::{SweepOptions, SweepReport, TABLE_FILE, run as run_sweep};
+use oilwedge_report::sweep::{SweepOptions, SweepReport, SweepResult, TABLE_FILE, run as run_sweep};
 use oilwedge_scene::ShaftScene;
 use oilwedge_study::RunOptions;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, FILM_THICKNESS_MIN, LOAD};
@@ -73,11 +72,11 @@ fn each_bearing_of_each_shaft_has_a_row() {
     assert_eq!(again.kept, 4);
     assert_eq!(timeless(&again), timeless(&report));
 
-    let object = serde_json::from_str(&json(&report).expect("JSON")).expect("JSON");
-    let page = sweep_page(&object).expect("a page");
+    let result = SweepResult::from(&report);
+    let page = sweep_page(&result, &[]).expect("a page");
     assert!(page.contains("middle") && page.contains("crankshaft.youngs"), "{}", page.len());
     let options = PlotOptions { selected: Vec::new(), width: 180.0 };
-    let figures = figures_of_sweep(&object, &options).expect("pictures");
+    let figures = figures_of_sweep(&result, &options).expect("pictures");
     assert!(figures.iter().any(|(name, _)| name == "sweep"));
 }
 
@@ -106,7 +105,7 @@ fn an_engine_is_swept_over_its_speed() {
     let report = swept(&sweep_of(&sweep), folder.path());
     assert_eq!(report.count("converged"), 4);
     let alone = run(&sweep);
-    assert_eq!(alone.result.status, Status::Converged, "{:?}", alone.result.reason);
+    assert_eq!(alone.result.head.status, Status::Converged, "{:?}", alone.result.head.reason);
     let films = column(&report, CYCLE_FILM_THICKNESS_MIN.name);
     let of_scene = numbers(&alone, &CYCLE_FILM_THICKNESS_MIN);
     assert_eq!((films.len(), of_scene.len()), (4, 2));

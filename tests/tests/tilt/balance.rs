@@ -211,8 +211,8 @@ fn a_reason_of_a_film_that_conserves_oil_in_an_elastic_liner_holds_on_a_finer_me
 fn contact_at_an_end_is_told_with_a_way_out() {
     let keys = "[load]\nforce = \"20 kN\"\nangle = \"270 deg\"\nat = \"-20 mm\"";
     let result = run(&scene(0.5, "\"2 %\"", keys));
-    assert_eq!(result.status, Status::NoSolution);
-    let reason = result.reason.unwrap_or_default();
+    assert_eq!(result.head.status, Status::NoSolution);
+    let reason = result.head.reason.unwrap_or_default();
     for part in ["contact with the liner at its end z = -25 mm", "% of the moment", "tilt_stiffness"] {
         assert!(reason.contains(part), "{reason}");
     }
@@ -226,16 +226,16 @@ fn a_moment_within_the_error_of_its_mesh_is_not_refused() {
         let edits = [("4.1596 kN", "20 kN"), ("\"5 mm\"", &format!("\"{place} mm\""))];
         run(&edited("24_load_off_the_middle", &edits))
     };
-    assert_eq!(at(10.4).status, Status::Converged);
+    assert_eq!(at(10.4).head.status, Status::Converged);
     let undecided = at(10.6);
-    let reason = undecided.reason.unwrap_or_default();
-    assert_eq!(undecided.status, Status::NotConverged, "{reason}");
+    let reason = undecided.head.reason.unwrap_or_default();
+    assert_eq!(undecided.head.status, Status::NotConverged, "{reason}");
     for part in [" ± ", "% of the moment", "a finer mesh"] {
         assert!(reason.contains(part), "{reason}");
     }
     let refused = at(14.0);
-    let reason = refused.reason.unwrap_or_default();
-    assert_eq!(refused.status, Status::NoSolution, "{reason}");
+    let reason = refused.head.reason.unwrap_or_default();
+    assert_eq!(refused.head.status, Status::NoSolution, "{reason}");
     assert!(!reason.contains('±'), "{reason}");
 }
 

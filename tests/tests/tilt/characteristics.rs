@@ -24,7 +24,7 @@ fn reference(name: &str) -> Vec<Value> {
 fn found(text: &str) -> Characteristics {
     let scene = oilwedge_study::parse(text, Path::new("moving.toml")).unwrap_or_else(|error| panic!("{error}"));
     let found = characteristics(&scene, &RunOptions::of(&scene)).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(found.reason, None);
+    assert_eq!(found.head.reason, None);
     found
 }
 

@@ -193,11 +193,11 @@ pub fn straight(
     for part in PARTS {
         let result: RunResult = run(&films.scene_of(part, RATE), options)?.result;
         let carried = films.carried(&result, &[part]);
-        match carried.filter(|_| result.status == Status::Converged) {
+        match carried.filter(|_| result.head.status == Status::Converged) {
             Some(carried) => {
                 found.push(carried.scaled([films.units.force, films.units.moment].map(|unit| 1.0 / (unit * RATE))))
             }
-            None => return Ok(Err(format!("{}: {}", part.name(), result.reason.unwrap_or_default()))),
+            None => return Ok(Err(format!("{}: {}", part.name(), result.head.reason.unwrap_or_default()))),
         }
     }
     Ok(Ok(GridPoint {

@@ -2,7 +2,7 @@
 
 use oilwedge_scene::Scene;
 use oilwedge_study::oil::Oil;
-use oilwedge_study::result::{RunResult, Status};
+use oilwedge_study::result::{ResultHead, RunResult, Status};
 use oilwedge_study::warning::Warning;
 use serde::Serialize;
 
@@ -13,22 +13,11 @@ use super::motion::Motion;
 pub const CHARACTERISTICS_FORMAT: &str = "oilwedge-characteristics/1";
 
 /// What a film carries for each motion of its journal.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Characteristics {
-    /// [`CHARACTERISTICS_FORMAT`].
-    pub format: String,
-    /// Title of the scene.
-    pub title: String,
-    /// Version of the program.
-    pub version: String,
-    /// The text of the scene.
-    pub scene: String,
-    /// SHA-256 of the scene's text, hexadecimal.
-    pub scene_sha256: String,
-    /// `converged` where every film is.
-    pub status: Status,
-    /// The film that has not converged, and the cause.
-    pub reason: Option<String>,
+    /// Scene and program; `converged` where every film is, else which film is not, and why.
+    #[serde(flatten)]
+    pub head: ResultHead,
     /// Place of the journal; `None` where no position carries the load.
     pub journal: Option<JournalFacts>,
     /// What turns characteristics into forces and moments.
@@ -114,28 +103,16 @@ impl Characteristics {
     /// The characteristics of a scene without any film yet.
     pub(super) fn of(scene: &Scene) -> Self {
         Self {
-            format: CHARACTERISTICS_FORMAT.to_owned(),
-            title: scene.title.clone(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            scene: scene.text.clone(),
-            scene_sha256: scene.sha256.clone(),
-            status: Status::Converged,
-            reason: None,
-            journal: None,
-            units: None,
-            parts: Vec::new(),
-            sum: None,
-            film: None,
-            warnings: Vec::new(),
-            fit: None,
+            head: ResultHead::of(CHARACTERISTICS_FORMAT, [&scene.title, &scene.text, &scene.sha256]),
+            ..Self::default()
         }
     }
 
     /// Takes note of the first run that has not converged, by the name of its film.
     pub(super) fn note(&mut self, name: &str, result: &RunResult) {
-        if self.status == Status::Converged && result.status != Status::Converged {
-            self.status = result.status;
-            self.reason = result.reason.as_ref().map(|reason| format!("{name}: {reason}"));
+        if self.head.status == Status::Converged && result.head.status != Status::Converged {
+            self.head.status = result.head.status;
+            self.head.reason = result.head.reason.as_ref().map(|reason| format!("{name}: {reason}"));
         }
     }
 

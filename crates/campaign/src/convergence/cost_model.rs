@@ -8,7 +8,7 @@
 //! The order s is that of theory: orders fitted to few levels are unreliable. Only where the last steps all stay
 //! clearly behind it, as they do at sharp corners of grooves, their mean is taken.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::strategy::Strategy;
 
@@ -31,7 +31,7 @@ const QUICKER: f64 = 0.9;
 const DIGITS: (i32, i32) = (2, 11);
 
 /// How accuracy is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
     /// The error bar, the estimate of the level itself.
@@ -63,7 +63,7 @@ pub struct CostModel {
 }
 
 /// The cost of one accuracy.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Price {
     /// How accuracy is measured.
     pub measure: Measure,

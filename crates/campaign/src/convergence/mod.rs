@@ -26,11 +26,11 @@ use study_run::StudyRun;
 
 use crate::Error;
 use oilwedge_scene::Scene;
-use oilwedge_study::effects::{Effects, Sockets};
+use oilwedge_study::effects::Sockets;
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::main_quantity;
-use oilwedge_study::result::Status;
+use oilwedge_study::result::{ResultHead, Status};
 
 /// A goal below this part of its reference value is zero to round-off.
 const ZERO: f64 = 1e-9;
@@ -80,35 +80,18 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
 /// A report without any levels.
 fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
     ConvergenceReport {
-        format: CONVERGE_FORMAT.to_owned(),
-        title: scene.title.clone(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        scene: scene.text.clone(),
-        scene_sha256: scene.sha256.clone(),
-        status: Status::Converged,
-        reason: None,
-        effects: Effects::default(),
-        goal: GoalFacts { name: goal.to_owned(), symbol: String::new(), unit: String::new() },
-        reference: None,
-        strategies: Vec::new(),
-        prices: Vec::new(),
-        notes: Vec::new(),
+        head: ResultHead::of(CONVERGE_FORMAT, [&scene.title, &scene.text, &scene.sha256]),
+        goal: GoalFacts { name: goal.to_owned(), ..GoalFacts::default() },
         max_seconds: budget.max_seconds(),
-        seconds: 0.0,
+        ..ConvergenceReport::default()
     }
 }
 
 /// The study of a scene that has no answer on any mesh.
-fn unanswered(report: ConvergenceReport, reason: &NoAnswer, budget: &Budget) -> Convergence {
-    Convergence {
-        report: ConvergenceReport {
-            status: Status::without(reason),
-            reason: Some(reason.to_string()),
-            seconds: budget.spent(),
-            ..report
-        },
-        mesh: None,
-    }
+fn unanswered(mut report: ConvergenceReport, reason: &NoAnswer, budget: &Budget) -> Convergence {
+    report.head.end(Status::without(reason), reason);
+    report.seconds = budget.spent();
+    Convergence { report, mesh: None }
 }
 
 /// Errors, costs and facts of the levels.
@@ -123,8 +106,8 @@ fn finish(
         return Ok(match runs.iter_mut().rev().find_map(|run| run.failure.take()) {
             Some(reason) => unanswered(report, &reason, budget),
             None => {
-                report.status = Status::NotConverged;
-                report.reason = runs.into_iter().rev().find_map(|run| run.ended);
+                report.head.status = Status::NotConverged;
+                report.head.reason = runs.into_iter().rev().find_map(|run| run.ended);
                 Convergence { report, mesh: None }
             }
         });

@@ -2,33 +2,23 @@
 //!
 //! Values are in the unit of the goal; errors, bars and accuracies are relative to the finest answer.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::cost_model::{Measure, Price};
 use super::strategy::Strategy;
 use oilwedge_study::effects::Effects;
-use oilwedge_study::result::{Status, in_parts};
+use oilwedge_study::result::{ResultHead, in_order};
 
 /// Name and version of the form of `converge.json`.
 pub const CONVERGE_FORMAT: &str = "oilwedge-converge/1";
 
 /// Everything that a study found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ConvergenceReport {
-    /// [`CONVERGE_FORMAT`].
-    pub format: String,
-    /// Title of the scene.
-    pub title: String,
-    /// Version of the program.
-    pub version: String,
-    /// The text of the scene.
-    pub scene: String,
-    /// SHA-256 of the scene's text, hexadecimal.
-    pub scene_sha256: String,
-    /// Whether there are any levels.
-    pub status: Status,
-    /// Why there are none.
-    pub reason: Option<String>,
+    /// Scene and program; whether there are any levels, and why there are none.
+    #[serde(flatten)]
+    pub head: ResultHead,
     /// What was simulated, and what was not.
     pub effects: Effects,
     /// The number whose error is studied.
@@ -48,7 +38,8 @@ pub struct ConvergenceReport {
 }
 
 /// The number whose error is studied.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct GoalFacts {
     /// Name of the quantity: `load`, or `eccentricity` where a load is given.
     pub name: String,
@@ -59,7 +50,7 @@ pub struct GoalFacts {
 }
 
 /// The finest answer, which errors are measured against.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
     /// Strategy of the course.
     pub strategy: Strategy,
@@ -75,7 +66,7 @@ pub struct Reference {
 }
 
 /// The levels of one strategy.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Course {
     /// The strategy.
     pub strategy: Strategy,
@@ -90,7 +81,8 @@ pub struct Course {
 }
 
 /// One level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct LevelReport {
     /// Number of the level, from 1.
     pub level: usize,
@@ -121,7 +113,8 @@ impl LevelReport {
 }
 
 /// How long a level took [s].
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Timing {
     /// Median of the runs: from the scene to the answer.
     pub total: f64,
@@ -133,7 +126,7 @@ pub struct Timing {
     pub runs: usize,
     /// The parts of the total, medians: `mesh` is the making of all meshes up to this one, `earlier` the levels before
     /// that an adaptive mesh needs. An object keyed by part in JSON.
-    #[serde(serialize_with = "in_parts")]
+    #[serde(with = "in_order")]
     pub parts: Vec<(String, f64)>,
 }
 

@@ -1,12 +1,12 @@
 //! The ways to more accuracy that are compared.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Sockets;
 
 /// How accuracy is bought.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Strategy {
     /// Linear elements, every triangle divided into four from level to level.

@@ -16,8 +16,6 @@ use oilwedge_study::quantities::{
 
 /// The name of the standard.
 pub(super) const NAME: &str = "ISO 7902 (DIN 31652)";
-/// Key of its own balance in its record.
-pub(super) const BALANCE_KEY: &str = "heat";
 
 /// Part of the friction to which its heat is balanced.
 const BALANCED: f64 = 1e-12;

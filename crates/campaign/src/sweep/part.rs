@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 /// One of so many parts of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
 pub struct Part {
     /// Number of the part, from 1.
     number: u32,

@@ -88,9 +88,9 @@ impl Found {
     /// What is found of a case that is solved by itself.
     fn of_run(result: RunResult) -> Self {
         Self {
-            status: CaseStatus::Run(result.status),
+            status: CaseStatus::Run(result.head.status),
             criteria: result.criteria,
-            reason: result.reason,
+            reason: result.head.reason,
             quantities: result.quantities,
             warnings: result.warnings,
             unknowns: Some(result.mesh.nodes),
@@ -101,14 +101,14 @@ impl Found {
     /// What is found of each bearing of a crankshaft, in their order; where the shaft has no answer all have its
     /// reason.
     fn of_shaft(result: &ShaftResult, bearings: usize) -> Vec<Self> {
-        let status = CaseStatus::Run(result.status);
+        let status = CaseStatus::Run(result.head.status);
         if result.bearings.is_empty() {
-            let reason = result.reason.clone().unwrap_or_default();
+            let reason = result.head.reason.clone().unwrap_or_default();
             return vec![Self::without(status, reason, None); bearings];
         }
         let of_bearing = |bearing: &BearingReport| Self {
             status,
-            reason: result.reason.clone(),
+            reason: result.head.reason.clone(),
             quantities: bearing.quantities.clone(),
             warnings: result.warnings_of(bearing).cloned().collect(),
             criteria: bearing.criteria.clone(),

@@ -4,7 +4,7 @@ use oilwedge_campaign::convergence::report::{
 };
 use oilwedge_campaign::convergence::strategy::Strategy;
 use oilwedge_study::effects::Effects;
-use oilwedge_study::result::Status;
+use oilwedge_study::result::ResultHead;
 
 use crate::Error;
 use crate::json::json;
@@ -26,13 +26,7 @@ pub(crate) fn example() -> ConvergenceReport {
         },
     };
     ConvergenceReport {
-        format: CONVERGE_FORMAT.into(),
-        title: "example".into(),
-        version: "0.1.0".into(),
-        scene: "title = \"example\"\n".into(),
-        scene_sha256: "ab".into(),
-        status: Status::Converged,
-        reason: None,
+        head: ResultHead::of(CONVERGE_FORMAT, ["example", "title = \"example\"\n", "ab"]),
         effects: Effects::default(),
         goal: GoalFacts { name: "load".into(), symbol: "W".into(), unit: "N".into() },
         reference: Some(Reference {

@@ -1,14 +1,17 @@
 use super::*;
+use oilwedge_campaign::records::TheoriesRecord;
 use oilwedge_study::quantities::Bar;
-use oilwedge_study::result::{HistoryStep, LevelFacts, RunResult, Status};
+use oilwedge_study::result::{
+    HistoryStep, LevelFacts, RESULT_FORMAT, ResultHead, RunResult, Status, TemperatureReport,
+};
 
 pub(crate) fn example() -> RunResult {
     RunResult {
-        title: "example".into(),
-        scene: "title = \"example\"\n".into(),
-        scene_sha256: "ab".into(),
-        mesh_sha256: "cd".into(),
-        status: Status::NotConverged,
+        head: ResultHead {
+            mesh_sha256: Some("cd".into()),
+            status: Status::NotConverged,
+            ..ResultHead::of(RESULT_FORMAT, ["example", "title = \"example\"\n", "ab"])
+        },
         history: vec![HistoryStep { step: 1, residual: 1.0, active: 0 }],
         timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
         ..crate::tables::example()
@@ -51,6 +54,30 @@ fn the_json_is_that_of_the_contract() {
         "warnings",
     ];
     assert!(order.windows(2).all(|pair| place(pair[0]) < place(pair[1])), "{text}");
+}
+
+/// A result is read back as it was written, with its add-ons; keys, quantities and effects of newer versions are passed
+/// over, and what an older one lacks is empty.
+#[test]
+fn a_result_is_read_back() {
+    let bar = Bar { front: 0.1, algebra: 1e-17, ..Bar::default() };
+    let mut result = example();
+    result.quantities[0].bar = Some(bar);
+    result.temperature = Some(TemperatureReport { inlet_temperature: 80.1, ..TemperatureReport::default() });
+    let films = vec![];
+    let theories = TheoriesRecord { slenderness: 0.1 + 0.2, without: vec!["feeds".into()], films };
+    let records = Records { theories: Some(theories), ..Records::default() };
+    let file = ResultFile { result, records };
+    let text = json(&file).expect("all numbers are finite");
+    let read = |text: &str| serde_json::from_str::<ResultFile>(text).expect("a result");
+    assert_eq!(read(&text), file);
+    let newer = text
+        .replacen("\"title\"", "\"colour\": { \"of\": [1] }, \"title\"", 1)
+        .replacen("\"load\": {", "\"taste\": { \"value\": 1.0, \"unit\": \"1\" }, \"load\": { \"colour\": 3,", 1)
+        .replacen("\"simulated\": [", "\"simulated\": [\"magic\", ", 1);
+    assert!(["colour", "taste", "magic"].iter().all(|word| newer.contains(word)), "{newer}");
+    assert_eq!(read(&newer), file);
+    assert_eq!(read("{}").result, RunResult::default());
 }
 
 #[test]

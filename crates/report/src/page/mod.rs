@@ -32,29 +32,34 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use minijinja::Environment;
 use minijinja::value::Serde;
+use oilwedge_campaign::Records;
+use oilwedge_campaign::convergence::ConvergenceReport;
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
+use oilwedge_study::effects::Effects;
 use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::result::{MeshFacts, ResultHead, RunResult};
+use oilwedge_study::warning::Warning;
 use rayon::prelude::*;
 use serde::Serialize;
-use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::Error;
 use crate::orbit_course::OrbitCourse;
 use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sketch::words;
+use crate::sweep::{SWEEP_FORMAT, SweepResult};
 use coarser::coarser;
 use files::{SavedFiles, saved};
 use film_data::FilmData;
 use lead::Lead;
-use quantities::{Shown, cards, quantities, simulated};
+use quantities::{Shown, cards, quantities};
 use sweep_data::SweepData;
 use table::Table;
 use verdict::Outcome;
 
 pub use files::SceneFile;
-pub use shaft::{shaft_page, shaft_page_with};
+pub use shaft::shaft_page;
 
 /// Name of the page of a film, an orbit or a crankshaft.
 pub const PAGE_FILE: &str = "report.html";
@@ -113,6 +118,8 @@ struct Told {
 /// What a page has beside the numbers and the film.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Extras<'a> {
+    /// What was compared with the film.
+    pub records: Option<&'a Records>,
     /// The path of the journal over a cycle.
     pub course: Option<&'a OrbitCourse>,
     /// The files that the scene names, where they can be read.
@@ -161,41 +168,40 @@ struct Page {
     command: String,
 }
 
-/// The page of a film, from the object of `result.json` and, where there is one, the picture of the same run.
+/// The page of a film, from its numbers, where there is one the picture of the same run, and what it has beside them.
 ///
 /// # Errors
-/// [`Error::Format`]: the object lacks the shape of the bearing, or the page cannot be made of it.
-pub fn film_page(result: &Value, picture: Option<&FilmPicture>) -> Result<String, Error> {
-    film_page_with(result, picture, Extras::default())
-}
-
-/// [`film_page`] with what it has beside the numbers and the film.
-///
-/// # Errors
-/// Those of [`film_page`].
-pub fn film_page_with(result: &Value, picture: Option<&FilmPicture>, extras: Extras) -> Result<String, Error> {
+/// [`Error::Format`]: the numbers lack the shape of the bearing, or the page cannot be made of them.
+pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extras) -> Result<String, Error> {
+    let none = Records::default();
+    let records = extras.records.unwrap_or(&none);
     let quantities = quantities(result);
-    let criteria = verdict::criteria_of(result);
     let mut page = Page {
         kind: "film",
-        cards: cards(&quantities, result),
+        verdict: Outcome::of(&result.criteria, result.head.status),
+        cards: cards(&quantities, &result.effects),
         quantities,
-        criteria: verdict::table(&criteria),
+        criteria: verdict::table(&result.criteria),
         film_title: "The film".to_owned(),
-        warnings: texts(&result["warnings"]),
+        warnings: texts(&result.warnings),
         balances: tables::balances(result),
         assumptions: tables::assumptions(result),
-        mesh: mesh_in_words(&result["mesh"]),
-        work: [tables::levels(result), Some(tables::work(result)), tables::history(result)]
+        mesh: mesh_in_words(&result.mesh),
+        work: [tables::levels(&result.levels), Some(tables::work(&result.counts)), tables::history(&result.history)]
             .into_iter()
             .flatten()
             .collect(),
-        tables: comparisons::comparisons(result),
-        timings: tables::timings(result),
-        ..head(result, extras.files)
+        tables: comparisons::comparisons(records),
+        timings: tables::timings_of_film(result, records),
+        command: command("solve", result.bars),
+        ..head(&result.head, &result.effects, extras.files)
     };
-    page.verdict = Outcome::of(&criteria, result["status"].as_str().unwrap_or_default());
-    page.command = command("solve", result, &["cost", "standard", "theories"]);
+    let options = [
+        records.cost.as_ref().map(|_| " --cost"),
+        records.standard.as_ref().map(|_| " --standard"),
+        records.theories.as_ref().map(|_| " --theories"),
+    ];
+    page.command.extend(options.into_iter().flatten());
     if let Some(course) = extras.course {
         page.lead = Lead::of_cycle(&page.title, course);
         page.kind = "orbit";
@@ -207,38 +213,32 @@ pub fn film_page_with(result: &Value, picture: Option<&FilmPicture>, extras: Ext
     render(page)
 }
 
-/// The page of a sweep, from the object of `sweep.json`.
+/// The page of a sweep with the files that the scene names.
 ///
 /// # Errors
 /// [`Error::Format`]: the page cannot be made of it.
-pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
-    sweep_page_with(sweep, &[])
-}
-
-/// [`sweep_page`] with the files that the scene names.
-///
-/// # Errors
-/// Those of [`sweep_page`].
-pub fn sweep_page_with(sweep: &Value, files: &[SceneFile]) -> Result<String, Error> {
+pub fn sweep_page(sweep: &SweepResult, files: &[SceneFile]) -> Result<String, Error> {
     let options = PlotOptions { selected: Vec::new(), width: PAGE_WIDTH };
     let figures = figures_of_sweep(sweep, &options).map_err(|unknown| Error::format("page")(unknown.name))?;
+    let of_scene = [&sweep.identity.title, &sweep.scene, &sweep.identity.scene_sha256].map(String::as_str);
+    let of_sweep = ResultHead { version: sweep.identity.version.clone(), ..ResultHead::of(SWEEP_FORMAT, of_scene) };
     render(Page {
         kind: "sweep",
-        status: studies::cases_in_words(sweep),
-        verdict: sweep["rows"].as_array().and_then(|rows| Outcome::of_cases(rows)),
+        status: studies::cases_in_words(&sweep.rows),
+        verdict: Outcome::of_cases(&sweep.rows),
         maps: drawn(&figures),
         cases: SweepData::of(sweep).map(|data| embedded(&data)).transpose()?,
         lead: Lead { title: "All cases", table: studies::sweep_rows(sweep), ..Lead::default() },
-        command: command("sweep", sweep, &[]),
-        ..head(sweep, files)
+        command: command("sweep", true),
+        ..head(&of_sweep, &sweep.effects, files)
     })
 }
 
-/// The page of a convergence study, from the object of `converge.json` and its picture as SVG, if it has one.
+/// The page of a convergence study and its picture as SVG, if it has one.
 ///
 /// # Errors
 /// [`Error::Format`]: the page cannot be made of it.
-pub fn convergence_page(study: &Value, svg: Option<&str>) -> Result<String, Error> {
+pub fn convergence_page(study: &ConvergenceReport, svg: Option<&str>) -> Result<String, Error> {
     let picture = svg
         .filter(|svg| svg.starts_with("<svg"))
         .map(|svg| Drawn { name: CONVERGENCE.to_owned(), svg: svg.to_owned() });
@@ -246,29 +246,27 @@ pub fn convergence_page(study: &Value, svg: Option<&str>) -> Result<String, Erro
         kind: "convergence study",
         maps: picture.into_iter().collect(),
         tables: studies::study_levels(study).into_iter().collect(),
-        command: command("converge", study, &[]),
-        ..head(study, &[])
+        command: command("converge", true),
+        ..head(&study.head, &study.effects, &[])
     })
 }
 
 /// What all pages begin with.
-fn head(result: &Value, files: &[SceneFile]) -> Page {
-    let text = |key: &str| result[key].as_str().unwrap_or_default().to_owned();
-    let scene = text("scene");
-    let parsed = Scene::parse(&scene, Path::new("scene.toml"), &[]);
+fn head(head: &ResultHead, effects: &Effects, files: &[SceneFile]) -> Page {
+    let parsed = Scene::parse(&head.scene, Path::new("scene.toml"), &[]);
     Page {
-        title: text("title"),
-        version: text("version"),
-        sum: text("scene_sha256").chars().take(12).collect(),
-        status: text("status").replace('_', " "),
-        reason: text("reason"),
-        simulated: simulated(result).map(|effect| Told { name: effect.name, sentence: effect.sentence }).collect(),
-        not_simulated: texts(&result["effects"]["not_simulated"]),
+        title: head.title.clone(),
+        version: head.version.clone(),
+        sum: head.scene_sha256.chars().take(12).collect(),
+        status: head.status.name().replace('_', " "),
+        reason: head.reason.clone().unwrap_or_default(),
+        simulated: effects.simulated.iter().map(|it| Told { name: it.name, sentence: it.sentence }).collect(),
+        not_simulated: effects.not_simulated.iter().map(ToString::to_string).collect(),
         words: parsed
             .map(|scene| words(&scene).iter().map(|line| line.replace(" deg", "\u{b0}")).collect())
             .unwrap_or_default(),
-        files: saved(&scene, files),
-        scene,
+        files: saved(&head.scene, files),
+        scene: head.scene.clone(),
         ..Page::default()
     }
 }
@@ -317,32 +315,20 @@ fn drawn(figures: &[(String, Figure)]) -> Vec<Drawn> {
     figures.par_iter().map(each).collect()
 }
 
-fn texts(list: &Value) -> Vec<String> {
-    let list = list.as_array().into_iter().flatten();
-    list.filter_map(Value::as_str).map(str::to_owned).collect()
+fn texts(warnings: &[Warning]) -> Vec<String> {
+    warnings.iter().map(|warning| warning.text.clone()).collect()
 }
 
-fn mesh_in_words(mesh: &Value) -> String {
-    let count = |key: &str| mesh[key].as_u64().unwrap_or_default();
+fn mesh_in_words(mesh: &MeshFacts) -> String {
     format!(
         "{} triangles, {} nodes for a pressure of degree {}, smallest angle {:.1}\u{b0}",
-        count("cells"),
-        count("nodes"),
-        count("order"),
-        mesh["min_angle_deg"].as_f64().unwrap_or_default()
+        mesh.cells, mesh.nodes, mesh.order, mesh.min_angle_deg
     )
 }
 
 /// The command that gives these results again, for the scene in a file of that name.
-fn command(verb: &str, result: &Value, options: &[&str]) -> String {
-    let mut command = format!("oilwedge {verb} scene.toml --report");
-    if verb == "solve" && result["bars"].as_bool() == Some(false) {
-        command += " --bars none";
-    }
-    for option in options.iter().filter(|option| !result[**option].is_null()) {
-        command += &format!(" --{option}");
-    }
-    command
+fn command(verb: &str, has_bars: bool) -> String {
+    format!("oilwedge {verb} scene.toml --report{}", if has_bars { "" } else { " --bars none" })
 }
 
 fn render(page: Page) -> Result<String, Error> {

@@ -1,15 +1,14 @@
-//! The quantities of a run as the page shows them, from the object of `result.json`.
+//! The quantities of a run as the page shows them.
 
 use oilwedge_scene::wording::printable;
-use oilwedge_study::effects::{EFFECTS, Effects};
+use oilwedge_study::effects::Effects;
 use oilwedge_study::quantities::{
-    CATALOGUE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE,
-    ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, MIN_FILM_ANGLE, PRESSURE_MAX, Row, SIDE_FLOW,
+    Bar, CATALOGUE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE,
+    ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, MIN_FILM_ANGLE, PRESSURE_MAX, Quantity, Row, SIDE_FLOW,
     TEMPERATURE_EFFECTIVE,
 };
-use oilwedge_study::result::headlines;
+use oilwedge_study::result::{RunResult, headlines};
 use serde::Serialize;
-use serde_json::Value;
 
 use crate::digits::{bar, quantity_value, unresolved};
 use crate::readable::{printed_symbol, printed_unit, readable_unit};
@@ -51,50 +50,55 @@ struct Part {
 }
 
 /// All quantities of a run, in the order of the catalogue.
-pub(super) fn quantities(result: &Value) -> Vec<Shown> {
-    let Some(all) = result["quantities"].as_object() else {
-        return Vec::new();
-    };
-    let has_bars = result["bars"].as_bool().unwrap_or(false);
-    let of_row = |row: &'static Row| all.iter().filter(|(name, _)| row.has(name)).map(move |it| (row, it));
-    CATALOGUE
-        .iter()
-        .flat_map(|row| of_row(row))
-        .filter_map(|(row, (name, it))| shown(row, name, it, has_bars))
-        .collect()
+pub(super) fn quantities(result: &RunResult) -> Vec<Shown> {
+    let mut all: Vec<&Quantity> = result.quantities.iter().collect();
+    all.sort_by_key(|it| (CATALOGUE.iter().position(|row| *row == it.row), &it.name));
+    all.into_iter().map(|it| Shown::of(it, result.bars)).collect()
 }
 
-pub(super) fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -> Option<Shown> {
-    let value = it["value"].as_f64()?;
-    let error = it["error"].as_f64();
-    let (unit, size) = readable_unit(value, row.unit);
-    let words = match error {
-        Some(0.0) => "exact".to_owned(),
-        Some(error) => format!("\u{b1} {}", with_minus(bar(error / size))),
-        None if has_bars => "not resolved".to_owned(),
-        None => "not estimated".to_owned(),
-    };
-    let parts = it["error_parts"].as_object();
-    let parts = parts.into_iter().flatten().filter_map(|(part, value)| {
-        let value = value.as_f64().filter(|value| *value > 0.0)?;
-        Some(Part { name: part.clone(), value: with_minus(bar(value / size)), si: format!("{value}") })
-    });
-    Some(Shown {
-        row,
-        name: in_words(name),
-        what: row.what,
-        definition: row.definition,
-        symbol: html_symbol(row.symbol),
-        value: with_minus(match error {
-            None if has_bars => unresolved(value / size),
-            error => quantity_value(value / size, error.map(|error| error / size), DIGITS),
-        }),
-        unit: shown_unit(unit),
-        si: format!("{value}"),
-        bar: words,
-        bar_si: error.map(|error| format!("{error}")).unwrap_or_default(),
-        parts: parts.collect(),
-    })
+impl Shown {
+    /// A quantity with the parts of its bar.
+    pub(super) fn of(it: &Quantity, has_bars: bool) -> Self {
+        let (_, size) = readable_unit(it.value, it.row.unit);
+        let mut parts: Vec<(&str, f64)> =
+            it.bar.iter().flat_map(Bar::by_name).filter(|(_, part)| *part > 0.0).collect();
+        parts.sort_by_key(|(name, _)| *name);
+        let part = |(name, value): (&str, f64)| Part {
+            name: name.to_owned(),
+            value: with_minus(bar(value / size)),
+            si: format!("{value}"),
+        };
+        Self {
+            parts: parts.into_iter().map(part).collect(),
+            ..Self::number(it.row, &it.name, (it.value, it.error()), has_bars)
+        }
+    }
+
+    /// A number of this row with its bar.
+    pub(super) fn number(row: &'static Row, name: &str, (value, error): (f64, Option<f64>), has_bars: bool) -> Self {
+        let (unit, size) = readable_unit(value, row.unit);
+        Self {
+            row,
+            name: in_words(name),
+            what: row.what,
+            definition: row.definition,
+            symbol: html_symbol(row.symbol),
+            value: with_minus(match error {
+                None if has_bars => unresolved(value / size),
+                error => quantity_value(value / size, error.map(|error| error / size), DIGITS),
+            }),
+            unit: shown_unit(unit),
+            si: format!("{value}"),
+            bar: match error {
+                Some(0.0) => "exact".to_owned(),
+                Some(error) => format!("\u{b1} {}", with_minus(bar(error / size))),
+                None if has_bars => "not resolved".to_owned(),
+                None => "not estimated".to_owned(),
+            },
+            bar_si: error.map(|error| format!("{error}")).unwrap_or_default(),
+            parts: Vec::new(),
+        }
+    }
 }
 
 /// A unit with its true letters; nothing for a pure number.
@@ -133,15 +137,14 @@ static ASKED_FIRST: [(&str, [&Row; 2]); 6] = [
 ];
 
 /// The quantities at the head of the page: what is asked first, then further headlines.
-pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
-    let effects = Effects { simulated: simulated(result).collect(), not_simulated: Vec::new() };
+pub(super) fn cards(all: &[Shown], effects: &Effects) -> Vec<Shown> {
     let first = ASKED_FIRST.iter().filter_map(|(name, rows)| {
         let found = rows.iter().find_map(|row| all.iter().find(|it| it.row == *row))?;
         let name = (*name).to_owned();
         Some(Shown { name, ..found.clone() })
     });
     let mut cards: Vec<Shown> = first.collect();
-    for other in headlines(all, |it| it.row, &effects) {
+    for other in headlines(all, |it| it.row, effects) {
         if cards.iter().all(|card| card.row != other.row) {
             cards.push(other.clone());
         }
@@ -151,12 +154,6 @@ pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
     offset.into_iter().for_each(|card| card.name = "direction of the offset".to_owned());
     cards.truncate(CARDS);
     cards
-}
-
-/// The effects of a run.
-pub(super) fn simulated(result: &Value) -> impl Iterator<Item = &'static oilwedge_study::effects::Effect> {
-    let names = result["effects"]["simulated"].as_array().into_iter().flatten();
-    names.filter_map(|name| EFFECTS.iter().copied().find(|effect| Some(effect.name) == name.as_str()))
 }
 
 /// A symbol as HTML.
@@ -180,6 +177,7 @@ pub(super) fn html_symbol(symbol: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use oilwedge_study::quantities::LOAD;
 
     #[test]
     fn symbols_have_letters_and_indices() {
@@ -191,9 +189,10 @@ mod tests {
 
     #[test]
     fn a_quantity_is_shown_with_the_digits_of_its_bar() {
-        let result = serde_json::json!({ "bars": true, "quantities": {
-            "load": { "symbol": "W", "value": 5000.0, "unit": "N", "error": null, "error_parts": null },
-            "friction_power": { "symbol": "P", "value": 179.612, "unit": "W", "error": 0.28, "error_parts": { "front": 0.2, "algebra": 0.0 } } } });
+        let bar = Bar { front: 0.28, ..Bar::default() };
+        let power = Quantity { bar: Some(bar), ..Quantity::new(&FRICTION_POWER, 179.612) };
+        let quantities_found = vec![power, Quantity::new(&LOAD, 5000.0)];
+        let result = RunResult { bars: true, quantities: quantities_found, ..RunResult::default() };
         let shown = quantities(&result);
         assert_eq!((shown[0].value.as_str(), shown[0].bar.as_str()), ("5.0", "not resolved"));
         assert_eq!((shown[1].value.as_str(), shown[1].bar.as_str()), ("179.61", "\u{b1} 0.28"));

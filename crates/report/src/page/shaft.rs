@@ -3,24 +3,23 @@
 
 use oilwedge_drawing::PAGE_WIDTH;
 use oilwedge_scene::wording::millimetres;
+use oilwedge_study::effects::Effects;
 use oilwedge_study::quantities::{
     CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     CYCLE_LOAD_MAX, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD,
-    LOAD_ANGLE, PRESSURE_MAX, Row, SIDE_FLOW, Unit,
+    LOAD_ANGLE, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, Unit,
 };
-use oilwedge_study::result::Criterion;
-use oilwedge_study::shaft::Variant;
-use serde_json::Value;
+use oilwedge_study::result::{Criterion, Geometry};
+use oilwedge_study::shaft::{BearingReport, CounterweightReport, CycleReport, ShaftBalances, ShaftResult, Variant};
 
-use super::quantities::{Shown, shown, shown_unit, with_minus};
-use super::table::{Cell, DIGITS, Table, number, sized, text};
+use super::quantities::{Shown, shown_unit, with_minus};
+use super::table::{Cell, Table, count, number, number_as, sized, text, with_bar};
 use super::verdict::{self, Outcome};
 use super::{Lead, Page, SceneFile, command, drawn, head, render, tables, texts};
 use crate::Error;
-use crate::digits::{bar, quantity_value};
 use crate::plot::{BENT, SHAFT, shaft_figures};
 use crate::readable::readable_unit;
-use crate::shaft_view::{ShaftView, ShaftViews, number_of};
+use crate::shaft_view::{ShaftView, ShaftViews};
 
 /// Columns of the bearings: heading, and the quantity at rest or over a cycle.
 const COLUMNS: [(&str, [&Row; 2]); 6] = [
@@ -34,37 +33,28 @@ const COLUMNS: [(&str, [&Row; 2]); 6] = [
 /// What of two shafts is compared.
 const COMPARED: [(&str, [&Row; 2]); 3] = [COLUMNS[0], COLUMNS[1], COLUMNS[2]];
 
-/// The page of a crankshaft and of those beside it.
+/// The page of a crankshaft and of those beside it with the files that the scene names.
 ///
 /// # Errors
 /// [`Error::Format`]: the page cannot be made.
-pub fn shaft_page(views: &ShaftViews) -> Result<String, Error> {
-    shaft_page_with(views, &[])
-}
-
-/// [`shaft_page`] with the files that the scene names.
-///
-/// # Errors
-/// Those of [`shaft_page`].
-pub fn shaft_page_with(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Error> {
+pub fn shaft_page(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Error> {
     let own = &views.own;
     let result = &own.result;
     let criteria = criteria(own);
     let mut page = Page {
         kind: "crankshaft",
-        verdict: Outcome::of(&criteria, result["status"].as_str().unwrap_or_default()),
+        verdict: Outcome::of(&criteria, result.head.status),
         cards: cards(own),
         criteria: verdict::table(&criteria),
         lead: Lead { title: "The shaft", words: words(own), table: bearings(own).if_any(), ..Lead::default() },
-        warnings: texts(&result["warnings"]),
-        balances: balances(own),
-        tables: [moved(result), cycles(result)].into_iter().flatten().collect(),
-        timings: tables::timings(result),
-        ..head(result, files)
+        warnings: texts(&result.warnings),
+        balances: balances(result),
+        tables: [result.counterweights.as_ref().map(moved), cycles(&result.cycles)].into_iter().flatten().collect(),
+        timings: tables::timings(&result.timing_s),
+        command: command("solve", result.bars),
+        ..head(&result.head, &Effects::default(), files)
     };
-    let options: Vec<&str> = (views.beside.iter()).map(|(variant, _)| variant.name()).collect();
-    page.command = command("solve", result, &[]);
-    page.command += &options.iter().map(|option| format!(" --{option}")).collect::<String>();
+    page.command.extend(views.beside.iter().map(|(variant, _)| format!(" --{}", variant.name())));
     let compared = views.beside.iter().map(|(variant, other)| compared(own, *variant, other));
     page.tables.splice(0..0, compared);
     for figure in drawn(&shaft_figures(views, PAGE_WIDTH)) {
@@ -85,23 +75,21 @@ fn row_of(view: &ShaftView, rows: [&'static Row; 2]) -> &'static Row {
 fn cards(view: &ShaftView) -> Vec<Shown> {
     let worst = |(name, rows): (&str, [&'static Row; 2]), sign: f64| {
         let row = row_of(view, rows);
-        let value = |bearing: &&Value| number_of(bearing, row).map_or(f64::NEG_INFINITY, |(value, _)| sign * value);
+        let value = |it: &&BearingReport| it.quantity(row).map_or(f64::NEG_INFINITY, |it| sign * it.value);
         let bearing = view.bearings().iter().max_by(|a, b| value(a).total_cmp(&value(b)))?;
+        let quantity = bearing.quantity(row)?;
         // What the shaft decides has no bar.
-        let has_bars = number_of(bearing, row).is_some_and(|(_, error)| error.is_some());
-        let mut card = shown(row, row.name, &bearing["quantities"][row.name], has_bars)?;
-        let of = bearing["name"].as_str().unwrap_or_default();
-        card.name = format!("{of}: {name}");
+        let mut card = Shown::of(quantity, quantity.bar.is_some());
+        card.name = format!("{}: {name}", bearing.name);
         Some(card)
     };
     let sum = |rows: [&'static Row; 2], name: &str| {
         let row = row_of(view, rows);
-        let numbers = || view.bearings().iter().map(|bearing| number_of(bearing, row));
-        let sum: f64 = numbers().map(|number| Some(number?.0)).sum::<Option<f64>>()?;
+        let numbers = || view.bearings().iter().map(|bearing| bearing.quantity(row));
+        let sum: f64 = numbers().map(|number| Some(number?.value)).sum::<Option<f64>>()?;
         // The errors of bearings on one shaft may have one sign.
-        let error: Option<f64> = numbers().map(|number| number?.1).sum();
-        let number = serde_json::json!({ "value": sum, "error": error });
-        let mut card = shown(row, row.name, &number, error.is_some())?;
+        let error: Option<f64> = numbers().map(|number| number?.error()).sum();
+        let mut card = Shown::number(row, row.name, (sum, error), error.is_some());
         card.name = format!("all bearings: {name}");
         if error.is_none() {
             card.bar = String::new();
@@ -157,23 +145,22 @@ fn bearings(view: &ShaftView) -> Table {
         Table { header: first.into_iter().chain(columns.iter().map(Column::heading)).collect(), ..Table::default() };
     table.header.extend(["tilt", "tilt at the ends"].map(str::to_owned));
     for bearing in view.bearings() {
-        let size = |key: &str| bearing["geometry"][key].as_f64().unwrap_or(0.0);
-        let tilt = bearing["tilt_max"].as_f64().unwrap_or(0.0);
-        let shape = format!("{} x {}", millimetres(2.0 * size("radius")), millimetres(size("length")));
+        let Geometry { radius, length, clearance, .. } = bearing.geometry;
+        let tilt = bearing.tilt_max;
+        let shape = format!("{} x {}", millimetres(2.0 * radius), millimetres(length));
         let mut cells = vec![
-            text(bearing["name"].as_str().unwrap_or_default()),
-            verdict::cell(&verdict::criteria_of(bearing)),
-            sized(bearing["at"].as_f64().unwrap_or(0.0), 1e-3, "mm"),
+            text(bearing.name.as_str()),
+            verdict::cell(&bearing.criteria),
+            sized(bearing.at, 1e-3, "mm"),
             Cell { kind: "whole", ..text(shape.replace(" x ", " \u{d7} ")) },
-            sized(size("clearance"), 1e-6, "\u{b5}m"),
+            sized(clearance, 1e-6, "\u{b5}m"),
         ];
         cells.extend(columns.iter().map(|column| column.cell(bearing)));
-        let shown = sized(tilt, 1e-3, "mrad");
-        cells.push(match bearing["tilt_max_error"].as_f64() {
-            Some(error) if error > 0.0 => Cell { text: format!("{} mrad", with_bar(tilt, error, 1e-3)), ..shown },
-            _ => shown,
+        cells.push(match bearing.tilt_max_error {
+            Some(error) if error > 0.0 => number_as(tilt, format!("{} mrad", with_bar(tilt, Some(error), 1e-3))),
+            _ => sized(tilt, 1e-3, "mrad"),
         });
-        let at_ends = tilt * 0.5 * size("length") / size("clearance");
+        let at_ends = tilt * 0.5 * length / clearance;
         cells.push(sized(at_ends, 1e-2, "% of c"));
         table.rows.push(cells);
     }
@@ -191,8 +178,8 @@ struct Column {
 impl Column {
     /// `None` where no bearing has the quantity.
     fn of(view: &ShaftView, heading: &'static str, row: &'static Row) -> Option<Self> {
-        let values = view.bearings().iter().filter_map(|bearing| number_of(bearing, row));
-        let most = values.map(|(value, _)| value.abs()).reduce(f64::max)?;
+        let values = view.bearings().iter().filter_map(|bearing| bearing.quantity(row));
+        let most = values.map(|it| it.value.abs()).reduce(f64::max)?;
         let (unit, size) = readable_unit(most, row.unit);
         Some(Self { heading, row, unit: shown_unit(unit), size })
     }
@@ -204,22 +191,10 @@ impl Column {
         }
     }
 
-    fn cell(&self, bearing: &Value) -> Cell {
-        let Some((value, error)) = number_of(bearing, self.row) else {
-            return text("\u{2013}");
-        };
-        let text = match error.filter(|error| *error > 0.0) {
-            Some(error) => with_bar(value, error, self.size),
-            None => with_minus(quantity_value(value / self.size, error, DIGITS)),
-        };
-        Cell { text, si: format!("{value}"), is_number: true, ..Cell::default() }
+    fn cell(&self, bearing: &BearingReport) -> Cell {
+        let shown = |it: &Quantity| number_as(it.value, with_bar(it.value, it.error(), self.size));
+        bearing.quantity(self.row).map_or_else(|| text("\u{2013}"), shown)
     }
-}
-
-/// A value and its error bar in a unit of this size.
-fn with_bar(value: f64, error: f64, size: f64) -> String {
-    let (value, error) = (value / size, error / size);
-    format!("{} \u{b1} {}", with_minus(quantity_value(value, Some(error), DIGITS)), with_minus(bar(error)))
 }
 
 /// Loads and least films of two shafts, and how far the other is off.
@@ -233,16 +208,16 @@ fn compared(own: &ShaftView, variant: Variant, other: &ShaftView) -> Table {
         table.header.extend([column.heading(), short.to_owned(), "change".to_owned()]);
     }
     for (bearing, beside) in own.bearings().iter().zip(other.bearings()) {
-        let mut cells = vec![text(bearing["name"].as_str().unwrap_or_default())];
+        let mut cells = vec![text(bearing.name.as_str())];
         for column in &columns {
-            let [before, after] = [bearing, beside].map(|it| number_of(it, column.row));
-            let change = before.zip(after).map(|((before, _), (after, _))| after / before - 1.0);
+            let [before, after] = [bearing, beside].map(|it| it.quantity(column.row));
+            let change = before.zip(after).map(|(before, after)| after.value / before.value - 1.0);
             cells.extend([column.cell(bearing), column.cell(beside)]);
             cells.push(change.map_or_else(|| text("\u{2013}"), percent));
         }
         table.rows.push(cells);
     }
-    if let Some(reason) = other.result["reason"].as_str() {
+    if let Some(reason) = &other.result.head.reason {
         table.notes.push(format!("Of {}: {reason}", variant.words()));
     }
     if variant == Variant::Cut {
@@ -254,52 +229,44 @@ fn compared(own: &ShaftView, variant: Variant, other: &ShaftView) -> Table {
 
 /// A relative change with its sign.
 fn percent(change: f64) -> Cell {
-    Cell {
-        text: with_minus(format!("{:+.1} %", 1e2 * change)),
-        si: format!("{change}"),
-        is_number: true,
-        ..Cell::default()
-    }
+    number_as(change, with_minus(format!("{:+.1} %", 1e2 * change)))
 }
 
 /// What all bearings are judged by, each criterion with the name of its bearing.
 fn criteria(view: &ShaftView) -> Vec<Criterion> {
-    let of_bearing = |bearing: &Value| {
-        let name = bearing["name"].as_str().unwrap_or_default().to_owned();
-        let own = verdict::criteria_of(bearing).into_iter();
-        own.map(move |criterion| Criterion { what: format!("{name}: {}", criterion.what), ..criterion })
+    let of_bearing = |bearing: &BearingReport| {
+        let named = |criterion: &Criterion| Criterion {
+            what: format!("{}: {}", bearing.name, criterion.what),
+            ..criterion.clone()
+        };
+        bearing.criteria.iter().map(named).collect::<Vec<_>>()
     };
     view.bearings().iter().flat_map(of_bearing).collect()
 }
 
 /// How the counterweights are moved.
-fn moved(result: &Value) -> Option<Table> {
-    let found = result["counterweights"].as_object()?;
-    let rows = found["webs"].as_array()?.iter().map(|web| {
-        let pair = |key: &str, size: f64, unit: &str| {
-            [0, 1].map(|k: usize| sized(web[key][k].as_f64().unwrap_or(0.0), size, unit))
-        };
-        let [before, after] = pair("moment", 1e-3, "kg\u{b7}mm");
-        let [from, to] = pair("angle_deg", 1.0, "\u{b0}");
-        let place = format!("throw {}, web {}", web["throw"], web["web"]);
+fn moved(found: &CounterweightReport) -> Table {
+    let rows = found.webs.iter().map(|web| {
+        let [before, after] = web.moment.map(|moment| sized(moment, 1e-3, "kg\u{b7}mm"));
+        let [from, to] = web.angle_deg.map(|angle| sized(angle, 1.0, "\u{b0}"));
+        let place = format!("throw {}, web {}", web.throw, web.web);
         vec![text(place), before, from, after, to]
     });
     let mut table = Table::new("Counterweights moved", ["web", "before", "angle", "after", "angle"], rows.collect());
     let (unit, size) = readable_unit(1e-6, Unit::Metre);
-    for (key, how) in [
-        ("film", "on the films of the scene"),
-        ("film_by_maps", "by maps, the shaft cut and the counterweights moved all the way"),
+    for (films, how) in [
+        (found.film, "on the films of the scene"),
+        (Some(found.film_by_maps), "by maps, the shaft cut and the counterweights moved all the way"),
     ] {
-        let film = |k: usize| Some(sized(found[key][k].as_f64()?, size, &shown_unit(unit)).text);
-        let note =
-            film(0).zip(film(1)).map(|(a, b)| format!("Least film of all bearings {how}: {a} before, {b} after."));
-        table.notes.extend(note);
+        let [before, after] = films.unwrap_or_default().map(|film| sized(film, size, &shown_unit(unit)).text);
+        let note = format!("Least film of all bearings {how}: {before} before, {after} after.");
+        table.notes.extend(films.map(|_| note));
     }
-    table.notes.extend(match found["part"].as_f64() {
-        Some(0.0) => {
+    table.notes.extend(match found.part {
+        0.0 => {
             Some("The counterweights stay: the shaft of the scene fares no better on any part of the way.".to_owned())
         }
-        Some(part) if part < 1.0 => {
+        part if part < 1.0 => {
             Some(format!("They are moved {part} of the way: further on the shaft of the scene fares no better."))
         }
         _ => None,
@@ -307,25 +274,23 @@ fn moved(result: &Value) -> Option<Table> {
     table
         .notes
         .push("Angles from the throw, in the sense of rotation. Force and moment of the whole shaft stay.".to_owned());
-    Some(table)
+    table
 }
 
 /// What must vanish, and what was left of it.
-fn balances(view: &ShaftView) -> Table {
-    let energies = view.bearings().iter().filter_map(|bearing| bearing["energy"].as_f64());
-    let about = [
-        ("force", "loads less forces of all films, over the loads, at the worst step"),
-        ("moment", "their moments, over those of the loads, at the worst step"),
-        ("journals", "what is left of the equations of all journals, over the loads"),
+fn balances(result: &ShaftResult) -> Table {
+    let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
+    let ShaftBalances { force, moment, journals, power } = result.balances;
+    let left = [
+        (force, "loads less forces of all films, over the loads, at the worst step"),
+        (moment, "their moments, over those of the loads, at the worst step"),
+        (journals, "what is left of the equations of all journals, over the loads"),
         (
-            "power",
+            power,
             "power of the loads and of what turns the shaft, less what films dissipate and the shaft stores, over the dissipation, at the worst step",
         ),
     ];
-    let mut rows: Vec<_> = about
-        .into_iter()
-        .filter_map(|(key, what)| Some(vec![text(what), number(view.result["balances"][key].as_f64()?)]))
-        .collect();
+    let mut rows: Vec<_> = left.into_iter().map(|(left, what)| vec![text(what), number(left)]).collect();
     rows.extend(energies.reduce(f64::max).map(|energy| {
         let what = "energy of a bearing over the cycle, over its dissipation: the error of the steps";
         vec![text(what), number(energy)]
@@ -334,11 +299,9 @@ fn balances(view: &ShaftView) -> Table {
 }
 
 /// The cycles that were followed.
-fn cycles(result: &Value) -> Option<Table> {
-    let cycles = (1..).zip(result["cycles"].as_array()?);
-    let rows = cycles.map(|(count, cycle): (u32, &Value)| {
-        let numbers = ["steps", "rejected", "films", "closure"].map(|key| super::table::optional(&cycle[key]));
-        [number(f64::from(count))].into_iter().chain(numbers).collect()
+fn cycles(cycles: &[CycleReport]) -> Option<Table> {
+    let rows = (1..).zip(cycles).map(|(place, it)| {
+        vec![count(place), count(it.steps), count(it.rejected), count(it.films), number(it.closure)]
     });
     Table::new(
         "Cycles",

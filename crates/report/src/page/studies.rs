@@ -1,23 +1,22 @@
 //! Tables of sweeps and convergence studies.
 
+use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport};
+use oilwedge_scene::sweep::Axis;
 use oilwedge_study::result::Verdict;
-use serde::Deserialize;
-use serde_json::Value;
 
 use super::quantities::{shown_unit, with_minus};
-use super::table::{Cell, DIGITS, Table, any, optional, text, without_zeros};
+use super::table::{Cell, DIGITS, Table, count, number_as, of_axis, optional, text, without_zeros};
 use super::verdict;
 use crate::digits::{quantity_value, significant};
-use crate::plot::Cases;
+use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
 /// Digits of the value whose convergence is studied.
 const VALUE_DIGITS: usize = 9;
 
 /// How many cases there are, and what became of them.
-pub(super) fn cases_in_words(sweep: &Value) -> String {
+pub(super) fn cases_in_words(rows: &[CaseRecord]) -> String {
     let mut counts: Vec<(String, usize)> = Vec::new();
-    let rows = sweep["rows"].as_array().into_iter().flatten();
-    for status in rows.map(|row| any(&row["status"]).text.replace('_', " ")) {
+    for status in rows.iter().map(|row| row.status.replace('_', " ")) {
         match counts.iter_mut().find(|(known, _)| *known == status) {
             Some((_, count)) => *count += 1,
             None => counts.push((status, 1)),
@@ -28,39 +27,38 @@ pub(super) fn cases_in_words(sweep: &Value) -> String {
 }
 
 /// The rows of a sweep: its axes in their order, the columns that the scene asks for or the main quantities, the
-/// verdict where the scene sets limits, and how each case ended.
-pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
-    let cases = Cases::of(sweep)?;
-    let quantities: Vec<(String, &str, f64)> = cases
+/// verdict where the scene sets limits, and how each case ended. A sweep that has not ended has none.
+pub(super) fn sweep_rows(sweep: &SweepResult) -> Option<Table> {
+    let quantities: Vec<(String, &str, f64)> = sweep
         .names(&[])
         .into_iter()
         .filter_map(|name| {
-            let (unit, size) = cases.unit_of(&name)?;
+            let (unit, size) = sweep.unit_of(&name)?;
             Some((name, unit, size))
         })
         .collect();
-    let is_judged = cases.rows().iter().any(|it| it["verdict"].is_string());
+    let is_judged = sweep.rows.iter().any(|it| it.verdict.is_some());
     let mut header = vec!["case".to_owned()];
-    header.extend(cases.inputs().map(|(name, unit, _)| name.replace(['_', '.'], " ") + &unit_of(unit)));
-    header.extend(quantities.iter().map(|(name, unit, _)| cases.heading(name) + &unit_of(unit)));
+    header.extend(sweep.axes.iter().map(|axis| axis.name.replace(['_', '.'], " ") + &unit_of(&axis.unit)));
+    header.extend(quantities.iter().map(|(name, unit, _)| sweep.heading(name) + &unit_of(unit)));
     header.extend(is_judged.then(|| "verdict".to_owned()));
     header.extend(["status", "warnings"].map(str::to_owned));
-    let words = |it: &Value| text(any(it).text.replace('_', " "));
-    let shown = cases.rows().iter().map(|it| {
-        let mut cells = vec![any(&it["case"])];
-        cells.extend(cases.inputs().map(|(name, ..)| Cell { kind: "whole", ..any(&it["inputs"][name]) }));
-        cells.extend(quantities.iter().map(|(name, _, size)| quantity(&it["quantities"][name.as_str()], *size)));
+    let shown = sweep.rows.iter().map(|it| {
+        let mut cells = vec![count(it.case)];
+        let input = |axis: &Axis| it.inputs.get(&axis.name).map_or_else(Cell::default, of_axis);
+        cells.extend(sweep.axes.iter().map(|axis| Cell { kind: "whole", ..input(axis) }));
+        cells.extend(quantities.iter().map(|(name, _, size)| quantity(it.quantities.get(name), *size)));
         cells.extend(is_judged.then(|| verdict_of(it)));
-        cells.extend([&it["status"], &it["warnings"]].map(words));
+        cells.extend([it.status.clone(), it.warnings.join(", ")].map(|words| text(words.replace('_', " "))));
         cells
     });
-    let reasons = cases.rows().iter().filter_map(|it| {
-        let reason = it["reason"].as_str().filter(|reason| !reason.is_empty())?;
-        Some(format!("Case {}: {reason}", it["case"]))
+    let reasons = sweep.rows.iter().filter_map(|it| {
+        let reason = it.reason.as_ref().filter(|reason| !reason.is_empty())?;
+        Some(format!("Case {}: {reason}", it.case))
     });
-    let which = if cases.are_asked() { "The columns that the scene asks for" } else { "The main quantities" };
+    let which = if sweep.columns.is_empty() { "The main quantities" } else { "The columns that the scene asks for" };
     let all = format!("{which}; sweep.csv has their error bars.");
-    Some(Table {
+    sweep.complete.then(|| Table {
         title: "All cases".to_owned(),
         header,
         rows: shown.collect(),
@@ -69,27 +67,21 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
 }
 
 /// The verdict of a case, with the limits that it does not keep.
-fn verdict_of(row: &Value) -> Cell {
-    let verdict = Verdict::deserialize(&row["verdict"]).ok();
-    let word = verdict.map_or("", Verdict::name);
-    let missed = any(&row["limits"]).text;
+fn verdict_of(row: &CaseRecord) -> Cell {
+    let word = row.verdict.map_or("", Verdict::name);
+    let missed = row.limits.join(", ");
     let comma = if missed.is_empty() { "" } else { ": " };
-    Cell { kind: verdict::kind(verdict), ..text(format!("{word}{comma}{missed}")) }
+    Cell { kind: verdict::kind(row.verdict), ..text(format!("{word}{comma}{missed}")) }
 }
 
 /// The value of a quantity in a unit of that size, with the digits of its bar.
-fn quantity(it: &Value, size: f64) -> Cell {
-    let Some(value) = it["value"].as_f64() else {
+fn quantity(it: Option<&CaseQuantity>, size: f64) -> Cell {
+    let Some(CaseQuantity { value, error, .. }) = it else {
         return text("\u{2013}");
     };
-    let error = it["error"].as_f64().map(|error| error / size);
+    let error = error.map(|error| error / size);
     let shown = quantity_value(value / size, error, DIGITS);
-    Cell {
-        text: with_minus(if error == Some(0.0) { without_zeros(shown) } else { shown }),
-        si: format!("{value}"),
-        is_number: true,
-        ..Cell::default()
-    }
+    number_as(*value, with_minus(if error == Some(0.0) { without_zeros(shown) } else { shown }))
 }
 
 fn unit_of(unit: &str) -> String {
@@ -100,25 +92,15 @@ fn unit_of(unit: &str) -> String {
 }
 
 /// The levels of a convergence study.
-pub(super) fn study_levels(study: &Value) -> Option<Table> {
-    let mut rows = Vec::new();
-    for course in study["strategies"].as_array()? {
-        for level in course["levels"].as_array().into_iter().flatten() {
-            let mut cells = vec![text(any(&course["strategy"]).text.replace('_', " ").replace('p', "P"))];
-            cells.extend(["level", "cells", "unknowns"].map(|key| optional(&level[key])));
-            cells.extend(level["value"].as_f64().map(|value| Cell {
-                text: with_minus(significant(value, VALUE_DIGITS)),
-                si: format!("{value}"),
-                is_number: true,
-                ..Cell::default()
-            }));
-            cells.extend(["relative_bar", "relative_error"].map(|key| optional(&level[key])));
-            rows.push(cells);
-        }
-    }
+pub(super) fn study_levels(study: &ConvergenceReport) -> Option<Table> {
+    let row = |(course, level): (&Course, &LevelReport)| {
+        let value = number_as(level.value, with_minus(significant(level.value, VALUE_DIGITS)));
+        let sizes = [level.level, level.cells, level.unknowns].map(count);
+        let errors = [level.relative_bar, level.relative_error].map(optional);
+        [text(course.strategy.name())].into_iter().chain(sizes).chain([value]).chain(errors).collect()
+    };
     let header = ["strategy", "level", "triangles", "unknowns", "value", "relative bar", "relative error"];
-    let mut table = Table::new("Levels", header, rows);
-    let notes = study["notes"].as_array().into_iter().flatten();
-    table.notes = notes.filter_map(Value::as_str).map(str::to_owned).collect();
+    let mut table = Table::new("Levels", header, study.levels().map(row).collect());
+    table.notes.clone_from(&study.notes);
     table.if_any()
 }

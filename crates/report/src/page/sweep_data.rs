@@ -1,13 +1,14 @@
 //! A sweep as the script of the page has it: its axes, and values and errors of all quantities at all cases.
 
 use oilwedge_drawing::ColourMap;
+use oilwedge_scene::sweep::{Axis, AxisValue};
+use oilwedge_study::result::Verdict;
 use serde::Serialize;
-use serde_json::Value;
 
 use super::packing::{Packed, packed};
 use super::quantities::shown_unit;
-use super::table::any;
-use crate::plot::{Cases, quantity_names};
+use crate::plot::quantity_names;
+use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
 /// A sweep.
 #[derive(Debug, Serialize)]
@@ -31,7 +32,7 @@ struct AxisData {
     label: String,
     unit: String,
     is_numeric: bool,
-    values: Vec<Value>,
+    values: Vec<AxisValue>,
 }
 
 /// A quantity.
@@ -44,58 +45,56 @@ struct QuantityData {
 }
 
 impl SweepData {
-    /// Data from the object of `sweep.json`; `None` where there is nothing to choose from.
-    pub(super) fn of(sweep: &Value) -> Option<Self> {
-        let cases = Cases::of(sweep)?;
-        let mut names = cases.names(&[]);
+    /// Data of a sweep; `None` where there is nothing to choose from.
+    pub(super) fn of(sweep: &SweepResult) -> Option<Self> {
+        let mut names = sweep.names(&[]);
         let others: Vec<String> = quantity_names(sweep);
         names.extend(others.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());
-        let rows: Vec<Option<&Value>> = cases.all().collect();
-        let numbers = |key: &str| -> Vec<u32> {
-            let bits = |name: &String, row: &Option<&Value>| {
-                let number = row.and_then(|row| row["quantities"][name.as_str()][key].as_f64());
+        let rows: Vec<Option<&CaseRecord>> = sweep.all().collect();
+        let numbers = |number: &dyn Fn(&CaseQuantity) -> Option<f64>| -> Vec<u32> {
+            let bits = |name: &String, row: &Option<&CaseRecord>| {
+                let number = row.and_then(|row| row.quantities.get(name)).and_then(number);
                 (number.unwrap_or(f64::NAN) as f32).to_bits()
             };
             names.iter().flat_map(|name| rows.iter().map(move |row| bits(name, row))).collect()
         };
-        let has_choice = cases.inputs().any(|(_, _, values)| values.len() > 1);
-        let remark = |row: &Option<&Value>| {
-            row.map_or_else(String::new, |row| {
-                let keys = ["status", "verdict", "limits", "reason", "warnings"];
-                let words = keys.map(|key| any(&row[key]).text);
-                let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
-                words.join("; ").replace('_', " ")
-            })
-        };
+        let has_choice = sweep.axes.iter().any(|axis| axis.values.len() > 1);
         (has_choice && !names.is_empty()).then(|| Self {
-            axes: cases.inputs().map(|(name, unit, values)| AxisData::of(name, unit, values)).collect(),
-            quantities: names.iter().map(|name| QuantityData::of(&cases, name)).collect(),
-            values: packed(&numbers("value")),
-            errors: packed(&numbers("error")),
-            remarks: rows.iter().map(remark).collect(),
+            axes: sweep.axes.iter().map(AxisData::of).collect(),
+            quantities: names.iter().map(|name| QuantityData::of(sweep, name)).collect(),
+            values: packed(&numbers(&|it| Some(it.value))),
+            errors: packed(&numbers(&|it| it.error)),
+            remarks: rows.iter().map(|row| row.map_or_else(String::new, remark)).collect(),
             sequential: ColourMap::Batlow.to_hex(),
             diverging: ColourMap::Vik.to_hex(),
         })
     }
 }
 
+/// What became of a case.
+fn remark(row: &CaseRecord) -> String {
+    let verdict = row.verdict.map_or("", Verdict::name);
+    let reason = row.reason.as_deref().unwrap_or_default();
+    let (limits, warnings) = (row.limits.join(", "), row.warnings.join(", "));
+    let words = [row.status.as_str(), verdict, &limits, reason, &warnings];
+    let words: Vec<&str> = words.into_iter().filter(|words| !words.is_empty()).collect();
+    words.join("; ").replace('_', " ")
+}
+
 impl AxisData {
-    fn of(name: &str, unit: &str, values: &[Value]) -> Self {
+    fn of(axis: &Axis) -> Self {
         Self {
-            label: name.replace('_', " "),
-            unit: shown_unit(unit),
-            is_numeric: values.iter().all(Value::is_number),
-            values: values
-                .iter()
-                .map(|value| if value.is_number() { value.clone() } else { any(value).text.into() })
-                .collect(),
+            label: axis.name.replace('_', " "),
+            unit: shown_unit(&axis.unit),
+            is_numeric: axis.is_numeric(),
+            values: axis.values.clone(),
         }
     }
 }
 
 impl QuantityData {
-    fn of(cases: &Cases, name: &str) -> Self {
-        let (unit, size) = cases.unit_of(name).unwrap_or(("", 1.0));
-        Self { label: cases.heading(name), unit: shown_unit(unit), size }
+    fn of(sweep: &SweepResult, name: &str) -> Self {
+        let (unit, size) = sweep.unit_of(name).unwrap_or(("", 1.0));
+        Self { label: sweep.heading(name), unit: shown_unit(unit), size }
     }
 }

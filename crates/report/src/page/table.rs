@@ -1,10 +1,10 @@
 //! Tables of the page: cells with their text and the full number behind it.
 
+use oilwedge_scene::sweep::AxisValue;
 use serde::Serialize;
-use serde_json::Value;
 
 use super::quantities::with_minus;
-use crate::digits::significant;
+use crate::digits::{bar, quantity_value, significant};
 
 /// Digits of numbers in tables.
 pub(super) const DIGITS: usize = 4;
@@ -57,7 +57,19 @@ pub(super) fn sized(value: f64, size: f64, unit: &str) -> Cell {
         true => with_minus(format!("{}", value + 0.0)),
         false => with_minus(without_zeros(significant(value / size, DIGITS))),
     };
-    Cell { text: format!("{shown} {unit}").trim_end().to_owned(), si: format!("{value}"), is_number: true, kind: "" }
+    number_as(value, format!("{shown} {unit}").trim_end())
+}
+
+/// A number that is shown as this text.
+pub(super) fn number_as(value: f64, text: impl Into<String>) -> Cell {
+    Cell { text: text.into(), si: format!("{value}"), is_number: true, kind: "" }
+}
+
+/// A value with the digits of its bar, and the bar if there is one, in a unit of this size.
+pub(super) fn with_bar(value: f64, error: Option<f64>, size: f64) -> String {
+    let error = error.map(|error| error / size);
+    let bar = error.filter(|error| *error > 0.0).map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
+    with_minus(quantity_value(value / size, error, DIGITS)) + &bar.unwrap_or_default()
 }
 
 /// A decimal number without zeros at its end.
@@ -69,21 +81,20 @@ pub(super) fn without_zeros(number: String) -> String {
     }
 }
 
-/// A number, or a dash where there is none.
-pub(super) fn optional(value: &Value) -> Cell {
-    value.as_f64().map_or_else(|| text("\u{2013}"), number)
+/// A count.
+pub(super) fn count(count: usize) -> Cell {
+    number(count as f64)
 }
 
-/// Any value of JSON in a cell.
-pub(super) fn any(value: &Value) -> Cell {
+/// A number, or a dash where there is none.
+pub(super) fn optional(value: Option<f64>) -> Cell {
+    value.map_or_else(|| text("\u{2013}"), number)
+}
+
+/// A value of an axis.
+pub(super) fn of_axis(value: &AxisValue) -> Cell {
     match value {
-        Value::Null => Cell::default(),
-        Value::Number(_) => value.as_f64().map_or_else(Cell::default, number),
-        Value::String(words) => text(words.as_str()),
-        Value::Array(list) => {
-            let words: Vec<String> = list.iter().map(|it| any(it).text).collect();
-            text(words.join(", "))
-        }
-        other => text(other.to_string()),
+        AxisValue::Number(value) => number(*value),
+        AxisValue::Word(word) => text(word.as_str()),
     }
 }

@@ -1,55 +1,48 @@
 //! Tables beside the quantities: balances, assumptions, criteria, meshes, work, and the time.
 
+use oilwedge_campaign::Records;
 use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
-use serde_json::Value;
+use oilwedge_study::result::{Balances, Counts, HistoryStep, LevelFacts, RunResult};
 
 use super::quantities::with_minus;
-use super::table::{Cell, DIGITS, Table, number, optional, sized, text, without_zeros};
+use super::table::{Cell, DIGITS, Table, count, number, sized, text, without_zeros};
 use crate::digits::significant;
-use crate::plot::BALANCE;
 
 /// What must vanish, and what was left of it.
-pub(super) fn balances(result: &Value) -> Table {
-    let about = [
-        ("mass", "oil that enters less oil that leaves, over the oil that passes"),
-        ("power", "power put in less dissipation, over all powers"),
-        ("moment", "moments of friction less that of the load, over the friction"),
-        ("force", "load less force of the film, over the load"),
-        ("tilt", "moment of load and support less that of the film, over the load times half of the length"),
-        ("deflection", "deflection less that by the pressure, over the deflection"),
-        ("energy", "energy put in over the cycle less what is dissipated, over the latter"),
-        (BALANCE, "power of friction less what is carried off, over the friction"),
+pub(super) fn balances(result: &RunResult) -> Table {
+    let Balances { mass, power, moment, force, tilt, deflection, thermal, energy } = result.balances;
+    let rows = [
+        (Some(mass), "oil that enters less oil that leaves, over the oil that passes"),
+        (Some(power), "power put in less dissipation, over all powers"),
+        (Some(moment), "moments of friction less that of the load, over the friction"),
+        (Some(force), "load less force of the film, over the load"),
+        (Some(tilt), "moment of load and support less that of the film, over the load times half of the length"),
+        (deflection, "deflection less that by the pressure, over the deflection"),
+        (energy, "energy put in over the cycle less what is dissipated, over the latter"),
+        (result.temperature.as_ref().map(|_| thermal), "power of friction less what is carried off, over the friction"),
     ];
-    let rows = about
-        .into_iter()
-        .filter(|(key, _)| *key != BALANCE || !result[BALANCE].is_null())
-        .filter_map(|(key, what)| Some(vec![text(what), number(result["balances"][key].as_f64()?)]));
+    let rows = rows.into_iter().filter_map(|(left, what)| Some(vec![text(what), number(left?)]));
     Table::new("", ["balance", "left over"], rows.collect())
 }
 
 /// The table of the assumptions that the film meets.
-pub(super) fn assumptions(result: &Value) -> Table {
-    let regime = &result["regime"];
-    let value = |key: &str| regime[key].as_f64();
-    let least_film = result["quantities"][FILM_THICKNESS_MIN.name]["value"].as_f64();
+pub(super) fn assumptions(result: &RunResult) -> Table {
+    let Some(regime) = &result.regime else { return Table::new("", ["assumption", "here", "valid"], Vec::new()) };
+    let least_film = result.quantity(&FILM_THICKNESS_MIN).map(|it| it.value);
     let micrometres = |value: f64| sized(value, 1e-6, "\u{b5}m");
     let below = |limit: f64| format!("below {}", number(limit).text);
     let mut rows = Vec::new();
     let mut add = |what: &str, value: Option<Cell>, limit: String| {
         rows.extend(value.map(|value| vec![text(what), value, text(limit)]));
     };
-    add(
-        "laminar flow: Reynolds number",
-        value("reynolds_number").map(number),
-        value("taylor_limit").map(below).unwrap_or_default(),
-    );
-    add("no inertia: Re c/R", value("inertia").map(number), below(1.0));
-    add("thin film: c/R", value("clearance_ratio").map(number), format!("below {THIN}"));
-    add("smooth surfaces: least film over roughness", value("roughness_ratio").map(number), format!("above {APART}"));
+    add("laminar flow: Reynolds number", Some(number(regime.reynolds_number)), below(regime.taylor_limit));
+    add("no inertia: Re c/R", Some(number(regime.inertia)), below(1.0));
+    add("thin film: c/R", Some(number(regime.clearance_ratio)), format!("below {THIN}"));
+    add("smooth surfaces: least film over roughness", regime.roughness_ratio.map(number), format!("above {APART}"));
     add(
         "rigid surfaces: elastic deflection",
-        value("deflection").map(micrometres),
+        Some(micrometres(regime.deflection)),
         least_film.map_or(String::new(), |film| {
             format!(
                 "small against the least film, {} \u{b5}m",
@@ -57,51 +50,61 @@ pub(super) fn assumptions(result: &Value) -> Table {
             )
         }),
     );
-    add("viscosity law: pressure exponent alpha p", value("pressure_exponent").map(number), String::new());
+    add("viscosity law: pressure exponent alpha p", regime.pressure_exponent.map(number), String::new());
     add(
         "one temperature: rise of the oil that leaves",
-        value("temperature_rise").map(|rise| sized(rise, 1.0, "K")),
+        regime.temperature_rise.map(|rise| sized(rise, 1.0, "K")),
         String::new(),
     );
-    add("density taken for these", value("density").map(|density| sized(density, 1.0, "kg/m\u{b3}")), String::new());
+    add("density taken for these", Some(sized(regime.density, 1.0, "kg/m\u{b3}")), String::new());
     Table::new("", ["assumption", "here", "valid"], rows)
 }
 
 /// The meshes on the way to a tolerance.
-pub(super) fn levels(result: &Value) -> Option<Table> {
-    let levels = result["levels"].as_array()?;
-    let rows = levels.iter().map(|level| {
-        let refinement = level["refinement"].as_str().unwrap_or_default().replace('_', " ");
-        vec![optional(&level["unknowns"]), optional(&level["cells"]), text(refinement)]
-    });
+pub(super) fn levels(levels: &[LevelFacts]) -> Option<Table> {
+    let rows = levels.iter().map(|it| vec![count(it.unknowns), count(it.cells), text(it.refinement.name())]);
     Table::new("Meshes towards the tolerance", ["unknowns", "triangles", "refinement"], rows.collect()).if_any()
 }
 
 /// How often expensive operations were done, and the iteration.
-pub(super) fn work(result: &Value) -> Table {
-    let words = |key: &str| key.replace('_', " ");
-    let counts = result["counts"].as_object().into_iter().flatten();
-    let rows = counts.map(|(key, count)| vec![text(words(key)), optional(count)]);
+pub(super) fn work(counts: &Counts) -> Table {
+    let rows = [
+        ("bars", Some(counts.bars)),
+        ("deflection products", counts.deflection_products),
+        ("deflection steps", counts.deflection_steps),
+        ("factorisations", Some(counts.factorisations)),
+        ("levels", Some(counts.levels)),
+        ("linear solves", Some(counts.linear_solves)),
+        ("nonlinear iterations", Some(counts.nonlinear_iterations)),
+        ("position steps", Some(counts.position_steps)),
+        ("temperature steps", Some(counts.temperature_steps)),
+    ];
+    let rows = rows.into_iter().filter_map(|(what, times)| Some(vec![text(what), count(times?)]));
     Table::new("Work", ["operation", "count"], rows.collect())
 }
 
 /// Steps of the nonlinear iteration.
-pub(super) fn history(result: &Value) -> Option<Table> {
-    let steps = result["history"].as_array()?.iter();
-    let rows = steps.map(|step| ["step", "residual", "active"].map(|key| optional(&step[key])).to_vec());
+pub(super) fn history(steps: &[HistoryStep]) -> Option<Table> {
+    let rows = steps.iter().map(|it| vec![count(it.step), number(it.residual), count(it.active)]);
     Table::new("Nonlinear iteration", ["step", "relative residual", "nodes in the cavity"], rows.collect()).if_any()
 }
 
-/// Wall times [ms], also those of meshes and effects; the only numbers that differ from run to run.
-pub(super) fn timings(result: &Value) -> Table {
-    let milliseconds = |seconds: &Value| seconds.as_f64().map_or_else(Cell::default, |it| sized(it, 1e-3, ""));
-    let parts = result["timing_s"].as_object().into_iter().flatten();
-    let mut rows: Vec<Vec<Cell>> = parts.map(|(part, it)| vec![text(part.as_str()), milliseconds(it)]).collect();
-    let levels = (1..).zip(result["levels"].as_array().into_iter().flatten());
-    rows.extend(levels.map(|(number, level)| vec![text(format!("mesh {number}")), milliseconds(&level["seconds"])]));
-    for cost in result["cost"].as_array().into_iter().flatten() {
-        let name = cost["effect"].as_str().unwrap_or_default();
-        rows.push(vec![text(format!("without {name}")), milliseconds(&cost["seconds_without"])]);
-    }
-    Table::new("", ["part", "ms"], rows)
+/// Wall times [ms] of parts, by their names; the only numbers that differ from run to run.
+pub(super) fn timings(parts: &[(String, f64)]) -> Table {
+    let mut parts: Vec<_> = parts.iter().collect();
+    parts.sort_by_key(|(part, _)| part);
+    Table::new("", ["part", "ms"], parts.into_iter().map(|(part, it)| timing(part.as_str(), *it)).collect())
+}
+
+/// Wall times of a film, also those of meshes and of the films without an effect.
+pub(super) fn timings_of_film(result: &RunResult, records: &Records) -> Table {
+    let mut table = timings(&result.timing_s);
+    let levels = (1..).zip(&result.levels).map(|(number, level)| timing(format!("mesh {number}"), level.seconds));
+    let costs = records.cost.iter().flatten().map(|it| timing(format!("without {}", it.effect), it.seconds_without));
+    table.rows.extend(levels.chain(costs));
+    table
+}
+
+fn timing(part: impl Into<String>, seconds: f64) -> Vec<Cell> {
+    vec![text(part), sized(seconds, 1e-3, "")]
 }

@@ -1,12 +1,12 @@
 //! What the header of a page says first, fit, NOT fit or undecided, and the table of criteria behind it.
 
-use oilwedge_study::result::{Criterion, Reserve, Verdict};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use oilwedge_study::result::{Criterion, Reserve, Status, Verdict};
+use serde::Serialize;
 
 use super::quantities::{shown_unit, with_minus};
-use super::table::{Cell, DIGITS, Table, sized, text};
+use super::table::{Cell, DIGITS, Table, number_as, sized, text};
 use crate::digits::{bar, quantity_value, unresolved};
+use crate::sweep::CaseRecord;
 use crate::tables::{first_faults, word};
 
 /// The verdict as the header shows it.
@@ -21,14 +21,14 @@ pub(super) struct Outcome {
 
 impl Outcome {
     /// The outcome of a run with these criteria that ended with a status; `None` where the scene sets no limits.
-    pub(super) fn of(criteria: &[Criterion], status: &str) -> Option<Self> {
+    pub(super) fn of(criteria: &[Criterion], status: Status) -> Option<Self> {
         let verdict = Verdict::of(criteria)?;
         let missed = criteria.iter().filter(|criterion| criterion.is_missed());
         let mut why = first_faults(missed.map(|criterion| with_true_letters(&criterion.fault())));
         if criteria.iter().any(|criterion| criterion.decides && criterion.reserve == Some(Reserve::NoBars)) {
             why.push("by values without error bars: none were asked for".to_owned());
         }
-        let is_converged = status == "converged";
+        let is_converged = status == Status::Converged;
         if verdict == Verdict::Pass && !is_converged {
             why.push("the run has not converged".to_owned());
         }
@@ -40,9 +40,9 @@ impl Outcome {
     }
 
     /// The outcome of a sweep by the verdicts of its cases; `None` where there are none.
-    pub(super) fn of_cases(rows: &[Value]) -> Option<Self> {
-        let count = |name: &str| rows.iter().filter(|row| row["verdict"] == name).count();
-        let [fit, not, open] = [Verdict::Pass, Verdict::Fail, Verdict::Undecided].map(|verdict| count(verdict.name()));
+    pub(super) fn of_cases(rows: &[CaseRecord]) -> Option<Self> {
+        let count = |verdict| rows.iter().filter(|row| row.verdict == Some(verdict)).count();
+        let [fit, not, open] = [Verdict::Pass, Verdict::Fail, Verdict::Undecided].map(count);
         let judged = fit + not + open;
         let parts = [(fit, "fit"), (not, "NOT fit"), (open, "undecided")].into_iter();
         let parts: Vec<String> =
@@ -58,12 +58,6 @@ impl Outcome {
     fn new(word: &str, kind: &'static str, why: &[String]) -> Self {
         Self { word: word.to_owned(), kind, why: why.join("; ") }
     }
-}
-
-/// The criteria of an object of `result.json`, or of one of its bearings.
-pub(super) fn criteria_of(object: &Value) -> Vec<Criterion> {
-    let list = object["criteria"].as_array().into_iter().flatten();
-    list.filter_map(|it| Criterion::deserialize(it).ok()).collect()
 }
 
 /// What a bearing is judged by, and what is usual.
@@ -114,7 +108,7 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
     vec![
         text(criterion.what.as_str()),
         Cell { kind: kind(criterion.decides.then_some(criterion.verdict)), ..text(word(criterion)) },
-        Cell { text: in_unit(value), si: format!("{}", criterion.value), is_number: true, ..Cell::default() },
+        number_as(criterion.value, in_unit(value)),
         Cell { is_number: true, ..text(bar) },
         text(format!("{usual}{limit}")),
     ]

@@ -78,15 +78,17 @@ impl DrawnBore {
 /// ends of holes, grooves and pockets. `None` without a film at mid-length.
 fn depths(film: &DrawnFilm, angles: &[f64]) -> Option<Vec<f64>> {
     let [eccentricity, towards] = film.position()?;
-    let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, 0.0]).collect();
+    let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius(), 0.0]).collect();
     let values = Finder::new(film).values(&FILM_THICKNESS, &points)?;
-    let extents: Vec<[f64; 2]> = film.rims().map(|(_, pieces)| extent(pieces, film.radius)).collect();
+    let extents: Vec<[f64; 2]> = film.rims().map(|(_, pieces)| extent(pieces, film.radius())).collect();
     let is_cut = |angle: f64| {
         (extents.iter()).any(|[low, high]| (angle - low + SLACK).rem_euclid(TAU) <= high - low + 2.0 * SLACK)
     };
     let known: Vec<(usize, f64)> = (angles.iter().zip(values).enumerate())
         .filter(|(_, (angle, value))| value.is_finite() && !is_cut(**angle))
-        .map(|(k, (angle, value))| (k, value / film.clearance - 1.0 + eccentricity * (angle - towards).cos()))
+        .map(|(k, (angle, value))| {
+            (k, value / film.result.geometry.clearance - 1.0 + eccentricity * (angle - towards).cos())
+        })
         .collect();
     let (first, last) = (known.first()?, known.last()?);
     let at = |k: usize| {

@@ -178,10 +178,10 @@ pub(super) fn figure(study: &Convergence) -> Figure {
         subtitle(report),
         if study.mesh.is_some() { "; below, the adaptive mesh" } else { "" }
     );
-    let mut figure = Figure::new([PAGE_WIDTH, 0.0], &report.title, &description);
+    let mut figure = Figure::new([PAGE_WIDTH, 0.0], &report.head.title, &description);
     let (bold, small) = (Letters::sized(9.0).bold(), Letters::sized(SMALLEST_LETTERS).coloured(GREY));
     let mut y = MARGIN + 0.5 * bold.line();
-    figure.text([MARGIN, y], &Label::fitted(&report.title, bold, width), bold, Anchor::Left);
+    figure.text([MARGIN, y], &Label::fitted(&report.head.title, bold, width), bold, Anchor::Left);
     y += 0.5 * bold.line();
     for line in Label::wrapped(&subtitle(report), small, width) {
         figure.text([MARGIN, y + 0.5 * small.line()], &line, small, Anchor::Left);

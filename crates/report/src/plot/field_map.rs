@@ -92,13 +92,13 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
     let label = Label::marked(&capitalised(&axis_label(about.0, about.1, unit)));
     let description = format!(
         "{}: {} on the unrolled liner, from {:.4} to {:.4} {unit}.",
-        film.title,
+        film.result.head.title,
         row.map_or(name, |row| row.what),
         extremes[0] / size,
         extremes[1] / size
     );
-    let mut figure = Figure::new([width, 0.0], &format!("{}: {}", film.title, about.0), &description);
-    let top = draw_head(&mut figure, &film.title, &label, width);
+    let mut figure = Figure::new([width, 0.0], &format!("{}: {}", film.result.head.title, about.0), &description);
+    let top = draw_head(&mut figure, &film.result.head.title, &label, width);
     let frame = film.liner.frame([MARGIN, top, width - 2.0 * MARGIN - BAR, 0.0]);
     if name == ERROR_INDICATOR.name {
         let contributions: Vec<f64> = values.iter().map(|values| values[0]).collect();
@@ -130,8 +130,8 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
 /// The mesh alone.
 pub(super) fn mesh_figure(film: &DrawnFilm, width: f64) -> Figure {
     let words = format!("Mesh of {} triangles", film.cells.len());
-    let mut figure = Figure::new([width, 0.0], &format!("{}: mesh", film.title), &words);
-    let top = draw_head(&mut figure, &film.title, &Label::plain(&words), width);
+    let mut figure = Figure::new([width, 0.0], &format!("{}: mesh", film.result.head.title), &words);
+    let top = draw_head(&mut figure, &film.result.head.title, &Label::plain(&words), width);
     let frame = film.liner.frame([MARGIN, top, width - 2.0 * MARGIN - 3.0, 0.0]);
     let patches = film.liner.patches(&frame, &film.cells, |_| [0.0; 6]);
     let pen = Pen::new((16.0 / (film.cells.len() as f64).sqrt()).clamp(0.1, 0.5), SIDES);
@@ -168,7 +168,7 @@ pub(super) fn peak(cells: &[[[f64; 2]; 6]], values: &[[f64; 6]]) -> Option<[f64;
 /// that place along the axis is not known.
 fn thinnest(film: &DrawnFilm) -> Option<(f64, Option<f64>)> {
     let (angle, z) = film.thinnest()?;
-    let x = angle * film.radius;
+    let x = angle * film.radius();
     let [low, high] = least_and_greatest(film.cells.iter().flatten().map(|node| node[1]));
     let along = (0..=ALONG).map(|k| [x, low + (high - low) * f64::from(k) / f64::from(ALONG)]);
     let film_along = Finder::new(film).values(&FILM_THICKNESS, &along.collect::<Vec<_>>())?;
@@ -219,7 +219,7 @@ fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option
                     figure.mark(film.liner.at(frame, [x + shift, z]), Mark::Square, BLACK);
                     continue;
                 }
-                let across = ((x + shift) / film.radius).to_degrees();
+                let across = ((x + shift) / film.radius()).to_degrees();
                 let line = [frame.at([across, low]), frame.at([across, high])];
                 figure.line(&line, Pen::new(1.6, WHITE));
                 figure.line(&line, Pen::new(1.0, BLACK).stroked(Stroke::Dotted));

@@ -8,15 +8,15 @@ use oilwedge_drawing::Figure;
 use oilwedge_study::fields::{FIELDS, VISCOSITY};
 use oilwedge_study::quantities::CATALOGUE;
 use rayon::prelude::*;
-use serde_json::Value;
 
 use super::field_map::{field_figure, is_constant, mesh_figure};
 use super::film::DrawnFilm;
 use super::profiles::profiles_figure;
 use super::section::section_figure;
 use super::sweep::{quantity_names, sweep_figures};
-use super::temperature::{BALANCE, is_sought, temperature_figure};
+use super::temperature::{BALANCE, temperature_curve, temperature_figure};
 use super::to_png;
+use crate::sweep::SweepResult;
 use crate::{Error, folder};
 
 /// Name of the folder.
@@ -52,9 +52,9 @@ pub struct Unknown {
 /// # Errors
 /// [`Unknown`]: a selected picture is not one of this film.
 pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
-    let has_balance = is_sought(&film.result);
+    let has_balance = !temperature_curve(&film.result).is_empty();
     let others = OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance);
-    let known: Vec<String> = film.field_names().chain(others).map(str::to_owned).collect();
+    let known: Vec<String> = film.field_names().chain(others.clone()).map(str::to_owned).collect();
     check(&options.selected, &known)?;
     let says_something =
         |name: &str| name != VISCOSITY.name || film.values(name).is_some_and(|values| !is_constant(values));
@@ -62,10 +62,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
         FIELDS.iter().map(|row| row.name).filter(|name| known.iter().any(|other| other == name) && says_something(name))
     };
     let names: Vec<String> = match options.selected.is_empty() {
-        true => usual()
-            .chain(OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance))
-            .map(str::to_owned)
-            .collect(),
+        true => usual().chain(others).map(str::to_owned).collect(),
         false => options.selected.clone(),
     };
     let draw = |name: String| {
@@ -81,11 +78,11 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
     Ok(names.into_par_iter().filter_map(draw).collect())
 }
 
-/// The pictures of a sweep by name, from the object of `sweep.json`.
+/// The pictures of a sweep by name.
 ///
 /// # Errors
 /// [`Unknown`]: a selected quantity is none of the sweep.
-pub fn figures_of_sweep(sweep: &Value, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
+pub fn figures_of_sweep(sweep: &SweepResult, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
     check(&options.selected, &quantity_names(sweep))?;
     Ok(sweep_figures(sweep, &options.selected, options.width))
 }

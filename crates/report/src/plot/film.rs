@@ -9,7 +9,7 @@ use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use oilwedge_study::quantities::{
     CYCLE_FILM_THICKNESS_MIN_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN_ANGLE, FILM_THICKNESS_MIN_Z, MIN_FILM_ANGLE, Row,
 };
-use serde_json::Value;
+use oilwedge_study::result::{Geometry, RunResult};
 
 use super::liner::{Liner, Nodes};
 use crate::Error;
@@ -20,13 +20,8 @@ const OFF: f64 = 1e-6;
 /// A film with the numbers of its run.
 #[derive(Debug)]
 pub struct DrawnFilm {
-    pub(super) title: String,
-    /// Everything that the run found, as in `result.json`.
-    pub(super) result: Value,
-    pub(super) radius: f64,
-    pub(super) clearance: f64,
-    pub(super) speed: f64,
-    pub(super) is_ring: bool,
+    /// Everything that the run found.
+    pub(super) result: RunResult,
     /// Whether the points of its picture are on the cylinder; otherwise they are unrolled.
     is_cylinder: bool,
     pub(super) liner: Liner,
@@ -38,25 +33,22 @@ pub struct DrawnFilm {
 }
 
 impl DrawnFilm {
-    /// A film from the object of `result.json` and the picture of the same run, on the cylinder or unrolled.
+    /// A film from the numbers of a run and its picture, on the cylinder or unrolled.
     ///
     /// # Errors
-    /// [`Error::Format`]: the object has no shape of the bearing, as those of older versions of the program.
-    pub fn new(result: Value, picture: &FilmPicture) -> Result<Self, Error> {
-        let geometry = &result["geometry"];
-        let number = |key: &str| geometry[key].as_f64().filter(|value| value.is_finite());
-        let (Some(radius), Some(clearance)) = (number("radius").filter(|radius| *radius > 0.0), number("clearance"))
-        else {
+    /// [`Error::Format`]: the numbers have no shape of the bearing, as those of older versions of the program.
+    pub fn new(result: RunResult, picture: &FilmPicture) -> Result<Self, Error> {
+        let Geometry { radius, arc, film_start, .. } = result.geometry;
+        if radius <= 0.0 {
             return Err(Error::format("picture")("result.json has no geometry; solve the scene again"));
-        };
+        }
         let unroll = Unrolled::of(picture, radius);
         let cells: Vec<Nodes> = picture.cells.iter().map(|cell| unroll.cell(cell)).collect();
-        let arc = &geometry["arc"];
-        let angles = match (arc[0].as_f64(), arc[1].as_f64()) {
-            (Some(from), Some(to)) => [from.to_radians(), to.to_radians()],
-            _ => {
-                let offset = result["quantities"][MIN_FILM_ANGLE.name]["value"].as_f64().unwrap_or(180.0);
-                let from = number("film_start").unwrap_or(offset - 180.0).rem_euclid(360.0);
+        let angles = match arc {
+            Some(ends) => ends.map(f64::to_radians),
+            None => {
+                let offset = result.quantity(&MIN_FILM_ANGLE).map_or(180.0, |it| it.value);
+                let from = film_start.unwrap_or(offset - 180.0).rem_euclid(360.0);
                 [from.to_radians(), from.to_radians() + TAU]
             }
         };
@@ -67,11 +59,6 @@ impl DrawnFilm {
         let constant = drawn_fields(&picture.cell_data).map(|(row, values)| (row.name.to_owned(), on_cells(values)));
         let unrolled = |pieces: &Vec<[[f64; 3]; 2]>| pieces.iter().map(|piece| unroll.piece(piece)).collect();
         Ok(Self {
-            title: result["title"].as_str().unwrap_or_default().to_owned(),
-            radius,
-            clearance,
-            speed: number("speed").unwrap_or(0.0),
-            is_ring: arc.is_null(),
             is_cylinder: unroll.is_cylinder,
             liner: Liner::between(&cells, radius, angles),
             fields: nodal.chain(constant).collect(),
@@ -82,15 +69,7 @@ impl DrawnFilm {
     }
 
     pub(crate) fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    pub(crate) fn speed(&self) -> f64 {
-        self.speed
-    }
-
-    pub(crate) fn is_ring(&self) -> bool {
-        self.is_ring
+        self.result.geometry.radius
     }
 
     /// Angles [rad] between which the liner is drawn.
@@ -103,14 +82,14 @@ impl DrawnFilm {
         &self.cells
     }
 
-    /// Everything that the run found, as in `result.json`.
-    pub(crate) fn result(&self) -> &Value {
+    /// Everything that the run found.
+    pub(crate) fn result(&self) -> &RunResult {
         &self.result
     }
 
     /// Length of the circumference [m].
     pub(crate) fn circumference(&self) -> f64 {
-        TAU * self.radius
+        TAU * self.radius()
     }
 
     /// Places of the nodes of its picture on the unrolled liner [m], each on some turn.
@@ -133,16 +112,16 @@ impl DrawnFilm {
 
     /// The point of its picture at a place [m].
     pub(crate) fn point(&self, [x, z]: [f64; 2]) -> [f64; 3] {
-        let (sin, cos) = (x / self.radius).sin_cos();
+        let (sin, cos) = (x / self.radius()).sin_cos();
         match self.is_cylinder {
-            true => [self.radius * cos, self.radius * sin, z],
+            true => [self.radius() * cos, self.radius() * sin, z],
             false => [x, z, 0.0],
         }
     }
 
     /// Values of a quantity of the catalogue.
     pub(crate) fn quantity(&self, row: &Row) -> Option<f64> {
-        self.result["quantities"][row.name]["value"].as_f64()
+        self.result.quantity(row).map(|it| it.value)
     }
 
     /// Eccentricity [1] and angle [rad] of the journal's offset.

@@ -37,7 +37,7 @@ pub use orbit::{orbit_figures, orbits_beside};
 pub use sample::sampled;
 pub(crate) use sample::{Finder, InTriangle};
 pub use shaft_cycle::{BENT, SHAFT, shaft_figures};
-pub(crate) use sweep::{Cases, quantity_names};
+pub(crate) use sweep::quantity_names;
 pub(crate) use temperature::BALANCE;
 pub use temperature::TEMPERATURE_FILES;
 pub(crate) use temperature::temperature_figure;
@@ -88,7 +88,7 @@ mod tests {
     #[test]
     fn the_picture_has_title_curves_bars_and_the_mesh() {
         let mut report = example();
-        report.title = "A <bearing> & \u{1b}co".into();
+        report.head.title = "A <bearing> & \u{1b}co".into();
         report.prices[0].extrapolated = true;
         let study = Convergence { report, mesh: Some(marked(20)) };
         let figure = convergence_figure(&study);

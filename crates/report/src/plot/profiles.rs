@@ -31,7 +31,7 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let steps =
         |count: usize, from: f64, to: f64| (0..=count).map(move |k| from + (to - from) * k as f64 / count as f64);
     let angles: Vec<f64> = steps(AROUND, from, to).collect();
-    let around: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, z]).collect();
+    let around: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius(), z]).collect();
     let places: Vec<f64> = steps(ALONG, low, high).collect();
     let along: Vec<[f64; 2]> = places.iter().map(|place| [x, *place]).collect();
     let chart = |row: &FieldRow, line: Line, colour| {
@@ -55,7 +55,7 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
                 Label::plain("angle on the liner"),
             ),
             Line::Along => {
-                let degrees = (x / film.radius).to_degrees().rem_euclid(360.0);
+                let degrees = (x / film.radius()).to_degrees().rem_euclid(360.0);
                 (format!("Along the axis at {degrees:.1}\u{b0}"), Label::marked("axis *z*, mm"))
             }
         };
@@ -73,5 +73,5 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     ];
     let charts: Vec<Chart> = charts.into_iter().flatten().collect();
     let columns = if width > 120.0 { 2 } else { 1 };
-    Some(charts_figure(&film.title, &charts, columns, width))
+    Some(charts_figure(&film.result.head.title, &charts, columns, width))
 }

@@ -37,11 +37,11 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let numbers = numbers(film);
     let description = format!(
         "{}: the bearing seen along its axis, the gap exaggerated, and the pressure at mid-length. {}.",
-        film.title,
+        film.result.head.title,
         numbers.text()
     );
-    let mut figure = Figure::new([width, 0.0], &format!("{}: cross-section", film.title), &description);
-    let top = draw_head(&mut figure, &film.title, &numbers, width);
+    let mut figure = Figure::new([width, 0.0], &format!("{}: cross-section", film.result.head.title), &description);
+    let top = draw_head(&mut figure, &film.result.head.title, &numbers, width);
     let shape = DrawnBore::of(film, BORE * width);
     let outer = BORE * width + WALL * width;
     let half = outer + RELIEF * width + 7.0;
@@ -66,7 +66,7 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     dot(&mut figure, centre, BLACK);
     dot(&mut figure, journal, VERMILION);
     let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
-    let times = shape.gap / shape.circle * film.radius / film.clearance;
+    let times = shape.gap / shape.circle * film.radius() / film.result.geometry.clearance;
     let mut notes = vec![format!(
         "outside the shell: pressure at mid-length; gap drawn {} times too wide",
         (times / 5.0).round() * 5.0
@@ -113,7 +113,7 @@ fn equation(row: &Row, value: f64) -> String {
 fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) {
     let [from, to] = film.liner.angles();
     let angles: Vec<f64> = (0..=POINTS).map(|k| from + (to - from) * k as f64 / POINTS as f64).collect();
-    let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, 0.0]).collect();
+    let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius(), 0.0]).collect();
     let Some(values) = Finder::new(film).values(&PRESSURE, &points) else {
         return;
     };
@@ -163,7 +163,7 @@ fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, (shape, outer)
         let back = shape.arc(axes, [to, from], inwards);
         axes.arc(outer, from, to).into_iter().chain(back).collect()
     };
-    match film.is_ring {
+    match film.result.geometry.arc.is_none() {
         true => {
             figure.disc(axes.centre, outer, SHELL, Pen::new(0.8, INK));
             match shape.radii.is_empty() {
@@ -183,7 +183,7 @@ fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, (shape, outer)
     }
     let deepest = outer - WALL / (BORE + WALL) * outer;
     for (_, pieces) in film.rims() {
-        let feed = sector(extent(pieces, film.radius), (0.15, deepest + 0.7 * (outer - deepest)));
+        let feed = sector(extent(pieces, film.radius()), (0.15, deepest + 0.7 * (outer - deepest)));
         figure.polygon(&feed, SKY);
     }
 }
@@ -207,10 +207,10 @@ fn draw_motion(figure: &mut Figure, film: &DrawnFilm, axes: Polar, radius: f64) 
     let load = film.quantity(&LOAD_ANGLE).map(f64::to_radians);
     let attitude = film.quantity(&ATTITUDE_ANGLE).map(f64::to_radians);
     let towards = film.position().map_or(0.0, |[_, angle]| angle);
-    if film.speed != 0.0 {
+    if film.result.geometry.speed != 0.0 {
         // Across from the load, where nothing else is drawn.
         let middle = load.map_or(towards, |load| load + 0.5 * attitude.unwrap_or(0.0)) + TAU / 2.0;
-        let half = 0.6 * film.speed.signum();
+        let half = 0.6 * film.result.geometry.speed.signum();
         let arc = axes.arc(0.62 * radius, middle - half, middle + half);
         figure.line(&arc, Pen::new(1.0, INK));
         if let [.., from, tip] = arc.as_slice() {

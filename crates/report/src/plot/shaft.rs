@@ -7,7 +7,7 @@ use oilwedge_drawing::{
     linear_steps, number,
 };
 use oilwedge_scene::{Crankshaft, ShaftPiece, ThrowShape};
-use serde_json::Value;
+use oilwedge_study::shaft::BearingReport;
 
 use crate::shaft_view::ShaftView;
 
@@ -77,7 +77,7 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
     let letters = Letters::sized(SMALLEST_LETTERS);
     let top = MARGIN + Letters::default().line() + 1.5 * letters.line();
     let drawn = Drawn { shaft, radius, throws, journal, scale, origin: [MARGIN - scale * from, top + scale * half] };
-    let title = format!("{}: the shaft", view.title());
+    let title = format!("{}: the shaft", view.result.head.title);
     let description = "the shaft to scale from the side, with its bearings, and along its axis, with its throws";
     let mut figure = Figure::new([width, 0.0], &title, description);
     let head = Letters::default().bold();
@@ -97,11 +97,10 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
 }
 
 /// Where the drawing begins and ends along the axis [m]: bearings may stand out at the ends of the shaft.
-fn extent(shaft: &Crankshaft, bearings: &[Value]) -> [f64; 2] {
-    let ends = bearings.iter().filter_map(|bearing| {
-        let half = 0.5 * bearing["geometry"]["length"].as_f64()?;
-        let at = bearing["at"].as_f64()?;
-        Some([at - half, at + half])
+fn extent(shaft: &Crankshaft, bearings: &[BearingReport]) -> [f64; 2] {
+    let ends = bearings.iter().map(|bearing| {
+        let half = 0.5 * bearing.geometry.length;
+        [bearing.at - half, bearing.at + half]
     });
     ends.fold([0.0, shaft.length()], |[from, to], [low, high]| [from.min(low), to.max(high)])
 }
@@ -133,7 +132,7 @@ impl Drawn<'_> {
     }
 
     /// The shaft from the side, x upwards, with the names of the bearings on a line.
-    fn side(&self, figure: &mut Figure, bearings: &[Value], line: f64) {
+    fn side(&self, figure: &mut Figure, bearings: &[BearingReport], line: f64) {
         for throw in &self.throws {
             let middle = self.radius * throw.angle.cos();
             let pin = 0.5 * throw.shape.pin_diameter;
@@ -163,21 +162,19 @@ impl Drawn<'_> {
         figure.line(&ends.map(|end| self.at(end)), pen);
     }
 
-    fn draw_bearings(&self, figure: &mut Figure, bearings: &[Value], line: f64) {
+    fn draw_bearings(&self, figure: &mut Figure, bearings: &[BearingReport], line: f64) {
         let letters = Letters::sized(SMALLEST_LETTERS);
-        let places: Vec<f64> = bearings.iter().filter_map(|bearing| bearing["at"].as_f64()).collect();
-        let apart = places.windows(2).map(|pair| pair[1] - pair[0]);
+        let apart = bearings.windows(2).map(|pair| pair[1].at - pair[0].at);
         let room = self.scale * apart.fold(self.shaft.length(), f64::min) - 1.0;
-        for (bearing, z) in bearings.iter().zip(&places) {
-            let size = |key: &str| bearing["geometry"][key].as_f64().unwrap_or(0.0);
-            let (radius, half) = (size("radius"), 0.5 * size("length"));
+        for bearing in bearings {
+            let (z, radius, half) = (bearing.at, bearing.geometry.radius, 0.5 * bearing.geometry.length);
             for side in [-1.0, 1.0] {
                 let ends = [side * radius, side * (1.0 + SHELL) * radius];
                 let ends = [f64::min(ends[0], ends[1]), f64::max(ends[0], ends[1])];
                 self.draw_box(figure, [z - half, z + half], ends, WALL);
             }
-            let name = Label::fitted(bearing["name"].as_str().unwrap_or_default(), letters, room);
-            let [x, _] = self.at([*z, 0.0]);
+            let name = Label::fitted(&bearing.name, letters, room);
+            let [x, _] = self.at([z, 0.0]);
             figure.text([x, line], &name, letters.bold(), Anchor::Centre);
         }
     }

@@ -33,7 +33,7 @@ pub fn shaft_figures(views: &ShaftViews, width: f64) -> Vec<(String, Figure)> {
     if own.courses.is_empty() {
         return figures;
     }
-    let name = |what: &str| format!("{what}: {}", own.title());
+    let name = |what: &str| format!("{what}: {}", own.result.head.title);
     let mut add = |file: &str, what: &str, charts: &[Chart], columns: usize| {
         figures.push((file.to_owned(), charts_figure(&name(what), charts, columns, width)));
     };

@@ -4,10 +4,11 @@ use oilwedge_drawing::{
     Axis, Cell, CellGrid, Chart, Colour, ColourMap, Figure, Label, Mark, SERIES, Scale, Series, charts_figure,
     draw_colour_bar, least_and_greatest, linear_steps, number,
 };
+use oilwedge_scene::sweep::{Axis as SweepAxis, AxisValue};
 use oilwedge_study::quantities::{CATALOGUE, Headline, row};
-use serde_json::Value;
 
 use crate::readable::{axis_label, printed_unit, readable_unit_of};
+use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
 /// Most curves in a chart, charts on a sheet, and maps.
 const CURVES: usize = 6;
@@ -20,29 +21,16 @@ const ROUND_OFF: f64 = 1e-6;
 /// Cells without an answer.
 const ABSENT: Colour = Colour([205, 205, 205]);
 
-/// An axis of the sweep.
-struct Input<'a> {
-    name: &'a str,
-    unit: &'a str,
-    values: &'a [Value],
+fn label(axis: &SweepAxis) -> Label {
+    let unit = printed_unit(if axis.unit == "1" { "" } else { &axis.unit });
+    let comma = if unit.is_empty() { "" } else { ", " };
+    Label::plain(&format!("{}{comma}{unit}", axis.name.replace('_', " ")))
 }
 
-impl Input<'_> {
-    fn label(&self) -> Label {
-        let unit = printed_unit(if self.unit == "1" { "" } else { self.unit });
-        let comma = if unit.is_empty() { "" } else { ", " };
-        Label::plain(&format!("{}{comma}{unit}", self.name.replace('_', " ")))
-    }
-
-    fn is_numeric(&self) -> bool {
-        self.values.len() > 1 && self.values.iter().all(Value::is_number)
-    }
-
-    fn word(&self, k: usize) -> String {
-        match &self.values[k] {
-            Value::String(word) => word.clone(),
-            value => value.as_f64().map_or_else(|| value.to_string(), short),
-        }
+fn word(axis: &SweepAxis, k: usize) -> String {
+    match &axis.values[k] {
+        AxisValue::Word(word) => word.clone(),
+        AxisValue::Number(value) => short(*value),
     }
 }
 
@@ -57,125 +45,77 @@ fn short(value: f64) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A sweep as `sweep.json` has it.
-pub(crate) struct Cases<'a> {
-    title: &'a str,
-    inputs: Vec<Input<'a>>,
-    /// The columns that the scene asks for: name, and the quantity that it is.
-    asked: Vec<(&'a str, &'a str)>,
-    rows: &'a [Value],
-}
-
-impl<'a> Cases<'a> {
-    pub(crate) fn of(sweep: &'a Value) -> Option<Self> {
-        let list = |value: &'a Value| value.as_array().map(Vec::as_slice);
-        let inputs = list(&sweep["axes"])?.iter().map(|axis| {
-            Some(Input {
-                name: axis["name"].as_str()?,
-                unit: axis["unit"].as_str().unwrap_or_default(),
-                values: list(&axis["values"])?,
-            })
-        });
-        Some(Self {
-            title: sweep["title"].as_str().unwrap_or_default(),
-            inputs: inputs.collect::<Option<_>>()?,
-            asked: (list(&sweep["columns"]).into_iter().flatten())
-                .filter_map(|column| Some((column["name"].as_str()?, column["quantity"].as_str()?)))
-                .collect(),
-            rows: list(&sweep["rows"])?,
-        })
-    }
-
-    /// Name, unit and values of each axis.
-    pub(crate) fn inputs(&self) -> impl Iterator<Item = (&str, &str, &[Value])> {
-        self.inputs.iter().map(|input| (input.name, input.unit, input.values))
-    }
-
-    /// The rows of the cases that are there.
-    pub(crate) fn rows(&self) -> &'a [Value] {
-        self.rows
-    }
-
+impl SweepResult {
     /// The rows of all cases, also of those that are not there; the last axis runs fastest.
-    pub(crate) fn all(&self) -> impl Iterator<Item = Option<&'a Value>> {
-        let count = self.inputs.iter().map(|input| input.values.len()).product();
+    pub(crate) fn all(&self) -> impl Iterator<Item = Option<&CaseRecord>> {
+        let count = self.axes.iter().map(|axis| axis.values.len()).product();
         (0..count).map(|place| self.at(place))
     }
 
     /// The row of the case at a place; rows are in the order of their cases, which count from one.
-    fn at(&self, place: usize) -> Option<&'a Value> {
-        let case = |row: &Value| row["case"].as_u64().unwrap_or_default();
-        let found = self.rows.binary_search_by_key(&(place as u64 + 1), case).ok()?;
+    fn at(&self, place: usize) -> Option<&CaseRecord> {
+        let found = self.rows.binary_search_by_key(&(place + 1), |row| row.case).ok()?;
         self.rows.get(found)
     }
 
-    /// The row of the case with these indices.
-    fn row(&self, indices: &[usize]) -> Option<&'a Value> {
-        let each = self.inputs.iter().zip(indices);
-        self.at(each.fold(0, |place, (input, index)| place * input.values.len() + index))
+    /// A quantity of the case with these indices.
+    fn quantity(&self, indices: &[usize], name: &str) -> Option<&CaseQuantity> {
+        let each = self.axes.iter().zip(indices);
+        let row = self.at(each.fold(0, |place, (axis, index)| place * axis.values.len() + index))?;
+        row.quantities.get(name)
     }
 
-    /// Value and error of a quantity.
-    fn quantity(&self, indices: &[usize], name: &str) -> Option<[f64; 2]> {
-        let quantity = &self.row(indices)?["quantities"][name];
-        Some([quantity["value"].as_f64()?, quantity["error"].as_f64().unwrap_or(f64::NAN)])
+    /// A quantity of all cases that have it.
+    fn quantities<'a>(&'a self, name: &str) -> impl Iterator<Item = &'a CaseQuantity> {
+        self.rows.iter().filter_map(move |row| row.quantities.get(name))
     }
 
     /// Whether a quantity is not the same in all cases.
     fn varies(&self, name: &str) -> bool {
-        let values = self.rows.iter().filter_map(|row| row["quantities"][name]["value"].as_f64());
-        let [low, high] = least_and_greatest(values);
+        let [low, high] = least_and_greatest(self.quantities(name).map(|it| it.value));
         high - low > ROUND_OFF * low.abs().max(high.abs())
     }
 
     /// Greatest size of a quantity and its SI unit.
-    pub(crate) fn size(&self, name: &str) -> Option<(f64, &'a str)> {
-        let quantities = || self.rows.iter().map(|row| &row["quantities"][name]);
-        let unit = quantities().find_map(|quantity| quantity["unit"].as_str())?;
-        let most = quantities()
-            .filter_map(|quantity| quantity["value"].as_f64())
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
+    pub(crate) fn size(&self, name: &str) -> Option<(f64, &str)> {
+        let unit = &self.quantities(name).next()?.unit;
+        let most = self.quantities(name).fold(0.0, |most: f64, it| most.max(it.value.abs()));
         Some((most, unit))
-    }
-
-    /// Whether the scene asks for columns.
-    pub(crate) fn are_asked(&self) -> bool {
-        !self.asked.is_empty()
     }
 
     /// How tables call a column: as the scene writes it, else the name of the quantity in words.
     pub(crate) fn heading(&self, column: &str) -> String {
-        match self.asked.iter().any(|(name, _)| *name == column) {
+        match self.columns.iter().any(|it| it.name == column) {
             true => column.to_owned(),
             false => column.replace('.', ", ").replace('_', " "),
         }
     }
 
     /// The quantity that a column is.
-    pub(crate) fn quantity_of<'b>(&'b self, column: &'b str) -> &'b str {
-        let asked = self.asked.iter().find(|(name, _)| *name == column);
-        asked.map_or(column, |(_, quantity)| quantity)
+    pub(crate) fn quantity_of<'a>(&'a self, column: &'a str) -> &'a str {
+        let asked = self.columns.iter().find(|it| it.name == column);
+        asked.map_or(column, |it| &it.quantity)
     }
 
     /// The unit in which a quantity is shown, with its size: that which the scene asks for, else a readable one.
-    pub(crate) fn unit_of(&self, name: &str) -> Option<(&'a str, f64)> {
+    pub(crate) fn unit_of(&self, name: &str) -> Option<(&str, f64)> {
         let (most, unit) = self.size(name)?;
-        Some(if self.are_asked() { (unit, 1.0) } else { readable_unit_of(most, unit) })
+        Some(if self.columns.is_empty() { readable_unit_of(most, unit) } else { (unit, 1.0) })
     }
 
     /// The quantities that are drawn: those of the selection, else those that the scene asks for, else the headlines.
     pub(crate) fn names(&self, selected: &[String]) -> Vec<String> {
-        let is_input = |name: &str| self.inputs.iter().any(|input| input.name == name);
+        let asked = &self.columns;
+        let is_input = |name: &str| self.axes.iter().any(|axis| axis.name == name);
         let headlines = CATALOGUE.iter().filter(|row| row.headline != Headline::Never).map(|row| row.name.to_owned());
-        let asked = self.asked.iter().map(|(name, _)| (*name).to_owned());
-        let names: Vec<String> = match (selected.is_empty(), self.asked.is_empty()) {
+        let names: Vec<String> = match (selected.is_empty(), asked.is_empty()) {
             (false, _) => selected.to_vec(),
-            (true, false) => asked.collect(),
+            (true, false) => asked.iter().map(|it| it.name.clone()).collect(),
             (true, true) => headlines.collect(),
         };
         let is_round_off = |name: &str| {
             let is_small = |(most, unit): (f64, &str)| most < ROUND_OFF * readable_unit_of(most, unit).1;
-            selected.is_empty() && self.asked.is_empty() && self.size(name).is_none_or(is_small)
+            selected.is_empty() && asked.is_empty() && self.size(name).is_none_or(is_small)
         };
         let says_something = |name: &String| !is_input(name) && self.size(name).is_some() && !is_round_off(name);
         names.into_iter().filter(says_something).collect()
@@ -183,35 +123,31 @@ impl<'a> Cases<'a> {
 }
 
 /// The names of quantities that a sweep has, for messages.
-pub(crate) fn quantity_names(sweep: &Value) -> Vec<String> {
-    let rows = sweep["rows"].as_array().map(Vec::as_slice).unwrap_or_default();
-    let first = rows.iter().find_map(|row| row["quantities"].as_object().filter(|quantities| !quantities.is_empty()));
+pub(crate) fn quantity_names(sweep: &SweepResult) -> Vec<String> {
+    let first = sweep.rows.iter().map(|row| &row.quantities).find(|quantities| !quantities.is_empty());
     first.map_or(Vec::new(), |quantities| quantities.keys().cloned().collect())
 }
 
-/// The pictures of the object of `sweep.json` by name, of the quantities selected or the headlines.
-pub(super) fn sweep_figures(sweep: &Value, selected: &[String], width: f64) -> Vec<(String, Figure)> {
-    let Some(cases) = Cases::of(sweep) else {
-        return Vec::new();
-    };
-    let names = cases.names(selected);
-    let numeric: Vec<usize> = (0..cases.inputs.len()).filter(|k| cases.inputs[*k].is_numeric()).collect();
+/// The pictures of a sweep by name, of the quantities selected or the headlines.
+pub(super) fn sweep_figures(sweep: &SweepResult, selected: &[String], width: f64) -> Vec<(String, Figure)> {
+    let axes = &sweep.axes;
+    let names = sweep.names(selected);
+    let numeric: Vec<usize> = (0..axes.len()).filter(|k| axes[*k].values.len() > 1 && axes[*k].is_numeric()).collect();
     let Some(&across) = numeric.last() else {
         return Vec::new();
     };
-    let upwards = (0..cases.inputs.len()).rev().find(|k| *k != across && cases.inputs[*k].values.len() > 1);
-    let charts: Vec<Chart> =
-        names.iter().take(CHARTS).filter_map(|name| chart(&cases, name, across, upwards)).collect();
+    let upwards = (0..axes.len()).rev().find(|k| *k != across && axes[*k].values.len() > 1);
+    let charts: Vec<Chart> = names.iter().take(CHARTS).filter_map(|name| chart(sweep, name, across, upwards)).collect();
     let mut figures = Vec::new();
     if !charts.is_empty() {
         let columns = if width > 120.0 { 2 } else { 1 };
-        figures.push(("sweep".to_owned(), charts_figure(cases.title, &charts, columns, width)));
+        figures.push(("sweep".to_owned(), charts_figure(&sweep.identity.title, &charts, columns, width)));
     }
     if let Some(upwards) = upwards {
         let maps = names
             .iter()
-            .filter(|name| !selected.is_empty() || cases.varies(name))
-            .filter_map(|name| Some((format!("map_{name}"), map(&cases, name, [across, upwards], width)?)))
+            .filter(|name| !selected.is_empty() || sweep.varies(name))
+            .filter_map(|name| Some((format!("map_{name}"), map(sweep, name, [across, upwards], width)?)))
             .take(MAPS);
         figures.extend(maps);
     }
@@ -219,7 +155,7 @@ pub(super) fn sweep_figures(sweep: &Value, selected: &[String], width: f64) -> V
 }
 
 /// The readable label of a quantity, its unit's size, and whether it is known.
-fn about(cases: &Cases, name: &str) -> Option<(Label, f64)> {
+fn of_quantity(cases: &SweepResult, name: &str) -> Option<(Label, f64)> {
     let (unit, size) = cases.unit_of(name)?;
     let quantity = cases.quantity_of(name);
     let symbol = row(quantity).map_or("", |row| row.symbol);
@@ -228,33 +164,38 @@ fn about(cases: &Cases, name: &str) -> Option<(Label, f64)> {
 }
 
 /// One quantity over one axis, a curve for each value of another.
-fn chart(cases: &Cases, name: &str, across: usize, upwards: Option<usize>) -> Option<Chart> {
-    let (label, size) = about(cases, name)?;
-    let input = &cases.inputs[across];
-    let mut chart = Chart::new("", input.label(), label);
+fn chart(cases: &SweepResult, name: &str, across: usize, upwards: Option<usize>) -> Option<Chart> {
+    let (about, size) = of_quantity(cases, name)?;
+    let input = &cases.axes[across];
+    let mut chart = Chart::new("", label(input), about);
     let families: Vec<Option<usize>> = match upwards {
         None => vec![None],
         Some(axis) => {
-            let count = cases.inputs[axis].values.len();
+            let count = cases.axes[axis].values.len();
             let shown = count.min(CURVES);
             (0..shown).map(|k| Some(if shown > 1 { k * (count - 1) / (shown - 1) } else { 0 })).collect()
         }
     };
     for (family, colour) in families.into_iter().zip(SERIES) {
-        let mut indices = vec![0; cases.inputs.len()];
+        let mut indices = vec![0; cases.axes.len()];
         let series_name = match (upwards, family) {
             (Some(axis), Some(index)) => {
                 indices[axis] = index;
-                let other = &cases.inputs[axis];
-                let unit = printed_unit(if other.unit == "1" { "" } else { other.unit });
-                format!("{} = {} {unit}", other.name.replace('_', " "), other.word(index)).trim_end().to_owned()
+                let other = &cases.axes[axis];
+                let unit = printed_unit(if other.unit == "1" { "" } else { &other.unit });
+                format!("{} = {} {unit}", other.name.replace('_', " "), word(other, index)).trim_end().to_owned()
             }
             _ => String::new(),
         };
         let points = (0..input.values.len()).map(|k| {
             indices[across] = k;
-            let [value, error] = cases.quantity(&indices, name).unwrap_or([f64::NAN; 2]);
-            ([input.values[k].as_f64().unwrap_or(f64::NAN), value / size], error / size)
+            let quantity = cases.quantity(&indices, name);
+            let place = match input.values[k] {
+                AxisValue::Number(place) => place,
+                AxisValue::Word(_) => f64::NAN,
+            };
+            let value = quantity.map_or(f64::NAN, |it| it.value);
+            ([place, value / size], quantity.and_then(|it| it.error).unwrap_or(f64::NAN) / size)
         });
         let (points, bars): (Vec<[f64; 2]>, Vec<f64>) = points.unzip();
         let line = Series::line(&series_name, colour, points).marked(Mark::Disc);
@@ -264,13 +205,13 @@ fn chart(cases: &Cases, name: &str, across: usize, upwards: Option<usize>) -> Op
 }
 
 /// One quantity over two axes.
-fn map(cases: &Cases, name: &str, [across, upwards]: [usize; 2], width: f64) -> Option<Figure> {
-    let (label, size) = about(cases, name)?;
-    let [x, y] = [across, upwards].map(|axis| &cases.inputs[axis]);
-    let mut indices = vec![0; cases.inputs.len()];
+fn map(cases: &SweepResult, name: &str, [across, upwards]: [usize; 2], width: f64) -> Option<Figure> {
+    let (about, size) = of_quantity(cases, name)?;
+    let [x, y] = [across, upwards].map(|axis| &cases.axes[axis]);
+    let mut indices = vec![0; cases.axes.len()];
     let mut value = |j: usize, k: usize| {
         (indices[upwards], indices[across]) = (j, k);
-        cases.quantity(&indices, name).map(|[value, _]| value / size)
+        cases.quantity(&indices, name).map(|it| it.value / size)
     };
     let values: Vec<Vec<Option<f64>>> =
         (0..y.values.len()).map(|j| (0..x.values.len()).map(|k| value(j, k)).collect()).collect();
@@ -285,23 +226,23 @@ fn map(cases: &Cases, name: &str, [across, upwards]: [usize; 2], width: f64) -> 
         Some(value) => Cell { fill: map.colour((value - low) / (high - low)), word: number(*value, step) },
         None => Cell { fill: ABSENT, word: Label::plain("\u{2013}") },
     };
-    let others: Vec<String> = (0..cases.inputs.len())
+    let others: Vec<String> = (0..cases.axes.len())
         .filter(|k| ![across, upwards].contains(k))
-        .map(|k| format!("{} = {}", cases.inputs[k].name, cases.inputs[k].word(0)))
+        .map(|k| format!("{} = {}", cases.axes[k].name, word(&cases.axes[k], 0)))
         .collect();
-    let words = |input: &Input| (0..input.values.len()).map(|k| Label::plain(&input.word(k))).collect();
+    let words = |input: &SweepAxis| (0..input.values.len()).map(|k| Label::plain(&word(input, k))).collect();
     let at = if others.is_empty() { String::new() } else { format!(" at {}", others.join(", ")) };
     let grid = CellGrid {
-        title: label.clone(),
-        legend: Label::plain(&format!("{}{at}; grey: no film", cases.title)),
-        x: x.label(),
+        title: about.clone(),
+        legend: Label::plain(&format!("{}{at}; grey: no film", cases.identity.title)),
+        x: label(x),
         columns: words(x),
-        y: y.label(),
+        y: label(y),
         rows: words(y),
         cells: values.iter().map(|row| row.iter().map(cell).collect()).collect(),
     };
-    let title = format!("{}: {}", cases.title, label.text());
-    let description = format!("{} over {} and {}", label.text(), x.name, y.name);
+    let title = format!("{}: {}", cases.identity.title, about.text());
+    let description = format!("{} over {} and {}", about.text(), x.name, y.name);
     let mut figure = Figure::new([width, grid.height() + 1.0], &title, &description);
     let inner = grid.draw(&mut figure, [1.0, 1.0], width - 1.0 - BAR);
     let axis = Axis::between(low, high, Scale::Linear, Label::default());

@@ -38,7 +38,7 @@ pub enum SweepError {
         /// The folder.
         folder: PathBuf,
         /// The process that writes it, where it is known.
-        process: Option<u64>,
+        process: Option<u32>,
     },
     /// The sweep was interrupted.
     #[error("interrupted: {done} of {cases} cases are in {}", table.display())]

@@ -7,6 +7,8 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+
 use super::SweepError;
 use super::report::{Identity, SweepReport};
 use super::rotor_table::{ROTOR_FILES, rotor_tables};
@@ -48,8 +50,7 @@ impl Table {
         };
         let headings = columns.headings();
         let table = to_csv(std::iter::once(&headings).chain(kept.values()));
-        let begun = Begun { identity, complete: false, process: std::process::id() };
-        let about = json(&begun)?;
+        let about = json(&Begun { identity: identity.clone(), complete: false, process: Some(std::process::id()) })?;
         let (about_step, table_step) =
             ((OsStr::new(REPORT_FILE), Some(about.as_bytes())), (OsStr::new(TABLE_FILE), Some(&table[..])));
         let page_step = (OsStr::new(SWEEP_PAGE_FILE), None);
@@ -78,14 +79,22 @@ impl Table {
     }
 }
 
-/// What stands beside a table that is being written.
-#[derive(serde::Serialize)]
-struct Begun<'a> {
+/// What stands beside a table that is being written; of a sweep that has ended this is how its report begins.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(default)]
+struct Begun {
     #[serde(flatten)]
-    identity: &'a Identity,
+    identity: Identity,
     complete: bool,
     /// Number of the process that writes.
-    process: u32,
+    process: Option<u32>,
+}
+
+impl Begun {
+    /// What a report says; what is no report of a sweep says nothing.
+    fn read(report: &[u8]) -> Self {
+        serde_json::from_slice(report).unwrap_or_default()
+    }
 }
 
 /// The table that stands at `path`, locked, if there is one: no other run writes it.
@@ -97,10 +106,7 @@ fn free(dir: &Path, path: &Path) -> Result<Option<File>, SweepError> {
     match earlier.try_lock() {
         Err(TryLockError::WouldBlock) => Err(SweepError::Busy {
             folder: dir.to_path_buf(),
-            process: std::fs::read(dir.join(REPORT_FILE))
-                .ok()
-                .and_then(|about| serde_json::from_slice::<serde_json::Value>(&about).ok())
-                .and_then(|about| about.get("process")?.as_u64()),
+            process: std::fs::read(dir.join(REPORT_FILE)).ok().and_then(|about| Begun::read(&about).process),
         }),
         Ok(()) | Err(TryLockError::Error(_)) => Ok(Some(earlier)),
     }
@@ -166,34 +172,31 @@ impl Earlier {
         if !about.exists() {
             return Err(other("without the record of what it was computed from"));
         }
-        let about: serde_json::Value = serde_json::from_slice(&read(&about)?).unwrap_or_default();
-        if let Some(difference) = difference(&about, identity) {
+        let about = Begun::read(&read(&about)?);
+        if let Some(difference) = difference(&about.identity, identity) {
             return Err(other(difference));
         }
         let rows = whole_rows(&read(&table)?, &columns.headings()).ok_or_else(|| other("with other columns"))?;
-        Ok(Some(Self { rows, is_complete: about.get("complete") == Some(&true.into()) }))
+        Ok(Some(Self { rows, is_complete: about.complete }))
     }
 }
 
 /// How the sweep that is recorded differs from one with this identity, if it does.
-fn difference(about: &serde_json::Value, identity: &Identity) -> Option<&'static str> {
-    let differs = |key: &str, own: serde_json::Value| about.get(key) != Some(&own);
-    let part = about.get("part").map(|part| ["number", "of"].map(|key| part[key].as_u64()));
-    let own_part = identity.part.map(|part| [part.number(), part.of()].map(|count| Some(count.into())));
-    if differs("format", identity.format.as_str().into()) || differs("version", identity.version.as_str().into()) {
+fn difference(about: &Identity, identity: &Identity) -> Option<&'static str> {
+    if about.format != identity.format || about.version != identity.version {
         Some("of another version of the program")
-    } else if differs("scene_sha256", identity.scene_sha256.as_str().into()) {
+    } else if about.scene_sha256 != identity.scene_sha256 {
         Some("of another scene, or of this one before it was changed")
-    } else if differs("mesh_sha256", identity.mesh_sha256.clone().into()) {
+    } else if about.mesh_sha256 != identity.mesh_sha256 {
         Some("of another mesh file, or of this one before it was changed")
-    } else if about["tables_sha256"].as_str() != identity.tables_sha256.as_deref() {
+    } else if about.tables_sha256 != identity.tables_sha256 {
         Some("of another table of loads or gas pressures or scene of a bearing, or of this one before it was changed")
-    } else if differs("bars", identity.bars.into()) {
+    } else if about.bars != identity.bars {
         Some(match identity.bars {
             true => "without error bars",
             false => "with error bars",
         })
     } else {
-        (part != own_part).then_some("of which another part is computed")
+        (about.part != identity.part).then_some("of which another part is computed")
     }
 }

@@ -27,7 +27,7 @@ use sha2::{Digest, Sha256};
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use parts::{PARTS_FOLDER, part_folder};
-pub use report::{Identity, SWEEP_FORMAT, SweepReport};
+pub use report::{CaseQuantity, CaseRecord, ColumnRecord, Identity, SWEEP_FORMAT, SweepReport, SweepResult};
 pub use rotor_table::ROTOR_FILES;
 pub(crate) use table::to_csv;
 pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, VERDICT, WARNINGS};

@@ -1,18 +1,21 @@
 //! What a sweep found, as scripts read it: `sweep.json`.
 
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::table::{Columns, LIMITS, REASON, Row, SECONDS, SEPARATOR, UNKNOWNS, VERDICT, WARNINGS};
 use oilwedge_campaign::sweep::Part;
-use oilwedge_scene::sweep::{AxisValue, Plan};
+use oilwedge_scene::sweep::{Axis, AxisValue, Plan};
 use oilwedge_study::effects::Effects;
+use oilwedge_study::result::Verdict;
 
 /// Name and version of the form of `sweep.json`.
 pub const SWEEP_FORMAT: &str = "oilwedge-sweep/1";
 
 /// What a sweep is computed from: rows of another one are not its own.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Identity {
     /// [`SWEEP_FORMAT`].
     pub format: String,
@@ -100,65 +103,98 @@ impl SweepReport {
     }
 }
 
-impl Serialize for SweepReport {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Whole<'a> {
-            #[serde(flatten)]
-            identity: &'a Identity,
-            complete: bool,
-            scene: &'a str,
-            effects: &'a Effects,
-            axes: Vec<AxisRecord<'a>>,
-            #[serde(skip_serializing_if = "Option::is_none")]
-            columns: Option<Vec<ColumnRecord<'a>>>,
-            rows: Vec<RowRecord<'a>>,
-        }
-        let axes = self.plan.axes.iter().map(|axis| AxisRecord {
-            name: &axis.name,
-            key: &axis.path,
-            unit: &axis.unit,
-            values: axis.values.iter().map(json_value).collect(),
-        });
-        let columns = self.columns.quantities.iter().map(|column| ColumnRecord {
-            name: &column.name,
-            quantity: &column.quantity,
-            unit: &column.unit,
-        });
-        let is_asked = self.plan.columns.is_some();
-        let whole = Whole {
-            identity: &self.identity,
-            complete: true,
-            scene: &self.plan.text,
-            effects: &self.effects,
-            axes: axes.collect(),
-            columns: is_asked.then(|| columns.collect()),
-            rows: self.rows.iter().map(|row| RowRecord { report: self, row }).collect(),
-        };
-        whole.serialize(serializer)
-    }
-}
-
-#[derive(Serialize)]
-struct AxisRecord<'a> {
-    name: &'a str,
-    key: &'a str,
-    unit: &'a str,
-    values: Vec<serde_json::Value>,
+/// The whole of `sweep.json`. A key that a file does not have is empty.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SweepResult {
+    /// What the sweep was computed from.
+    #[serde(flatten)]
+    pub identity: Identity,
+    /// Whether it has ended.
+    pub complete: bool,
+    /// The text of the scene.
+    pub scene: String,
+    /// What was simulated in the first case, and what was not.
+    pub effects: Effects,
+    /// The axes.
+    pub axes: Vec<Axis>,
+    /// The columns that the scene asks for; absent in JSON where it asks for none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub columns: Vec<ColumnRecord>,
+    /// The cases, in their order.
+    pub rows: Vec<CaseRecord>,
 }
 
 /// A column that the scene asks for.
-#[derive(Serialize)]
-struct ColumnRecord<'a> {
-    name: &'a str,
-    quantity: &'a str,
-    unit: &'a str,
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ColumnRecord {
+    /// How the scene writes it.
+    pub name: String,
+    /// The quantity that it is.
+    pub quantity: String,
+    /// Its unit.
+    pub unit: String,
 }
 
-fn json_value(value: &AxisValue) -> serde_json::Value {
-    match value {
-        AxisValue::Number(number) => (*number).into(),
-        AxisValue::Word(word) => word.as_str().into(),
+/// One case.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct CaseRecord {
+    /// Its number, from 1.
+    pub case: usize,
+    /// The values on the axes, by the names of these.
+    pub inputs: BTreeMap<String, AxisValue>,
+    /// How it ended: `converged`, `no_solution`, `not_converged`, `bad_scene` or `failed`.
+    pub status: String,
+    /// Why it has no answer.
+    pub reason: Option<String>,
+    /// Its numbers, by the names of the columns.
+    pub quantities: BTreeMap<String, CaseQuantity>,
+    /// Codes of its warnings.
+    pub warnings: Vec<String>,
+    /// The verdict by the criteria of the scene; `None` where it has none.
+    pub verdict: Option<Verdict>,
+    /// The criteria that are not met.
+    pub limits: Vec<String>,
+    /// Unknown pressures.
+    pub unknowns: Option<usize>,
+    /// Wall time [s].
+    pub seconds: Option<f64>,
+}
+
+/// A number of a case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CaseQuantity {
+    /// Half the width of its bar, if there is one.
+    pub error: Option<f64>,
+    /// Unit of both.
+    pub unit: String,
+    /// The value.
+    pub value: f64,
+}
+
+impl From<&SweepReport> for SweepResult {
+    fn from(report: &SweepReport) -> Self {
+        let columns = report.columns.quantities.iter().map(|column| ColumnRecord {
+            name: column.name.to_string(),
+            quantity: column.quantity.to_string(),
+            unit: column.unit.to_string(),
+        });
+        Self {
+            identity: report.identity.clone(),
+            complete: true,
+            scene: report.plan.text.clone(),
+            effects: report.effects.clone(),
+            axes: report.plan.axes.clone(),
+            columns: columns.filter(|_| report.plan.columns.is_some()).collect(),
+            rows: report.rows.iter().map(|row| report.record(row)).collect(),
+        }
+    }
+}
+
+impl Serialize for SweepReport {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        SweepResult::from(self).serialize(serializer)
     }
 }
 
@@ -167,46 +203,34 @@ fn entries(cell: &str) -> impl Iterator<Item = &str> {
     cell.split(SEPARATOR).filter(|entry| !entry.is_empty())
 }
 
-/// One row as an object.
-struct RowRecord<'a> {
-    report: &'a SweepReport,
-    row: &'a Row,
-}
-
-impl Serialize for RowRecord<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { report, row } = self;
+impl SweepReport {
+    /// A row as the file has it.
+    fn record(&self, row: &Row) -> CaseRecord {
         let number = |text: &String| text.parse::<f64>().ok();
-        let columns = &report.columns;
+        let columns = &self.columns;
         let case: usize = row[0].parse().unwrap_or(0);
-        let mut inputs = serde_json::Map::new();
-        let indices = report.plan.indices(case.saturating_sub(1));
-        for (axis, index) in report.plan.axes.iter().zip(indices) {
-            inputs.insert(axis.name.clone(), json_value(&axis.values[index]));
-        }
-        let mut quantities = serde_json::Map::new();
-        for (place, column) in columns.quantities.iter().enumerate() {
-            if let Some(value) = report.value(row, place) {
-                let error = row.get(columns.place(place) + 1).filter(|_| columns.bars).and_then(number);
-                quantities.insert(
-                    column.name.to_string(),
-                    serde_json::json!({ "value": value, "unit": column.unit, "error": error }),
-                );
-            }
-        }
+        let indices = self.plan.indices(case.saturating_sub(1));
+        let inputs = self.plan.axes.iter().zip(indices);
+        let quantities = columns.quantities.iter().enumerate().filter_map(|(place, column)| {
+            let error = row.get(columns.place(place) + 1).filter(|_| columns.bars).and_then(number);
+            let value = self.value(row, place)?;
+            Some((column.name.to_string(), CaseQuantity { error, unit: column.unit.to_string(), value }))
+        });
         let tail = |name: &str| columns.tail(row, name).to_owned();
-        let list = |name: &str| entries(columns.tail(row, name)).collect::<Vec<_>>();
-        let mut map = serializer.serialize_map(Some(10))?;
-        map.serialize_entry("case", &case)?;
-        map.serialize_entry("inputs", &inputs)?;
-        map.serialize_entry("status", &row[columns.status()])?;
-        map.serialize_entry(REASON, &Some(tail(REASON)).filter(|reason| !reason.is_empty()))?;
-        map.serialize_entry("quantities", &quantities)?;
-        map.serialize_entry(WARNINGS, &list(WARNINGS))?;
-        map.serialize_entry(VERDICT, &Some(tail(VERDICT)).filter(|verdict| !verdict.is_empty()))?;
-        map.serialize_entry(LIMITS, &list(LIMITS))?;
-        map.serialize_entry(UNKNOWNS, &tail(UNKNOWNS).parse::<usize>().ok())?;
-        map.serialize_entry(SECONDS, &number(&tail(SECONDS)))?;
-        map.end()
+        let list = |name: &str| entries(columns.tail(row, name)).map(str::to_owned).collect();
+        CaseRecord {
+            case,
+            inputs: inputs.map(|(axis, index)| (axis.name.clone(), axis.values[index].clone())).collect(),
+            status: row[columns.status()].clone(),
+            reason: Some(tail(REASON)).filter(|reason| !reason.is_empty()),
+            quantities: quantities.collect(),
+            warnings: list(WARNINGS),
+            verdict: [Verdict::Pass, Verdict::Fail, Verdict::Undecided]
+                .into_iter()
+                .find(|it| it.name() == columns.tail(row, VERDICT)),
+            limits: list(LIMITS),
+            unknowns: tail(UNKNOWNS).parse().ok(),
+            seconds: number(&tail(SECONDS)),
+        }
     }
 }

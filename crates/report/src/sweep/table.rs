@@ -6,7 +6,7 @@ use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::{AxisValue, Plan, WantedColumn};
 use oilwedge_study::column::Column;
 use oilwedge_study::quantities::of_scenes;
-use oilwedge_study::result::{Criterion, Status, Verdict};
+use oilwedge_study::result::{Criterion, Verdict};
 
 /// The columns of a sweep, known before its first case is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -160,9 +160,7 @@ fn listed(texts: impl Iterator<Item = String>) -> String {
 /// How a case ended, as it is written.
 pub(crate) fn status_name(status: CaseStatus) -> &'static str {
     match status {
-        CaseStatus::Run(Status::Converged) => "converged",
-        CaseStatus::Run(Status::NoSolution) => "no_solution",
-        CaseStatus::Run(Status::NotConverged) => "not_converged",
+        CaseStatus::Run(status) => status.name(),
         CaseStatus::BadScene => "bad_scene",
     }
 }

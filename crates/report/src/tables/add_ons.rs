@@ -108,7 +108,7 @@ fn signed(number: String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use oilwedge_campaign::{Alternative, Record};
+    use oilwedge_campaign::{Alternative, Records};
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, LOAD, Row, SIDE_FLOW};
 
     fn comparison(row: &'static Row, [film, other]: [f64; 2], error: Option<f64>) -> Comparison {
@@ -137,7 +137,6 @@ mod tests {
         let mut alone = comparison(&SIDE_FLOW, [1e-6, 2e-6], None);
         alone.film = None;
         let all = AddOn {
-            key: "cost",
             title: "a title".into(),
             film: "all effects",
             alternatives: vec![
@@ -146,7 +145,7 @@ mod tests {
             ],
             lists: vec![("its flows", vec![Quantity::new(&SIDE_FLOW, 1e-6)])],
             notes: vec!["a note".into()],
-            record: Record::Null,
+            record: Records::default(),
         };
         let text = add_on(&all);
         for part in [

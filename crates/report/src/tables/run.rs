@@ -13,7 +13,7 @@ use crate::readable::readable_unit;
 use oilwedge_campaign::AddOn;
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
-use oilwedge_study::result::{Balances, Counts, LinearSolver, RunResult, headlines};
+use oilwedge_study::result::{Balances, Counts, LinearRoute, LinearSolver, RunResult, headlines};
 use std::path::Path;
 
 /// What a run has written.
@@ -43,8 +43,8 @@ impl Written<'_> {
 /// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if
 /// anything was, and last the verdict.
 pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: Option<Written>) -> String {
-    let mut parts = vec![heading(&result.title, status(result.status))];
-    if let Some(reason) = &result.reason {
+    let mut parts = vec![heading(&result.head.title, status(result.head.status))];
+    if let Some(reason) = &result.head.reason {
         parts.push(format!("reason: {reason}"));
     }
     parts.extend(tables(result, shown));
@@ -176,8 +176,10 @@ fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
         .map(|(count, what)| plural(*count, what, &format!("{what}s")))
         .collect();
     match solver.map(|solver| (solver.route, solver.steps)) {
-        Some(("multigrid", steps)) => counted.push(format!("multigrid in {steps} steps of conjugate gradients")),
-        Some(("switched", _)) => counted.push("by a factor, since multigrid was slow".to_owned()),
+        Some((LinearRoute::Multigrid, steps)) => {
+            counted.push(format!("multigrid in {steps} steps of conjugate gradients"));
+        }
+        Some((LinearRoute::Switched, _)) => counted.push("by a factor, since multigrid was slow".to_owned()),
         _ => {}
     }
     if let (Some(films), Some(products)) = (counts.deflection_steps, counts.deflection_products) {
@@ -216,7 +218,7 @@ pub(crate) mod tests {
     use super::*;
     use oilwedge_study::effects::{EFFECTS, Effects};
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, LOAD_X, Quantity, SIDE_FLOW};
-    use oilwedge_study::result::{Geometry, MeshFacts, RESULT_FORMAT, Status};
+    use oilwedge_study::result::{MeshFacts, RESULT_FORMAT, ResultHead, Status};
 
     pub(crate) fn written() -> Written<'static> {
         Written { folder: Path::new("out/shell"), has_fields: true, pictures: "" }
@@ -224,41 +226,17 @@ pub(crate) mod tests {
 
     pub(crate) fn result() -> RunResult {
         RunResult {
-            format: RESULT_FORMAT.into(),
-            title: "Hole-fed shell".into(),
-            version: "0.1.0".into(),
-            scene: String::new(),
-            scene_sha256: String::new(),
-            mesh_sha256: String::new(),
-            status: Status::Converged,
-            reason: None,
-            effects: Effects { simulated: EFFECTS[2..4].to_vec(), not_simulated: vec!["squeeze"] },
-            geometry: Geometry::default(),
+            head: ResultHead {
+                mesh_sha256: Some(String::new()),
+                ..ResultHead::of(RESULT_FORMAT, ["Hole-fed shell", "", ""])
+            },
+            effects: Effects { simulated: EFFECTS[2..4].to_vec(), not_simulated: vec!["squeeze".into()] },
             mesh: MeshFacts { cells: 592, nodes: 1245, order: 2, min_angle_deg: 31.04 },
             quantities: vec![Quantity::new(&LOAD, 12_910.0), Quantity::new(&ATTITUDE_ANGLE, 49.29)],
-            bars: false,
-            levels: vec![],
-            balances: Balances {
-                mass: 1.2e-12,
-                power: 2.5e-15,
-                moment: 0.0,
-                force: 0.0,
-                tilt: 0.0,
-                deflection: None,
-                thermal: 0.0,
-                energy: None,
-            },
-            regime: None,
-            orbit: None,
-            temperature: None,
-            criteria: Vec::new(),
-            dynamics: None,
-            history: vec![],
+            balances: Balances { mass: 1.2e-12, power: 2.5e-15, ..Balances::default() },
             counts: Counts { nonlinear_iterations: 1, factorisations: 1, linear_solves: 1, ..Counts::default() },
-            linear_solver: None,
-            of_hill: Vec::new(),
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
-            warnings: vec![],
+            ..RunResult::default()
         }
     }
 
@@ -323,8 +301,8 @@ pub(crate) mod tests {
     #[test]
     fn without_a_solution_there_is_a_reason_and_no_number() {
         let mut result = result();
-        result.status = Status::NoSolution;
-        result.reason = Some("no steady film above ...".into());
+        result.head.status = Status::NoSolution;
+        result.head.reason = Some("no steady film above ...".into());
         result.quantities.clear();
         let text = run_report(&result, Shown::Headlines, &[], Some(Written { has_fields: false, ..written() }));
         assert!(text.contains("there is no solution") && text.contains("reason: no steady film"), "{text}");
@@ -334,7 +312,7 @@ pub(crate) mod tests {
     #[test]
     fn rounding_is_shown_as_zero_and_control_characters_not_at_all() {
         let mut result = result();
-        result.title = "a\u{1b}[31m".into();
+        result.head.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
         let text = run_report(&result, Shown::Headlines, &[], Some(written()));

@@ -44,8 +44,8 @@ pub fn shaft_report(
     folder: &Path,
     (files, pictures): (&[String], &str),
 ) -> String {
-    let mut parts = vec![heading(&result.title, status(result.status))];
-    if let Some(reason) = &result.reason {
+    let mut parts = vec![heading(&result.head.title, status(result.head.status))];
+    if let Some(reason) = &result.head.reason {
         parts.push(format!("reason: {reason}"));
     }
     let mut lines = Vec::new();
@@ -125,7 +125,7 @@ fn bearings(result: &ShaftResult) -> String {
 
 /// Loads and least films of two shafts, and how far the other is off.
 fn compared(own: &ShaftResult, variant: Variant, other: &ShaftResult) -> String {
-    if let (true, Some(reason)) = (other.bearings.is_empty(), &other.reason) {
+    if let (true, Some(reason)) = (other.bearings.is_empty(), &other.head.reason) {
         return format!("beside {}: {reason}", variant.words());
     }
     let columns = columns(own);

@@ -46,7 +46,7 @@ fn curve(report: &TemperatureReport) -> String {
             format!("{:.2}", point.temperature),
             significant(1e3 * point.viscosity, 4),
             significant(point.friction_power, 4),
-            significant(point.carried + point.given_off, 4),
+            significant(point.removed(), 4),
             significant(point.eccentricity, 4),
         ]);
     }

@@ -15,7 +15,7 @@ pub(crate) fn verdict(result: &RunResult) -> String {
 
 /// The line of the verdict of a crankshaft, by the criteria of all its bearings.
 pub(crate) fn of_shaft(result: &ShaftResult) -> String {
-    line(status(result.status).to_owned(), &criteria::of_shaft(result), result.warnings.len())
+    line(status(result.head.status).to_owned(), &criteria::of_shaft(result), result.warnings.len())
 }
 
 fn line(ending: String, criteria: &[Criterion], warnings: usize) -> String {
@@ -31,7 +31,7 @@ fn line(ending: String, criteria: &[Criterion], warnings: usize) -> String {
 
 /// How the run ended; with a tolerance whether it is met.
 fn ending(result: &RunResult) -> String {
-    match (result.status, result.levels.is_empty()) {
+    match (result.head.status, result.levels.is_empty()) {
         (Status::Converged, false) => "converged, within the tolerance".to_owned(),
         (Status::NotConverged, false) => "not converged: the tolerance is not met".to_owned(),
         (ended, _) => status(ended).to_owned(),
@@ -85,7 +85,7 @@ mod tests {
         result.levels = vec![LevelFacts::default()];
         result.warnings = vec![TURBULENT.says("so")];
         assert_eq!(verdict(&result), "verdict   converged, within the tolerance; 1 warning");
-        result.status = Status::NotConverged;
+        result.head.status = Status::NotConverged;
         let of =
             |value, origin| Criterion::new("least film", "um", (value, Accuracy::NotAsked), [Some(3.0), None], origin);
         result.criteria = vec![of(2.0, Origin::Usual)];

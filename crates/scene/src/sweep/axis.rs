@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 /// Short names of the keys that are swept most, and where they stand.
 pub const SHORT_NAMES: [(&str, &str); 9] = [
     ("eccentricity", "journal.eccentricity"),
@@ -22,23 +24,26 @@ pub const SHAFT_SHORT_NAMES: [(&str, &str); 1] = [("speed", "crankshaft.speed")]
 pub const BEARING: (&str, &str) = ("bearing", "crankshaft.bearing.name");
 
 /// A key of the scene and its values.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// The key as it is written below `[sweep]`, tables before it: `speed`, `oil.barus.alpha`,
     /// `feed.feed_hole.pressure`.
     pub name: String,
     /// Where it stands in the scene, `journal.speed`; a feed by its group.
+    #[serde(rename = "key")]
     pub path: String,
     /// Unit in which the values are written; empty for plain numbers and words.
     pub unit: String,
     /// The values, in their order; never none.
     pub values: Vec<AxisValue>,
     /// Bytes of the scene's text where they are written.
+    #[serde(skip)]
     pub span: Range<usize>,
 }
 
 /// What a key is set to.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
 pub enum AxisValue {
     /// A number, in the unit of the axis.
     Number(f64),
@@ -62,6 +67,11 @@ impl Axis {
             AxisValue::Number(number) => format!("{number} {}", self.unit),
             AxisValue::Word(word) => word.clone(),
         }
+    }
+
+    /// Whether all its values are numbers.
+    pub fn is_numeric(&self) -> bool {
+        self.values.iter().all(|value| matches!(value, AxisValue::Number(_)))
     }
 
     /// Value `index` as a number, by which its distance from the others is measured; its place in the list for words.

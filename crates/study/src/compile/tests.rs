@@ -30,7 +30,7 @@ fn a_centre_that_rests_squeezes_nothing() {
     for squeeze in ["", ", squeeze = {}", ", squeeze = { radial = \"0 m/s\", tangential = \"-0 m/s\" }"] {
         let study = journal(&format!("{plain}{squeeze}"));
         assert_eq!(Effects::of(&study.scene).simulated, ["poiseuille", "couette"]);
-        assert!(Effects::of(&study.scene).not_simulated.contains(&"squeeze"));
+        assert!(Effects::of(&study.scene).not_simulated.iter().any(|kind| kind == "squeeze"));
         assert_eq!((study.problem.journal.velocity, study.load), ([0.0; 2], None));
     }
 }
@@ -41,7 +41,7 @@ fn a_centre_that_moves_adds_its_term() {
         "eccentricity = 0.6, min_film_angle = \"90 deg\", squeeze = { radial = \"2 mm/s\", tangential = \"1 mm/s\" }";
     let turning = journal(&format!("speed = \"10 rad/s\", {moving}"));
     assert_eq!(Effects::of(&turning.scene).simulated, ["poiseuille", "couette", "squeeze"]);
-    assert!(!Effects::of(&turning.scene).not_simulated.contains(&"squeeze"));
+    assert!(!Effects::of(&turning.scene).not_simulated.iter().any(|kind| kind == "squeeze"));
     // The line of centres points to +y: radial is +y, and towards growing angles is -x.
     assert!(is_near(turning.problem.journal.velocity, [-1e-3, 2e-3]));
     let at_rest = journal(&format!("speed = \"0 rpm\", {moving}"));

@@ -28,8 +28,10 @@ mod squeeze;
 mod starved_inlet;
 mod tilt;
 
+use std::borrow::Cow;
+
 use oilwedge_scene::Scene;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::film::Film;
 use crate::measure::Measured;
@@ -163,14 +165,22 @@ impl Serialize for Effect {
     }
 }
 
+/// Effects by their names; those that this version of the program does not have are left out.
+fn known<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<&'static Effect>, D::Error> {
+    let names = Vec::<String>::deserialize(deserializer)?;
+    Ok(names.iter().filter_map(|name| EFFECTS.iter().copied().find(|effect| effect.name == name)).collect())
+}
+
 /// What was computed and what was left out.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Effects {
     /// Effects that are simulated, in the order of the sockets; those that close around the film and those that are
     /// asked of it stand last.
+    #[serde(deserialize_with = "known")]
     pub simulated: Vec<&'static Effect>,
     /// Names of effects that are not simulated, in the order of reports.
-    pub not_simulated: Vec<&'static str>,
+    pub not_simulated: Vec<Cow<'static, str>>,
 }
 
 impl Effects {
@@ -179,7 +189,7 @@ impl Effects {
         let mut simulated: Vec<&Effect> = present(scene).collect();
         simulated.sort_by_key(|effect| (effect.socket == Socket::Analysis, effect.socket.is_balance()));
         let is_missed = |kind: &&str| simulated.iter().all(|effect| effect.kind != *kind);
-        let not_simulated = MISSED.iter().copied().filter(is_missed).collect();
+        let not_simulated = MISSED.iter().copied().filter(is_missed).map(Cow::from).collect();
         Self { simulated, not_simulated }
     }
 

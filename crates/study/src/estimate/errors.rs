@@ -41,7 +41,7 @@ pub struct Estimated {
     pub spread: f64,
     /// Names of the quantities that are those of the sharp hill of a mass-conserving film, and all that follows from
     /// them; of the others none is.
-    pub of_hill: Vec<&'static str>,
+    pub of_hill: Vec<String>,
     /// Half widths [N] of what the film carries in its place, in independent directions of force and moment; none
     /// without bars, or where the mesh does not resolve the film.
     pub carried: Option<Vec<(Vector, f64)>>,
@@ -132,8 +132,8 @@ fn by_coarse(
     if let Some(hill) = hill {
         let sharpened = sharpen(&mut error, &measured.as_hill(), hill, reported(solved));
         measured.sharpen(&film.problem, &sharpened);
-        of_hill.extend(sharpened.load.map(|_| LOAD.name));
-        of_hill.extend(sharpened.greatest.map(|_| PRESSURE_MAX.name));
+        of_hill.extend(sharpened.load.map(|_| LOAD.name.to_owned()));
+        of_hill.extend(sharpened.greatest.map(|_| PRESSURE_MAX.name.to_owned()));
     }
     let plain = Estimated::without_bars(film, measured);
     let pair = CoarseComparison {

@@ -8,6 +8,7 @@ use oilwedge_bearing::mobility::{FilmMap, FiniteMap, MapOrbit, ShortMap, Travel}
 use oilwedge_bearing::orbit::Span;
 use oilwedge_reynolds::{Bearing, Gap, JournalState};
 use oilwedge_scene::{CavitationModel, PressureLaw, Scene, Theory};
+use serde::{Deserialize, Serialize};
 
 use super::OrbitPath;
 use super::start::on_mesh_for;
@@ -28,22 +29,25 @@ const ROOM: f64 = 0.5;
 const COMPARED: u32 = 1440;
 
 /// The orbit by one map.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ByMap {
     /// `short` or `finite`.
-    pub name: &'static str,
-    /// Numbers of the cycle that a path alone has: least film and where it is.
-    pub quantities: Vec<Quantity>,
+    pub map: String,
     /// Greatest distance from the orbit of the film at the same crank angle, over the clearance [1].
     pub distance: f64,
     /// Greatest difference of the least film from that of the film at the same crank angle, over the latter [1].
     pub film_difference: f64,
     /// Films that the map took.
     pub films: usize,
-    /// Seconds for the map, and for the orbit by it.
-    pub seconds: [f64; 2],
+    /// Wall time of the map [s].
+    pub map_seconds: f64,
+    /// Wall time of the orbit by it [s].
+    pub orbit_seconds: f64,
     /// Distance between beginning and end of the last cycle, over the clearance [1].
     pub closure: f64,
+    /// Numbers of the cycle that a path alone has: least film and where it is; not in JSON.
+    #[serde(skip)]
+    pub quantities: Vec<Quantity>,
 }
 
 /// Why no map stands for the film of a scene; `None`: one does.
@@ -126,12 +130,13 @@ impl Beside<'_> {
             }
         }
         Ok(ByMap {
-            name,
+            map: name.to_owned(),
             quantities: self.quantities(&found),
             distance,
             film_difference,
             films,
-            seconds: [seconds, travelling],
+            map_seconds: seconds,
+            orbit_seconds: travelling,
             closure: orbit.closure,
         })
     }

@@ -3,8 +3,6 @@
 use std::borrow::Cow;
 
 use oilwedge_reynolds::error_bar::Bar;
-use serde::ser::SerializeStruct;
-use serde::{Serialize, Serializer};
 
 use super::row::Row;
 
@@ -54,26 +52,5 @@ impl Quantity {
     /// Gives it a bar, or says that there is none: one that is not finite is none.
     pub fn set_bar(&mut self, bar: Option<Bar>) {
         self.bar = bar.filter(|bar| bar.total().is_finite());
-    }
-}
-
-impl Serialize for Quantity {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = serializer.serialize_struct("Quantity", 5)?;
-        fields.serialize_field("symbol", self.row.symbol)?;
-        fields.serialize_field("value", &self.value)?;
-        fields.serialize_field("unit", self.unit())?;
-        fields.serialize_field("error", &self.error())?;
-        fields.serialize_field("error_parts", &self.bar.map(Parts))?;
-        fields.end()
-    }
-}
-
-/// Parts of a bar as an object by name.
-struct Parts(Bar);
-
-impl Serialize for Parts {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.by_name())
     }
 }

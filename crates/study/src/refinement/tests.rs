@@ -30,20 +30,20 @@ fn number(reason: &str, after: &str) -> f64 {
 fn the_best_contact_bounds_the_load() {
     let at = |force: f64| solved(0.045, [8.8e-4, 1.2e-4], (force, 1.9));
     let refused = at(12e3);
-    let reason = refused.reason.unwrap_or_default();
-    assert_eq!(refused.status, Status::NoSolution, "{reason}");
+    let reason = refused.head.reason.unwrap_or_default();
+    assert_eq!(refused.head.status, Status::NoSolution, "{reason}");
     let carried = number(&reason, "it carries ");
     let below = at(0.8 * carried);
-    assert_eq!(below.status, Status::Converged, "{carried}: {:?}", below.reason);
+    assert_eq!(below.head.status, Status::Converged, "{carried}: {:?}", below.head.reason);
     assert!(below.balances.force < 1e-10, "{:?}", below.balances);
     let above = at(1.2 * carried);
-    assert_eq!(above.status, Status::NoSolution, "{carried}: {:?}", above.reason);
+    assert_eq!(above.head.status, Status::NoSolution, "{carried}: {:?}", above.head.reason);
 }
 
 /// Where no contact carries a third of the load that is the reason, under tension too.
 #[test]
 fn a_load_far_beyond_all_contacts_is_refused() {
     let refused = solved(0.034, [1.77e-3, -8.36e-4], (12.4e3, 0.644));
-    let reason = refused.reason.unwrap_or_default();
-    assert!(refused.status == Status::NoSolution && reason.contains("in contact anywhere around"), "{reason}");
+    let reason = refused.head.reason.unwrap_or_default();
+    assert!(refused.head.status == Status::NoSolution && reason.contains("in contact anywhere around"), "{reason}");
 }

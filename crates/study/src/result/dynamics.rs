@@ -3,13 +3,13 @@
 
 use oilwedge_bearing::dynamics::{AtWhirl, Square, Whirling, depends_on_frequency, whirling};
 use oilwedge_bearing::{Coefficients, Stability};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::film::Film;
 use crate::measure::Measured;
 
 /// How the film answers to small motions of the journal, at its temperature.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DynamicsReport {
     /// Whether the coefficients depend on the frequency of the motion: a cavity conserves oil.
     pub depends_on_whirl: bool,
@@ -27,7 +27,7 @@ pub struct DynamicsReport {
 pub type Matrix = Vec<Vec<f64>>;
 
 /// Stiffness and damping in one frame.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Pair {
     /// Stiffness.
     pub stiffness: Matrix,
@@ -36,7 +36,7 @@ pub struct Pair {
 }
 
 /// Coefficients at one frequency.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientReport {
     /// Frequency of the motion over the speed of the journal [1].
     pub whirl: f64,
@@ -51,7 +51,7 @@ pub struct CoefficientReport {
 }
 
 /// The rigid rotor whose journals stay parallel to themselves.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RotorReport {
     /// Whether it is stable.
     pub stable: Stable,
@@ -68,7 +68,7 @@ pub struct RotorReport {
 }
 
 /// Whether a rotor is stable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stable {
     /// The rotor is stable with any mass.

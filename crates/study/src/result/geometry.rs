@@ -1,10 +1,11 @@
 //! The shape of the bearing, as much of it as a picture of the film needs.
 
 use oilwedge_scene::Scene;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The liner and the turning of its journal.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Geometry {
     /// Radius R of the liner [m].
     pub radius: f64,

@@ -1,11 +1,11 @@
 //! The meshes on the way to a tolerance.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use super::in_parts;
+use super::in_order;
 
 /// How a mesh came from the one before.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Refinement {
     /// The first mesh: that of the file, or the one made of the liner described.
@@ -19,8 +19,21 @@ pub enum Refinement {
     Local,
 }
 
+impl Refinement {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Uniform => "uniform",
+            Self::Drawn => "drawn",
+            Self::Local => "local",
+        }
+    }
+}
+
 /// One mesh on the way to a tolerance.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct LevelFacts {
     /// Nodes whose pressure was sought.
     pub unknowns: usize,
@@ -29,7 +42,7 @@ pub struct LevelFacts {
     /// How the mesh came from the one before.
     pub refinement: Refinement,
     /// Bars on this mesh, by name of quantity and in its unit; an object in JSON.
-    #[serde(serialize_with = "in_parts")]
+    #[serde(with = "in_order")]
     pub errors: Vec<(String, f64)>,
     /// Wall time of this mesh [s].
     pub seconds: f64,

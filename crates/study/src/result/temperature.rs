@@ -1,15 +1,15 @@
 //! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross.
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::Criterion;
-use crate::quantities::{ECCENTRICITY, FRICTION_POWER, HEAT_CARRIED, HEAT_HOUSING};
 
 /// Key of the seconds that films at other temperatures took.
 pub const SECONDS_KEY: &str = "heat";
 
-/// Friction and what carries its heat off at one temperature.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Friction and what carries its heat off at one temperature, by the names of the quantities in JSON.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct TemperaturePoint {
     /// Mean temperature of the film [degrees C].
     pub temperature: f64,
@@ -18,32 +18,31 @@ pub struct TemperaturePoint {
     /// Power of friction [W].
     pub friction_power: f64,
     /// Heat that the oil carries off [W].
-    pub carried: f64,
+    pub heat_carried: f64,
     /// Heat that the housing gives off [W].
-    pub given_off: f64,
+    pub heat_housing: f64,
     /// Eccentricity [1].
     pub eccentricity: f64,
 }
 
-impl Serialize for TemperaturePoint {
-    /// Writes the numbers as a map by the names of the quantities.
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map([
-            ("temperature", self.temperature),
-            ("viscosity", self.viscosity),
-            (FRICTION_POWER.name, self.friction_power),
-            (HEAT_CARRIED.name, self.carried),
-            (HEAT_HOUSING.name, self.given_off),
-            (ECCENTRICITY.name, self.eccentricity),
-        ])
+impl TemperaturePoint {
+    /// A point at which the oil carries off and the housing gives off these powers [W].
+    pub fn removing(carried: f64, given_off: f64) -> Self {
+        Self { heat_carried: carried, heat_housing: given_off, ..Self::default() }
+    }
+
+    /// What oil and housing remove together [W].
+    pub fn removed(&self) -> f64 {
+        self.heat_carried + self.heat_housing
     }
 }
 
 /// The heat balance of a film.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct TemperatureReport {
     /// Name of the engine whose usual values were taken; `None`: none.
-    pub preset: Option<&'static str>,
+    pub preset: Option<String>,
     /// Temperature of the oil that is fed [degrees C].
     pub inlet_temperature: f64,
     /// Heat capacity per volume [J/(m3 K)].
@@ -58,4 +57,17 @@ pub struct TemperatureReport {
     pub is_fit: bool,
     /// Assumptions of the film that do not hold, each with a warning: a verdict stands under their reserve.
     pub broken_assumptions: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::{ECCENTRICITY, FRICTION_POWER, HEAT_CARRIED, HEAT_HOUSING};
+
+    #[test]
+    fn the_numbers_of_a_point_have_the_names_of_their_quantities() {
+        let point = serde_json::to_value(TemperaturePoint::default()).expect("numbers");
+        let rows = [&FRICTION_POWER, &HEAT_CARRIED, &HEAT_HOUSING, &ECCENTRICITY];
+        assert!(rows.iter().all(|row| point[row.name] == 0.0), "{point}");
+    }
 }

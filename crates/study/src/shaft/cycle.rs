@@ -57,7 +57,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
             }
             Err(reason) => {
                 let told = format!("bearing {}: {reason}", bearing.name);
-                (run.result.status, run.result.reason) = (Status::without(&reason), Some(told));
+                run.result.head.end(Status::without(&reason), told);
                 run.result.bearings.clear();
                 run.paths.clear();
                 return Ok(run);
@@ -103,7 +103,7 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
         Ok(())
     });
     if let Err((status, reason)) = outcome {
-        (run.result.status, run.result.reason) = (status, Some(reason));
+        run.result.head.end(status, reason);
         run.result.bearings.clear();
         run.paths.clear();
     }
@@ -262,7 +262,7 @@ fn ended(run: &mut ShaftRun, end: OrbitEnd, (cycles, closure): (usize, f64), opt
         OrbitEnd::NotClosed => Limit::NotClosed(cycles, closure),
         OrbitEnd::Ended => Limit::Orbit(cycles, closure, options.cause()),
     };
-    (run.result.status, run.result.reason) = (Status::NotConverged, Some(limit.to_string()));
+    run.result.head.end(Status::NotConverged, limit);
 }
 
 fn status(reason: &NoShaftOrbit) -> Status {

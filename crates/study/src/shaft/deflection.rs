@@ -2,12 +2,13 @@
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::shaft::{Engine, Films, NodeForce, ShaftStep};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::compile::Compiled;
 
 /// The centre line of a shaft under its loads.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ShaftDeflection {
     /// Crank angle [deg] of the step with the least film of all bearings; `null` at rest.
     pub crank_angle_deg: Option<f64>,

@@ -1,7 +1,7 @@
 //! What a run of a shaft found, as scripts read it: `result.json` of a crankshaft.
 
 use oilwedge_scene::ShaftScene;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::compile::Bearing;
 use super::deflection::ShaftDeflection;
@@ -10,7 +10,7 @@ use crate::duty::DutyCycle;
 use crate::limits::design_criteria;
 use crate::orbit::OrbitPath;
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
-use crate::result::{Criterion, Geometry, Status, in_parts, named};
+use crate::result::{Criterion, Geometry, ResultHead, in_order, named};
 use crate::warning::Warning;
 
 /// Name and version of the form of `result.json` of a crankshaft.
@@ -49,22 +49,12 @@ impl ShaftRun {
 }
 
 /// Everything that a run of a shaft reports in numbers and words.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ShaftResult {
-    /// [`SHAFT_FORMAT`].
-    pub format: String,
-    /// Title of the study.
-    pub title: String,
-    /// Version of the program.
-    pub version: String,
-    /// Text of the scene.
-    pub scene: String,
-    /// SHA-256 of that text.
-    pub scene_sha256: String,
-    /// How the run ended.
-    pub status: Status,
-    /// Why it did not converge, or why there is no solution.
-    pub reason: Option<String>,
+    /// Scene, program and end of the run.
+    #[serde(flatten)]
+    pub head: ResultHead,
     /// Whether error bars were asked for.
     pub bars: bool,
     /// The bearings along the axis.
@@ -80,14 +70,15 @@ pub struct ShaftResult {
     /// Films solved to find the balance, on the meshes of the result.
     pub films: usize,
     /// Wall time of each part [s]; an object keyed by part in JSON.
-    #[serde(serialize_with = "in_parts")]
+    #[serde(with = "in_order")]
     pub timing_s: Vec<(String, f64)>,
     /// Doubts about the result, in sentences.
     pub warnings: Vec<Warning>,
 }
 
 /// What is left of the balances of a shaft, greatest over a cycle.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ShaftBalances {
     /// Loads less forces of all films, over the loads [1].
     pub force: f64,
@@ -101,7 +92,8 @@ pub struct ShaftBalances {
 }
 
 /// One cycle of the shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct CycleReport {
     /// Greatest distance between beginning and end of a journal, over its clearance [1].
     pub closure: f64,
@@ -114,7 +106,8 @@ pub struct CycleReport {
 }
 
 /// One bearing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct BearingReport {
     /// How the scene calls it.
     pub name: String,
@@ -141,9 +134,9 @@ pub struct BearingReport {
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
-    /// Quantities of the bearing. At rest their error bars hold the errors of all films of the shaft, over a cycle they
-    /// are those of its orbit under the load that it carries; what only the shaft decides has none there.
-    #[serde(serialize_with = "named")]
+    /// Quantities of the bearing. At rest their error bars hold the errors of all films of the shaft, over a cycle they are those of
+    /// its orbit under the load that it carries; what only the shaft decides has none there.
+    #[serde(with = "named")]
     pub quantities: Vec<Quantity>,
 }
 
@@ -158,12 +151,9 @@ impl BearingReport {
             at: bearing.at,
             unknowns: bearing.film.unknowns(),
             geometry: Geometry::of(&bearing.film.scene),
-            shell: [0.0; 2],
-            tilt_max: 0.0,
-            tilt_max_error: None,
-            energy: None,
             criteria: design_criteria(&bearing.film, None, &quantities, bars),
             quantities,
+            ..Self::default()
         }
     }
 
@@ -201,23 +191,6 @@ impl ShaftResult {
 
     /// What is known of a run whatever its outcome.
     pub(super) fn of(scene: &ShaftScene, bars: bool) -> Self {
-        Self {
-            format: SHAFT_FORMAT.to_owned(),
-            title: scene.title.clone(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            scene: scene.text.clone(),
-            scene_sha256: scene.sha256.clone(),
-            status: Status::Converged,
-            reason: None,
-            bars,
-            bearings: Vec::new(),
-            balances: ShaftBalances::default(),
-            deflection: None,
-            cycles: Vec::new(),
-            counterweights: None,
-            films: 0,
-            timing_s: Vec::new(),
-            warnings: Vec::new(),
-        }
+        Self { head: ResultHead::of(SHAFT_FORMAT, [&scene.title, &scene.text, &scene.sha256]), bars, ..Self::default() }
     }
 }

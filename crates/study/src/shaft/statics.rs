@@ -64,7 +64,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
         .map_err(|reason| without(&reason, &compiled, options.cause()))
         .and_then(|balance| report(&compiled, balance, options, result));
     if let Err((status, reason)) = outcome {
-        (result.status, result.reason) = (status, Some(reason));
+        result.head.end(status, reason);
     }
     result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
     Ok(run)

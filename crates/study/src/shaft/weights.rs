@@ -12,7 +12,7 @@ use oilwedge_bearing::shaft::Engine;
 use oilwedge_bearing::shaft::counterweights::{changes, greatest, neutral};
 use oilwedge_scene::{Counterweight, ShaftScene};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::compile::{Compiled, compile_shaft, engine};
 use super::error::ShaftError;
@@ -32,7 +32,8 @@ const MOST: usize = 600;
 const STEP: f64 = 0.3;
 
 /// What the search has found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct CounterweightReport {
     /// The webs with a counterweight.
     pub webs: Vec<WebReport>,
@@ -53,7 +54,8 @@ pub struct CounterweightReport {
 }
 
 /// One web: mass times radius [kg m] of its counterweight, and its angle against the throw [deg].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct WebReport {
     /// Number of its throw, from 1.
     pub throw: usize,

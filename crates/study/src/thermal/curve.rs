@@ -16,7 +16,6 @@ use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::run_options::RunOptions;
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
-use oilwedge_scene::Engine;
 
 /// Films on either side of the temperature found.
 const FILMS: i32 = 3;
@@ -57,7 +56,7 @@ fn fitness(
     let bearing = &film.problem.bearing;
     let criteria = design_criteria(film, Some(model), quantities, bars);
     Some(TemperatureReport {
-        preset: model.engine.map(Engine::name),
+        preset: model.engine.map(|engine| engine.name().to_owned()),
         inlet_temperature: model.balance.inlet - ZERO_CELSIUS,
         heat_capacity: model.balance.heat_capacity,
         specific_load: load.value / (2.0 * bearing.radius * bearing.length),
@@ -124,8 +123,7 @@ fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> Temperature
         temperature: temperature - ZERO_CELSIUS,
         viscosity: solved.film.problem.lubricant.viscosity,
         friction_power: film.power,
-        carried: balance.carried(temperature, &film),
-        given_off: balance.given_off(temperature),
         eccentricity: solved.film.position().eccentricity,
+        ..TemperaturePoint::removing(balance.carried(temperature, &film), balance.given_off(temperature))
     }
 }

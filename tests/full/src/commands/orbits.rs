@@ -44,7 +44,7 @@ fn bars(from: u64, to: u64) {
             };
             println!(
                 "{number} {edges} {tolerance:.0e} {}: {}",
-                found.status.name(),
+                found.head.status.name(),
                 [0, 1]
                     .map(|k| format!("{} error/bar {:.2?}, bar {:.1e}", JUDGED[k].symbol, parts[k], bar(k)))
                     .join("; ")
@@ -75,15 +75,15 @@ fn of_any_kind(from: u64, to: u64) {
     for number in from..to {
         let clock = Instant::now();
         let result = RandomOrbit::of_any_kind(number).solved(ROUGH, Bars::Omitted);
-        let reason = result.reason.clone().unwrap_or_default();
+        let reason = result.head.reason.clone().unwrap_or_default();
         let kind: String = reason.chars().take_while(|letter| !letter.is_ascii_digit()).collect();
-        *counts.entry(format!("{} {kind}", result.status.name())).or_default() += 1;
+        *counts.entry(format!("{} {kind}", result.head.status.name())).or_default() += 1;
         if let Some(fault) = fault(&result) {
             faults += 1;
             println!("{number} FAULT {fault}");
         }
-        if result.status != Status::Converged {
-            println!("{number} {:.1} s {}: {reason}", clock.elapsed().as_secs_f64(), result.status.name());
+        if result.head.status != Status::Converged {
+            println!("{number} {:.1} s {}: {reason}", clock.elapsed().as_secs_f64(), result.head.status.name());
         }
     }
     for (kind, count) in counts {

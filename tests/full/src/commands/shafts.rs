@@ -34,16 +34,16 @@ pub(crate) fn run(arguments: &[String]) {
     for number in from..to {
         let clock = Instant::now();
         let result = solved(&scene(number, &bearing), MOST_SECONDS);
-        let told = match result.status {
+        let told = match result.head.status {
             Status::Converged => {
                 closed += 1;
                 let (film, off) = (least_film(&result).unwrap_or(f64::NAN), result.balances);
                 format!("least film {:.3} um; force {:.0e}, moment {:.0e}", 1e6 * film, off.force, off.moment)
             }
-            _ => result.reason.clone().unwrap_or_default(),
+            _ => result.head.reason.clone().unwrap_or_default(),
         };
         let (bearings, seconds) = (result.bearings.len(), clock.elapsed().as_secs_f64());
-        println!("{number} {seconds:.1} s, {bearings} bearings, {}: {told}", result.status.name());
+        println!("{number} {seconds:.1} s, {bearings} bearings, {}: {told}", result.head.status.name());
         if let Some(fault) = fault(&result) {
             faults += 1;
             println!("{number} FAULT {fault}");

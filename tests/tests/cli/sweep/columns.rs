@@ -45,7 +45,7 @@ fn columns_of_choice_are_in_their_units() {
     let text = std::fs::read_to_string(bench.path().join("out/scene/sweep.json")).expect("a report");
     let chosen = object(&text);
     // The page has these columns in their order.
-    let page = oilwedge_report::page::sweep_page(&chosen).expect("a page");
+    let page = oilwedge_report::page::sweep_page(&serde_json::from_str(&text).expect("a sweep"), &[]).expect("a page");
     let places = ["h_min, \u{b5}m</th>", "load, kN</th>", "min_film_angle, rad</th>"]
         .map(|heading| page.find(heading).expect(heading));
     assert!(places.is_sorted() && page.find("film thickness min").is_none_or(|place| place > places[2]));
