@@ -20,7 +20,7 @@ fn changed(changes: &[(&str, &str)]) -> (RunResult, OrbitPath) {
     let scene = big_end::changed(changes);
     let options = RunOptions { bars: false, ..RunOptions::of(&scene) };
     let run = run(&scene, &options).expect("a film");
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+    assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
     (run.result, run.orbit.expect("a path"))
 }
 

@@ -62,7 +62,7 @@ fn cycles_of_grooved_and_hole_fed_bearings_close() {
     ] {
         let result = cycle(feed, model, heat, 1.0, &RunOptions { bars, ..numbers() });
         let named = format!("{feed} {model} {heat}");
-        assert_eq!(result.status, Status::Converged, "{named}: {:?}", result.reason);
+        assert_eq!(result.head.status, Status::Converged, "{named}: {:?}", result.head.reason);
         let facts = result.orbit.as_ref().expect("an orbit");
         assert!(facts.closed && facts.cycles.len() <= 4, "{named}: {facts:?}");
         // A stage leaves a thousandth of the tolerance of the steps.
@@ -79,8 +79,8 @@ fn cycles_of_grooved_and_hole_fed_bearings_close() {
 #[test]
 fn a_load_beyond_the_viscosity_law_is_told_as_that() {
     let result = cycle(GROOVE, CONSERVING, WARM, 4.0, &numbers());
-    assert_eq!(result.status, Status::NotConverged, "{:?}", result.reason);
-    let reason = result.reason.unwrap_or_default();
+    assert_eq!(result.head.status, Status::NotConverged, "{:?}", result.head.reason);
+    let reason = result.head.reason.unwrap_or_default();
     assert!(reason.contains("viscosity law") && reason.contains("lower the load"), "{reason}");
 }
 
@@ -92,8 +92,8 @@ fn a_balance_of_heat_that_was_ended_names_the_limit() {
         let clock = Clock::Showing(|| f64::from(CALLS.fetch_add(1, Ordering::Relaxed)));
         let result =
             cycle(GROOVE, SWIFT_STIEBER, BALANCED, 1.0, &RunOptions { max_seconds: calls, clock, ..numbers() });
-        assert_eq!(result.status, Status::NotConverged);
-        let reason = result.reason.unwrap_or_default();
+        assert_eq!(result.head.status, Status::NotConverged);
+        let reason = result.head.reason.unwrap_or_default();
         let told = reason.starts_with("limit: the search for the temperature was ended")
             && reason.ends_with(&format!("by --max-seconds {calls}; give --max-seconds a higher limit"));
         assert!(told, "{reason}");

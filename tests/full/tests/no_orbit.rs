@@ -33,8 +33,8 @@ fn a_load_beyond_the_film_is_told_as_that() {
         let text = changes.iter().fold(rough(), |text, (from, to)| text.replace(from, to));
         let scene = parsed(&text).expect("a scene");
         let result = run(&scene, &options()).expect("an answer").result;
-        assert_eq!(result.status, Status::NoSolution);
-        let reason = result.reason.as_deref().unwrap_or_default();
+        assert_eq!(result.head.status, Status::NoSolution);
+        let reason = result.head.reason.as_deref().unwrap_or_default();
         assert!(reason.starts_with(told) && reason.contains("; "), "{reason}");
     }
 }
@@ -47,8 +47,8 @@ fn a_load_at_half_the_speed_of_the_journal_is_told_as_collapse() {
     let scene = format!("{before}load = {{ harmonics = {turning}, frame{after}");
     let scene = scene.replace("360 deg", "720 deg").replace("cycles = 5", "cycles = 2, closure = 1e-6");
     let result = run(&parsed(&scene).expect("a scene"), &options()).expect("an orbit").result;
-    assert_eq!(result.status, Status::NotConverged);
-    let reason = result.reason.as_deref().unwrap_or_default();
+    assert_eq!(result.head.status, Status::NotConverged);
+    let reason = result.head.reason.as_deref().unwrap_or_default();
     assert!(reason.starts_with("collapse: 100 % of the load turns at half the speed"), "{reason}");
     assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
 }

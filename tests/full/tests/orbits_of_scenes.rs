@@ -17,7 +17,7 @@ fn the_big_end_of_the_shipped_scene_is_that_of_finite_volumes() {
     let scene = read(&path("27_big_end_orbit")).expect("a scene");
     let found = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
     let result = &found.result;
-    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert_eq!(result.head.status, Status::Converged, "{:?}", result.head.reason);
     let number = |row: &Row| {
         let quantity = result.quantity(row).expect(row.name);
         (quantity.value, quantity.error().expect(row.name))
@@ -72,11 +72,11 @@ fn without_bars(scene: &Scene) -> RunOptions {
 fn too_few_cycles_are_an_answer_with_numbers() {
     let scene = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-12")).expect("a scene");
     let result = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
-    assert_eq!(result.status, Status::NotConverged);
+    assert_eq!(result.head.status, Status::NotConverged);
     assert!(
-        result.reason.as_deref().is_some_and(|reason| reason.starts_with("not closed after 1 cycle")),
+        result.head.reason.as_deref().is_some_and(|reason| reason.starts_with("not closed after 1 cycle")),
         "{:?}",
-        result.reason
+        result.head.reason
     );
     assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some());
 }
@@ -90,7 +90,7 @@ fn an_orbit_is_the_same_without_bars_and_is_drawn_film_by_film() {
     let options = RunOptions { bars: false, frames: 4, ..RunOptions::of(&scene) };
     let without = run(&scene, &options).expect("an orbit");
     let film = |result: &RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).map(|it| it.value);
-    assert_eq!((film(&with.result), with.result.status), (film(&without.result), Status::Converged));
+    assert_eq!((film(&with.result), with.result.head.status), (film(&without.result), Status::Converged));
     let bar = |result: &RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).and_then(|it| it.error());
     assert!(bar(&with.result).is_some_and(|bar| bar > 0.0));
     assert!(with.frames.is_empty());
@@ -138,7 +138,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
     let scene = parsed(&text).expect("a scene");
     let found = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
     let result = &found.result;
-    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert_eq!(result.head.status, Status::Converged, "{:?}", result.head.reason);
     let number = |row: &Row| {
         let quantity = result.quantity(row).expect(row.name);
         (quantity.value, quantity.error().expect(row.name))
@@ -222,7 +222,7 @@ fn an_orbit_is_continued() {
 fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let scene = read(&path("28_big_end_orbit_conserving")).expect("a scene");
     let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
-    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert_eq!(result.head.status, Status::Converged, "{:?}", result.head.reason);
     for (row, reference, part) in [(&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.01), (&CYCLE_PRESSURE_MAX, 45.6e6, 0.01)] {
         let value = result.quantity(row).expect(row.name).value;
         assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
@@ -256,7 +256,7 @@ fn a_finer_mesh_is_within_the_bars_of_an_orbit_that_conserves_its_oil() {
         run(&scene, &options).expect("an orbit").result
     };
     let (coarse, fine) = (solved("6 mm", true), solved("4 mm", false));
-    assert_eq!(coarse.status, Status::Converged, "{:?}", coarse.reason);
+    assert_eq!(coarse.head.status, Status::Converged, "{:?}", coarse.head.reason);
     for row in [&CYCLE_FILM_THICKNESS_MIN, &CYCLE_PRESSURE_MAX, &CYCLE_POWER_LOSS] {
         let quantity = coarse.quantity(row).expect(row.name);
         let bar = quantity.bar.expect(row.name);
@@ -272,7 +272,7 @@ fn a_film_without_supply_is_told_to_follow_from_its_start() {
     let told = |text: &str| {
         let scene = parsed(text).expect("a scene");
         let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
-        assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(), "{:?}", result.reason);
+        assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(), "{:?}", result.head.reason);
         result.warnings.iter().any(|warning| warning.kind.code == "from_start")
     };
     let once = conserving().replace("tolerance", "cycles = 1, tolerance");

@@ -18,7 +18,7 @@ fn random_shafts_close_or_say_why_not() {
         let result = solved(&scene, f64::INFINITY);
         let fault = fault(&result);
         assert!(fault.is_none(), "{number}: {fault:?}\n{scene}");
-        closed += usize::from(result.status == Status::Converged);
+        closed += usize::from(result.head.status == Status::Converged);
     }
     assert!(closed >= 1, "none of {NUMBERS:?} closes");
 }

@@ -10,9 +10,9 @@ use oilwedge_tests::journal_bearings::each;
 fn random_tilted_bearings_converge() {
     each(&[7, 27, 28, 30, 32, 33], |&number: &u64| {
         let (result, fault) = solved(&TiltedBearing::new(number));
-        match (result.status, fault) {
+        match (result.head.status, fault) {
             (Status::Converged, None) => Ok(()),
-            (status, fault) => Err(format!("{number}: {status:?} {:?} {fault:?}", result.reason)),
+            (status, fault) => Err(format!("{number}: {status:?} {:?} {fault:?}", result.head.reason)),
         }
     });
 }
@@ -22,7 +22,7 @@ fn random_tilted_bearings_converge() {
 #[test]
 fn contact_is_judged_by_a_mesh_that_resolves_it() {
     let (result, fault) = solved(&TiltedBearing::new(51));
-    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert_eq!(result.head.status, Status::Converged, "{:?}", result.head.reason);
     assert!(fault.is_none(), "{fault:?}");
 }
 
@@ -32,8 +32,8 @@ fn contact_is_judged_by_a_mesh_that_resolves_it() {
 fn walls_that_give_way_leave_a_reason() {
     for (number, told) in [(198, "found for the Swift-Stieber film"), (94, "tips over")] {
         let (result, fault) = solved(&TiltedBearing::with_walls(number));
-        assert_eq!(result.status, Status::NoSolution, "{number}: {fault:?}");
-        let reason = result.reason.unwrap_or_default();
+        assert_eq!(result.head.status, Status::NoSolution, "{number}: {fault:?}");
+        let reason = result.head.reason.unwrap_or_default();
         assert!(reason.contains(told), "{number}: {reason}");
     }
 }
@@ -43,7 +43,7 @@ fn walls_that_give_way_leave_a_reason() {
 #[test]
 fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
     let (result, fault) = solved(&TiltedBearing::new(219));
-    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert_eq!(result.head.status, Status::Converged, "{:?}", result.head.reason);
     assert!(fault.is_none(), "{fault:?}");
     let thinnest = result.quantities.iter().find(|quantity| quantity.name == "film_thickness_min");
     let thinnest = thinnest.expect("a film").value;
@@ -60,9 +60,9 @@ fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
 #[test]
 fn a_journal_that_tips_over_is_told() {
     let bearing = TiltedBearing::new(26);
-    let of = |result: &RunResult| result.reason.clone().unwrap_or_default();
+    let of = |result: &RunResult| result.head.reason.clone().unwrap_or_default();
     let (whole, _) = solved(&bearing);
-    assert_eq!(whole.status, Status::NoSolution, "{}", of(&whole));
+    assert_eq!(whole.head.status, Status::NoSolution, "{}", of(&whole));
     let reason = of(&whole);
     let part = reason.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
     let part: f64 = part.and_then(|part| part.parse().ok()).unwrap_or_else(|| panic!("{reason}"));
@@ -80,6 +80,6 @@ fn a_journal_that_tips_over_is_told() {
         solved(&TiltedBearing { text, ..bearing.clone() }).0
     };
     let (below, above) = (with(0.9e-2 * part), with(1.2e-2 * part));
-    assert_eq!(below.status, Status::Converged, "{}", of(&below));
-    assert!(of(&above).contains("tips over"), "{:?} {}", above.status, of(&above));
+    assert_eq!(below.head.status, Status::Converged, "{}", of(&below));
+    assert!(of(&above).contains("tips over"), "{:?} {}", above.head.status, of(&above));
 }

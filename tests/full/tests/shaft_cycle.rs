@@ -63,16 +63,16 @@ fn an_engine_runs_as_one_shaft_and_cut_at_its_mains() {
     let engine = with_bearing(folder.path(), "main_85", ("[journal]", &judged), &scene);
     let engine = changed(&engine, "tolerance = 1e-3", "tolerance = 2e-2");
     let whole = run(&engine);
-    assert_eq!(whole.result.status, Status::Converged, "{:?}", whole.result.reason);
+    assert_eq!(whole.result.head.status, Status::Converged, "{:?}", whole.result.head.reason);
     all_films_balance_the_loads_at_every_step(&whole);
 
     let options = RunOptions { bars: false, max_seconds: f64::INFINITY, ..RunOptions::default() };
     let read = ShaftScene::parse(&engine, &engines("scene.toml")).expect("a scene");
     let cut = run_cut(&read, &options).expect("a run");
-    assert_eq!(cut.result.status, Status::Converged, "{:?}", cut.result.reason);
+    assert_eq!(cut.result.head.status, Status::Converged, "{:?}", cut.result.head.reason);
     mains_have_the_orbits_of_single_bearings(&cut, &engine);
     // The text of the cut shaft is that of its own scene.
-    let again = ShaftScene::parse(&cut.result.scene, &engines("scene.toml")).expect("a scene");
+    let again = ShaftScene::parse(&cut.result.head.scene, &engines("scene.toml")).expect("a scene");
     let told = run_cut(&again, &options).expect_err("cut already").to_string();
     assert!(told.contains("statics") && told.contains("remove it"), "{told}");
     // Statics leaves the outer bearings what the whole shaft takes from them.

@@ -27,8 +27,8 @@ fn a_journal_under_a_constant_load_sinks_in_the_time_of_the_closed_film() {
         cavitation.model = "none"
     "#;
     let (result, place) = solved(text, false);
-    assert_eq!(result.status, Status::NotConverged);
-    let reason = result.reason.as_deref().unwrap_or_default();
+    assert_eq!(result.head.status, Status::NotConverged);
+    let reason = result.head.reason.as_deref().unwrap_or_default();
     assert!(reason.starts_with("sinking: the journal does not turn, 100 % of the load"), "{reason}");
     assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
     let [force, clearance, time, viscosity, length, radius] = [500.0, 30e-6, 0.02_f64, 10e-3, 25e-3_f64, 25e-3];
@@ -53,7 +53,7 @@ fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
     };
     let film = |text: &str, row: &Row| {
         let (result, _) = solved(text, true);
-        assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+        assert_eq!(result.head.status, Status::Converged, "{:?}", result.head.reason);
         if text.contains("[orbit]") {
             // Nothing turns the ring: the load alone does work, and the film turns it into heat.
             // A circle may be thinnest anywhere.

@@ -66,8 +66,8 @@ fn known(result: &RunResult, name: &str) -> Result<[f64; 2], String> {
 
 /// The numbers of a drowned ring lie inside their bars, and the load within the part `off`.
 fn is_right(row: &Value, result: &RunResult, off: f64) -> Result<(), String> {
-    if result.status != Status::Converged {
-        return Err(format!("{:?}: {:?}", result.status, result.reason));
+    if result.head.status != Status::Converged {
+        return Err(format!("{:?}: {:?}", result.head.status, result.head.reason));
     }
     for (name, key, sure) in [
         ("load", "W_N", 5e-4 * number(row, "W_N")),

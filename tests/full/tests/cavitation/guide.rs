@@ -58,12 +58,12 @@ fn a_load_that_the_guide_cannot_carry_is_refused_in_its_name() {
     let tilt = r#", tilt = { x = "-0.6 mrad", y = "-1.5 mrad" }"#;
     let answer = |scene| run(&scene, &RunOptions::default()).expect("a film").result;
     let refused = answer(scene("60 kN", tilt));
-    assert_eq!(refused.status, Status::NoSolution, "{:?}", refused.reason);
-    let reason = refused.reason.unwrap_or_default();
+    assert_eq!(refused.head.status, Status::NoSolution, "{:?}", refused.head.reason);
+    let reason = refused.head.reason.unwrap_or_default();
     assert!(reason.contains("found for the Swift-Stieber film"), "{reason}");
     assert!(reason.contains("; change the load"), "{reason}");
     // A load that it carries is balanced by the film that conserves oil itself.
     let balanced = answer(scene("1 kN", r#", tilt = { x = "-0.2 mrad", y = "-0.5 mrad" }"#));
-    assert_eq!(balanced.status, Status::Converged, "{:?}", balanced.reason);
+    assert_eq!(balanced.head.status, Status::Converged, "{:?}", balanced.head.reason);
     assert!(balanced.balances.force < 1e-10, "{:?}", balanced.balances);
 }

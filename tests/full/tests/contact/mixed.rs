@@ -13,7 +13,7 @@ fn positions_of_a_second_code() {
         let flow = if row["flow"] == "smooth" { "" } else { "[roughness]\nmodel = \"patir-cheng\"\n" };
         let result = run(&mixed_scene(number("rpm"), contact, flow));
         let of = |name: &str| {
-            let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+            let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.head.reason));
             (quantity.value, quantity.error().unwrap_or(f64::NAN))
         };
         let ((film, _), (share, bar)) = (of("film_thickness_min"), of("contact_share"));

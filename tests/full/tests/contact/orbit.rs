@@ -22,7 +22,7 @@ fn at_300_rpm(size: &str, load: &str, tables: &str, bars: bool) -> RunResult {
 
 fn value(result: &RunResult, name: &str) -> f64 {
     let quantity = result.by_name(name);
-    quantity.unwrap_or_else(|| panic!("no {name}: {:?}", result.reason)).value
+    quantity.unwrap_or_else(|| panic!("no {name}: {:?}", result.head.reason)).value
 }
 
 /// An orbit whose load does not change ends where film and contact together carry it at rest.

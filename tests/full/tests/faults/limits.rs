@@ -119,7 +119,7 @@ fn numbers_under_a_wall_that_was_left_open_have_no_bars() {
                 .quantities
                 .iter()
                 .filter(|quantity| quantity.name == "eccentricity" || quantity.name == "film_thickness_min");
-            assert_eq!(result.status, Status::NotConverged);
+            assert_eq!(result.head.status, Status::NotConverged);
             assert!(bars.into_iter().all(|quantity| quantity.error().is_none()), "{asked}: {left:e}");
         }
     }

@@ -20,7 +20,7 @@ fn found(size: &str, eps: f64, model: &str, liner: &str) -> RunResult {
          oil.viscosity = \"20 mPa.s\"\ncavitation.model = \"{model}\"\n\
          journal = {{ speed = \"300 rad/s\", eccentricity = {eps}, min_film_angle = \"0 deg\" }}\n{liner}\n"
     ));
-    assert_eq!(result.reason, None);
+    assert_eq!(result.head.reason, None);
     result
 }
 

@@ -230,7 +230,7 @@ fn loads_are_balanced_in_mixed_films_on_soft_walls() {
         let share = |keys: &str| {
             let result = run(&scene(300.0, contact, keys).replace("\"2 mm\"", "\"3 mm\""));
             let of = |name: &str| {
-                let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+                let quantity = result.by_name(name).unwrap_or_else(|| panic!("no {name}: {:?}", result.head.reason));
                 (quantity.value, quantity.error().unwrap_or(f64::NAN))
             };
             assert!(result.balances.force < 1e-10, "{:e}", result.balances.force);
