@@ -17,7 +17,7 @@ use oilwedge_reynolds::{
 
 use crate::coordinates::{Vector, moved, unit};
 use crate::deflection::{Bordered, Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
-use crate::search::{Search, Trial, fineness};
+use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 
 /// How the film of a trial is solved.
@@ -76,7 +76,7 @@ impl Search<'_> {
     /// The film `at` these coordinates under the wall of a problem as it is, what it leaves of the balance of that wall
     /// included. Contact is integrated as finely as a balance to the `part` asks for.
     pub(crate) fn open(&self, problem: &FilmProblem, at: Vector, solve: FilmSolve, part: f64) -> Result<Trial, NoFilm> {
-        let problem = self.placed(problem, at).tried().with_contact(fineness(part));
+        let problem = self.placed(problem, at).tried().with_contact(self.fineness(part));
         let film = match solve {
             FilmSolve::Settled(near) => problem.solve_from(self.system, near)?,
             FilmSolve::Step(start) => problem.step(self.system, start)?,

@@ -33,7 +33,7 @@ use crate::coupled::{FilmSolve, counted};
 use crate::deflection::{Left, resting};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::SearchEnd;
-use crate::search::{Search, Trial, fineness};
+use crate::search::{Search, Trial};
 use crate::work::Work;
 
 /// Most films from a start that is near, and from any other one.
@@ -190,7 +190,7 @@ impl Search<'_> {
     /// A trial whose contact is not integrated as finely as a balance asks for, with it so: films of one balance are
     /// compared.
     fn as_fine(&self, trial: Trial, closed: f64, tried: &mut usize) -> Trial {
-        let is_fine = |contact: Contact| contact.fineness == fineness(closed);
+        let is_fine = |contact: Contact| contact.fineness == self.fineness(closed);
         if trial.film.problem.contact.is_none_or(is_fine) || trial.cubic.is_some() {
             return trial;
         }

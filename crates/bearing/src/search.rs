@@ -182,7 +182,7 @@ impl<'a> Search<'a> {
     /// closed.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
         let left = self.left_at_balance();
-        let placed = self.placed(problem, at).with_contact(fineness(left));
+        let placed = self.placed(problem, at).with_contact(self.fineness(left));
         let (film, contact) = closed_within(placed, self.system, near, left)?;
         let carried = load_touching(&film, contact.as_deref());
         Ok(self.recorded(Trial { contact, ..Trial::of(film, carried.total.resultant()) }))
@@ -238,6 +238,15 @@ impl<'a> Search<'a> {
             }));
         }
         trial
+    }
+
+    /// How finely contact is integrated in a film that may leave this part of a deflection: in a stage of a motion, whose
+    /// films are compared with those of others, as finely as for numbers that are reported.
+    pub(crate) fn fineness(&self, part: f64) -> Fineness {
+        match part < OF_CONTACT || self.time.is_some() {
+            true => Fineness::Reported,
+            false => Fineness::Tried,
+        }
     }
 
     /// Adds to what the search has cost.
@@ -321,14 +330,6 @@ impl<'a> Search<'a> {
         let [x, y] = trial.carried.force;
         let (force, load) = (x.hypot(y), self.load.magnitude());
         [2, 3].map(|k| film[k] / force - (asked[k] - (tilted[k] - film[k])) / load)
-    }
-}
-
-/// How finely contact is integrated in a film that may leave this part of a deflection.
-pub(crate) fn fineness(part: f64) -> Fineness {
-    match part < OF_CONTACT {
-        true => Fineness::Reported,
-        false => Fineness::Tried,
     }
 }
 

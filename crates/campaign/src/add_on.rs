@@ -89,7 +89,7 @@ impl Comparison {
 }
 
 impl Records {
-    /// Those of add-ons together.
+    /// Records of several add-ons together.
     pub fn of(add_ons: &[AddOn]) -> Self {
         add_ons.iter().map(|it| it.record.clone()).fold(Self::default(), |all, it| Self {
             cost: it.cost.or(all.cost),

@@ -25,9 +25,9 @@ pub struct Records {
 /// Numbers of one quantity in the result file, in its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Compared<T> {
-    /// Its symbol.
+    /// Symbol of the quantity.
     pub symbol: String,
-    /// Its unit.
+    /// Unit of the number.
     pub unit: String,
     /// The numbers.
     #[serde(flatten)]
@@ -101,7 +101,7 @@ pub struct FilmRecord {
 pub struct TheoryNumber {
     /// The value.
     pub value: f64,
-    /// Its error bar.
+    /// Error bar of the number.
     pub error: Option<f64>,
     /// The value less that of the full film.
     pub difference: Option<f64>,
@@ -120,9 +120,9 @@ pub struct StandardRecord {
     pub squeezed_flow: Option<f64>,
     /// Q_p, what the pressure of the feed presses through [m3/s].
     pub pressed_flow: Option<f64>,
-    /// Its numbers beside those of the film.
+    /// Numbers of the theory beside those of the film.
     pub numbers: Vec<StandardNumber>,
-    /// Its own balance of heat.
+    /// Balance of heat of the standard itself.
     #[serde(rename = "heat")]
     pub balance: Option<OwnBalance>,
     /// Differences of the assumptions, in sentences.
@@ -134,7 +134,7 @@ pub struct StandardRecord {
 pub struct StandardNumber {
     /// Name of the quantity.
     pub quantity: String,
-    /// Its unit.
+    /// Unit of the number.
     pub unit: String,
     /// The value of the standard.
     pub standard: f64,
@@ -153,7 +153,7 @@ pub struct OwnBalance(#[serde(with = "in_order")] pub Vec<(String, f64)>);
 /// The orbit by one map, in the result file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MapRecord {
-    /// Its path, and what it took.
+    /// Path of the journal, and the effort that it took.
     #[serde(flatten)]
     pub orbit: ByMap,
     /// By name; an object in JSON.

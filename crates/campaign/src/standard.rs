@@ -46,7 +46,7 @@ pub fn standard(scene: &Scene, result: &RunResult) -> AddOn {
 /// What the standard gives.
 #[derive(Debug, Default)]
 struct Numbers {
-    /// Its record without lists of numbers.
+    /// Record of the comparison without lists of numbers.
     head: StandardRecord,
     comparisons: Vec<Comparison>,
     balance: Vec<Quantity>,

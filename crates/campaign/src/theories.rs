@@ -45,7 +45,7 @@ const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 /// The film by one theory.
 #[derive(Debug, PartialEq)]
 struct TheoryFilm {
-    /// Its record without numbers.
+    /// Record of the comparison without numbers.
     head: FilmRecord,
     /// The numbers that are compared; none where there is no film.
     quantities: Vec<Quantity>,

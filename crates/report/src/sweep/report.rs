@@ -132,7 +132,7 @@ pub struct ColumnRecord {
     pub name: String,
     /// The quantity that it is.
     pub quantity: String,
-    /// Its unit.
+    /// Unit of the column.
     pub unit: String,
 }
 
@@ -140,7 +140,7 @@ pub struct ColumnRecord {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct CaseRecord {
-    /// Its number, from 1.
+    /// Number of the case, from 1.
     pub case: usize,
     /// The values on the axes, by the names of these.
     pub inputs: BTreeMap<String, AxisValue>,
@@ -148,7 +148,7 @@ pub struct CaseRecord {
     pub status: String,
     /// Why it has no answer.
     pub reason: Option<String>,
-    /// Its numbers, by the names of the columns.
+    /// Numbers of the case, by the names of the columns.
     pub quantities: BTreeMap<String, CaseQuantity>,
     /// Codes of its warnings.
     pub warnings: Vec<String>,

@@ -20,7 +20,7 @@ pub enum Refinement {
 }
 
 impl Refinement {
-    /// Its name in files.
+    /// Name of the refinement in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Given => "given",

@@ -134,8 +134,8 @@ pub struct BearingReport {
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
-    /// Quantities of the bearing. At rest their error bars hold the errors of all films of the shaft, over a cycle they are those of
-    /// its orbit under the load that it carries; what only the shaft decides has none there.
+    /// Quantities of the bearing. At rest their error bars hold the errors of all films of the shaft, over a cycle they
+    /// are those of its orbit under the load that it carries; what only the shaft decides has none there.
     #[serde(with = "named")]
     pub quantities: Vec<Quantity>,
 }

@@ -198,8 +198,9 @@ fn contact_alone_is_solved_in_closed_form() {
         let SolvedFilm { problem, .. } = closed(problem, &system);
         let closing = problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-10, "{closing:?}");
-        // Each step solves a film; the first one is that of the unbent wall.
-        assert!(closing.outer > 2 && closing.inner < closing.outer, "{closing:?}");
+        // Each step solves a film, and the first one is that of the unbent wall; a step takes one product, or two where
+        // its system is solved to more digits.
+        assert!(closing.outer > 2 && closing.inner <= closing.outer, "{closing:?}");
     }
 }
 
