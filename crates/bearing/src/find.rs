@@ -266,13 +266,12 @@ impl Search<'_> {
     /// From the start of `problem`; where that fails by continuation in the load or, with a free tilt, in the moment from
     /// the balance of the force alone on.
     fn everywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
-        let mut outcome = self.run(problem, problem.journal);
-        if yields_to_contact(problem) && self.load.tilting.is_none() {
-            outcome = outcome.or_else(|reason| self.by_parts_of_load(problem).map_err(|_| reason));
-        }
         if self.load.tilting.is_some() {
-            let outcome = outcome.or_else(|_| self.by_parts_of_tilting(problem));
-            return outcome.map_err(|reason| self.confirmed(reason));
+            return self.by_parts_of_tilting(problem).map_err(|reason| self.confirmed(reason));
+        }
+        let mut outcome = self.run(problem, problem.journal);
+        if yields_to_contact(problem) {
+            outcome = outcome.or_else(|reason| self.by_parts_of_load(problem).map_err(|_| reason));
         }
         if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome
             && self.options.purpose != Purpose::Branch

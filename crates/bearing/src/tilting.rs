@@ -81,7 +81,7 @@ struct Branch<'a, 'b> {
 }
 
 impl Search<'_> {
-    /// Balances the force alone, and follows the branch from there to the balance of the moment.
+    /// Balances the force alone, and from there the moment; where that leads nowhere along the branch of a growing moment.
     pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         let straight = Load { tilting: None, ..self.load };
         let options = SearchOptions {
@@ -101,7 +101,13 @@ impl Search<'_> {
             // What the film carries at one tilt is no limit where the tilt is free: a parallel journal carries more.
             _ => straightened(problem, Purpose::Branch).or_else(|_| straightened(&parallel, options.purpose)),
         }?;
-        self.along_branch(self.recorded(found.trial))
+        let FilmProblem { journal, .. } = found.trial.film.problem;
+        let trial = self.recorded(found.trial);
+        // Of several balances the one that a growing moment leads to is nearest to this start.
+        match self.run(&trial.film.problem, journal) {
+            Ok(found) if !self.is_in_contact(&found.trial) => Ok(found),
+            _ => self.along_branch(trial),
+        }
     }
 
     /// Follows the branch from the film with which a search begins: what it leaves of the load is balanced in parts.

@@ -96,7 +96,7 @@ fn options() -> PlotOptions {
 
 /// Numbers, effects and picture of a film or an orbit.
 fn of_film(scene: &Scene, picture: &str) -> (String, String, String) {
-    let options_of_run = RunOptions { unrolled: true, ..RunOptions::of(scene) };
+    let options_of_run = RunOptions { unrolled: true, curve: true, ..RunOptions::of(scene) };
     let run = run(scene, &options_of_run).expect("a mesh");
     let result = &run.result;
     let rows = headlines(&result.quantities, |quantity| quantity.row, &result.effects).into_iter();

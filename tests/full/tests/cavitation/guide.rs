@@ -47,9 +47,9 @@ cavitation = { model = "jfo" }
 ends = { pressure = "10 kPa" }
 "#;
 
-/// A load far beyond what the tilted film carries in contact: told after the films of the guide alone, by its reason.
+/// A load far beyond what a film that conserves oil carries in contact, held at a tilt.
 #[test]
-fn a_load_that_the_guide_cannot_carry_is_refused_in_its_name() {
+fn a_load_beyond_contact_is_refused() {
     let scene = |force: &str, tilt: &str| {
         written(&format!(
             "{TILTED}journal = {{ speed = \"100 rad/s\"{tilt} }}\nload = {{ force = \"{force}\", angle = \"270 deg\" }}\n"
@@ -60,8 +60,7 @@ fn a_load_that_the_guide_cannot_carry_is_refused_in_its_name() {
     let refused = answer(scene("60 kN", tilt));
     assert_eq!(refused.head.status, Status::NoSolution, "{:?}", refused.head.reason);
     let reason = refused.head.reason.unwrap_or_default();
-    assert!(reason.contains("found for the Swift-Stieber film"), "{reason}");
-    assert!(reason.contains("; change the load"), "{reason}");
+    assert!(reason.contains("in contact anywhere") && reason.contains("; change the load"), "{reason}");
     // A load that it carries is balanced by the film that conserves oil itself.
     let balanced = answer(scene("1 kN", r#", tilt = { x = "-0.2 mrad", y = "-0.5 mrad" }"#));
     assert_eq!(balanced.head.status, Status::Converged, "{:?}", balanced.head.reason);
