@@ -72,10 +72,9 @@ impl NoAnswer {
                 None => Limit::FirstTemperature(cause),
             },
             Self::NotBegun { unknowns } => Limit::FirstMesh(*unknowns, cause),
-            Self::Equilibrium(reason) => match reason {
-                NoEquilibrium::Ended { asked, nearest, .. } => Limit::FirstPosition([*nearest, *asked], cause),
-                _ => return self.to_string(),
-            },
+            Self::Equilibrium(NoEquilibrium::Ended { asked, nearest, .. }) => {
+                Limit::FirstPosition([*nearest, *asked], cause)
+            }
             _ => return self.to_string(),
         };
         limit.to_string()
