@@ -176,7 +176,7 @@ fn the_gradient_of_the_load_is_its_change() {
         let (unknown, wall) = (of(film.solution.unknown.len(), 1e5), of(bent.coefficients.len(), 1e-3 * CLEARANCE));
         let shape = bent.change(wall.clone());
         let change = load_change(&film, &[FilmChange::Gap(&shape)], &unknown);
-        let contact = ContactPoints::of(&problem, &system);
+        let contact = ContactPoints::of(problem, &system);
         let gradient = LoadGradient::of(&film, contact.as_ref());
         let (change, gradient) = (forces(&change), forces(&gradient.change(&unknown, &wall)));
         let size = change.iter().fold(0.0_f64, |size, part| size.max(part.abs()));
