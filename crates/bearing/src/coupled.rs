@@ -1,9 +1,9 @@
 //! The trials of a search, and the tangent of journal and wall together at one of them.
 //!
 //! A trial is a film at one place of the journal under one deflection of its wall; what it leaves of both balances is
-//! reduced by the one Newton's method ([`crate::newton`]). The tangent is that of force and film in a rigid wall;
-//! [`Joint`], the journal eliminated and the wall found by GMRES, in one that gives way; or [`Bordered`], of the film in
-//! cubic elements there.
+//! reduced by the one Newton's method ([`crate::newton`]). In a rigid wall the tangent is that of force and film. In a
+//! wall that gives way it is a [`Joint`], the journal eliminated and the wall found by GMRES, or [`Bordered`], of the
+//! film in cubic elements.
 
 use std::borrow::Cow;
 
@@ -45,8 +45,8 @@ pub(crate) struct Rigid {
 }
 
 impl Tangents<'_> {
-    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it,
-    /// or by no more.
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it;
+    /// `None`: as far as they bend it.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -91,7 +91,8 @@ impl Search<'_> {
         }))
     }
 
-    /// As [`Self::open`], by the film in cubic elements, started from films of a neighbouring place.
+    /// The film in cubic elements `at` these coordinates under the wall of a problem as it is, started from films of a
+    /// neighbouring place.
     pub(crate) fn open_cubic(
         &self,
         problem: &FilmProblem,
@@ -192,8 +193,8 @@ impl Search<'_> {
         }
     }
 
-    /// As [`Self::led_to`], contact settled under the wall there; none where the film along the tangent is thinner than
-    /// `least` [m].
+    /// The problem and the coordinates to which a part of moves leads, contact settled under the wall there. None where
+    /// the film along the tangent is thinner than `least` [m].
     pub(crate) fn led_on(&self, trial: &Trial, moves: &Moves, part: f64, least: f64) -> Option<(FilmProblem, Vector)> {
         let (bent, at) = self.led_to(trial, moves, part);
         let led = FilmProblem { journal: self.coordinates.placed(&trial.film.problem.journal, at), ..bent };
@@ -215,7 +216,8 @@ impl Search<'_> {
         self.coordinates.at(&trial.film.problem.journal)
     }
 
-    /// The change of a journal that moves by `place` [m] within the pseudo-time `1/rate` [s] and in the time of a stage.
+    /// The change of a journal that moves by `place` [m] within the pseudo-time `1/rate` [s], and in the time of a
+    /// stage.
     pub(crate) fn change_at(&self, journal: &JournalState, place: Vector, rate: f64) -> JournalChange {
         let rate = rate + self.time.map_or(0.0, |time| time.per_time);
         let steady = self.coordinates.change(journal, &self.options.centre_velocity, place);

@@ -14,8 +14,8 @@
 //!
 //! **Method.** A step assembles and factorises the film once, with the cavity that the step before foretells along its
 //! tangent (a semismooth Newton method); the tangent is that of [`crate::coupled`]. A step is as long as the gap stays
-//! open and as the journal moves by half a clearance; nothing else shortens it. The place of a journal may be held: then
-//! the wall alone is found.
+//! open and as the journal moves by half a clearance; nothing else shortens it. Where the place of the journal is held
+//! the wall alone is found. The numbers below are those that `docs/theory/balance.md` gives.
 //!
 //! **Globalisation.** From a start that is not near, pseudo-time: the tangent, not the residual, has the squeeze of the
 //! step, `dh/dt = rate dh`. The rate falls with what is left, and is zero at last.
@@ -24,8 +24,6 @@
 //! Keyes, SIAM J. Numer. Anal. 35 (1998) 508 (pseudo-transient continuation). **Verified by** `tests/tests/liner`,
 //! `tests/tests/equilibrium.rs`: balances of force and wall.
 
-use oilwedge_reynolds::contact::Contact;
-use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{MixedChange, NoFilm};
 
 use crate::coordinates::{length, moved};
@@ -36,7 +34,7 @@ use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
 use crate::work::Work;
 
-/// Most films from a start that is near, and from any other one.
+/// Most films from a start that is near.
 const MOST_UNDAMPED: usize = 14;
 /// Most films with pseudo-time.
 const MOST_DAMPED: usize = 80;
@@ -56,7 +54,8 @@ const SHORTER: f64 = 0.8;
 const MOST_SHORTENINGS: usize = 40;
 /// A step that leaves more than [`STALLED`] below this part has reached round-off.
 pub(crate) const ROUNDING: f64 = 1e-10;
-/// The same of films in cubic elements, which are iterated.
+/// A step of films in cubic elements, which are iterated, that leaves more than [`STALLED`] below this part has reached
+/// what their iterations leave.
 pub(crate) const CUBIC_ROUNDING: f64 = 1e-8;
 /// A step that leaves more than this part of what was left before is at round-off, or has not converged.
 const STALLED: f64 = 0.5;
@@ -107,7 +106,7 @@ impl Search<'_> {
         damping: Damping,
         tried: &mut usize,
     ) -> Result<Trial, Unbalanced> {
-        let mut here = self.as_fine(first, goal.closed, tried);
+        let mut here = first;
         // Of pseudo-time, over the rate at which the motion changes the film.
         let (mut rate, most) = match damping {
             Damping::None => (0.0, MOST_UNDAMPED),
@@ -185,19 +184,6 @@ impl Search<'_> {
             }
         }
         Ok(None)
-    }
-
-    /// A trial whose contact is not integrated as finely as a balance asks for, with it so: films of one balance are
-    /// compared.
-    fn as_fine(&self, trial: Trial, closed: f64, tried: &mut usize) -> Trial {
-        let is_fine = |contact: Contact| contact.fineness == self.fineness(closed);
-        if trial.film.problem.contact.is_none_or(is_fine) || trial.cubic.is_some() {
-            return trial;
-        }
-        *tried += 1;
-        let here = self.coordinates.at(&trial.film.problem.journal);
-        let near = FilmSolve::Settled(Neighbour::Start(&trial.film));
-        self.open(&trial.film.problem, here, near, closed).unwrap_or(trial)
     }
 }
 

@@ -213,12 +213,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// A trial under the viscosity law of its oil.
+    /// A trial under the viscosity law of its oil. That of a problem which is only tried itself stays.
     ///
     /// # Errors
     /// The law has no pressure for the film.
     pub(crate) fn accepted(&self, trial: Trial) -> Result<Trial, NoFilm> {
-        Ok(Trial { film: trial.film.accepted(&self.law)?, ..trial })
+        match self.law {
+            PressureLaw::Saturating(_) => Ok(trial),
+            _ => Ok(Trial { film: trial.film.accepted(&self.law)?, ..trial }),
+        }
     }
 
     pub(crate) fn recorded(&self, trial: Trial) -> Trial {
@@ -240,8 +243,8 @@ impl<'a> Search<'a> {
         trial
     }
 
-    /// How finely contact is integrated in a film that may leave this part of a deflection: in a stage of a motion, whose
-    /// films are compared with those of others, as finely as for numbers that are reported.
+    /// How finely contact is integrated in a film that may leave this part of a deflection. A stage of a motion, whose
+    /// films are compared with those of other stages, is integrated as finely as numbers that are reported.
     pub(crate) fn fineness(&self, part: f64) -> Fineness {
         match part < OF_CONTACT || self.time.is_some() {
             true => Fineness::Reported,

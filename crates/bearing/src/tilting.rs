@@ -81,7 +81,8 @@ struct Branch<'a, 'b> {
 }
 
 impl Search<'_> {
-    /// Balances the force alone, and from there the moment; where that leads nowhere along the branch of a growing moment.
+    /// Balances the force alone, and from there the moment. Where that leads nowhere, the branch of a growing moment is
+    /// followed.
     pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         let straight = Load { tilting: None, ..self.load };
         let options = SearchOptions {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::deflection::{CLOSED, closed_pair};
+use oilwedge_bearing::deflection::{CLOSED, closed_film, closed_pair};
 use oilwedge_bearing::{Deadline, InitialGuess, Interrupt, SearchOptions, find};
 use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
 use oilwedge_reynolds::lubricant::PressureLaw;
@@ -174,6 +174,29 @@ fn soft_walls_close_with_every_model() {
             assert!(products <= 6 * steps, "{}: {products} products in {steps} steps", model.name());
         }
     }
+}
+
+/// A film whose wall is found is one of the viscosity law itself: beyond the limit of Barus' law there is none, though
+/// the films on the way have a viscosity that saturates.
+#[test]
+fn a_wall_under_a_film_beyond_the_viscosity_law_is_refused() {
+    let system = ring_system(48, 8, RADIUS, Some(std::f64::consts::PI));
+    let soft = || walled(RADIUS, 0.7, SWIFT_STIEBER, |_| layer(0.05));
+    let greatest = closed(soft(), &system).greatest_unknown().value;
+    let with_limit = |limit: f64| {
+        let mut problem = soft();
+        problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 1.0 / limit });
+        closed_film(problem, &system, Neighbour::None)
+    };
+    let has_film = |part: f64| match with_limit(part * greatest) {
+        Ok(film) => {
+            let law = &film.problem.lubricant.pressure_law;
+            assert!(matches!(law, PressureLaw::Barus(_)) && film.greatest_unknown().value < part * greatest, "{part}");
+            true
+        }
+        Err(_) => false,
+    };
+    assert!(has_film(5.0) && has_film(2.0) && !has_film(0.01));
 }
 
 /// Journal and wall are found together: the film that closes the wall at the place found by itself carries the load,

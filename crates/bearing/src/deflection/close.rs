@@ -77,6 +77,7 @@ pub(crate) fn closed_within(
             closed(&search, again, enough, Damping::PseudoTime)
         }
     })?;
+    let found = search.accepted(found)?;
     Ok((found.film, found.contact))
 }
 
@@ -124,7 +125,8 @@ pub fn closed_pair(film: SolvedFilm, neighbour: Option<&SolvedFilm>, enough: f64
     }
 }
 
-/// The wall of a deflection that is in no stage of a motion, at rest in pseudo-time: its rate grows with its deflection.
+/// A film whose wall rests in pseudo-time: in the tangent the rate of the wall grows with its deflection by `rate`
+/// [1/s]. The wall of a stage of a motion stays in that.
 pub(crate) fn resting(film: &SolvedFilm, rate: f64) -> SolvedFilm {
     let in_pseudo_time = |deflection: &Deflection| match deflection.per_time() > 0.0 || rate == 0.0 {
         true => deflection.clone(),

@@ -167,8 +167,8 @@ impl<'a> Joint<'a> {
         Ok((self.coordinates.forces(&carried(&self.gradient, &free)), self.follower.image_of(&free)))
     }
 
-    /// Forces [N] of film and contact by a move of the wall, the journal held, what the pressures bend it by [m], and the
-    /// change of the film.
+    /// Forces [N] of film and contact by a move of the wall, the journal held; what the pressures bend the wall by [m];
+    /// and the change of the film.
     fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>, MixedChange), Error> {
         let change = self.follower.film_by_deflection(d, self.accuracy)?;
         let unknown = self.follower.film.unknown_in(&change);

@@ -22,21 +22,20 @@ use crate::newton::{Damping, Goal};
 use crate::search::Search;
 use crate::time_terms::TimeTerms;
 
-/// Most films of one stage; see `docs/theory/orbits.md` for other numbers tried.
-pub(super) const MOST_FILMS: usize = 30;
+/// Most films of the search for a velocity at a given place.
+const MOST_FILMS: usize = 30;
 /// No iteration leaves less than this part of the least gap.
-pub(super) const LEAST_SHRINK: f64 = 0.4;
-/// Shortest part of an iteration that is tried: cells that fill stiffen the film within a small part of one. With 0.05
-/// the cycle of a half-grooved bearing ends in its first turn.
-pub(super) const SHORTEST: f64 = 1e-3;
-/// A stage is solved where the residual over the load, and the next change over the least gap, are below these parts of
-/// the tolerance;
+const LEAST_SHRINK: f64 = 0.4;
+/// Shortest part of a step that is tried in the search for a velocity, and of the way to the start of a stage.
+const SHORTEST: f64 = 1e-3;
+/// A stage is solved where the residual over the load is below this part of the tolerance.
 const BALANCED: f64 = 1e-3;
-pub(super) const SETTLED: f64 = 3e-2;
-/// of the residual not less than this, which is round-off;
+/// A stage is solved where the next step over the least gap is below this part of the tolerance.
+const SETTLED: f64 = 3e-2;
+/// Least residual over the load that a stage is solved to: round-off.
 const ROUND_OFF: f64 = 1e-11;
-/// or below this where no shorter change brings it down.
-pub(super) const NEARLY_BALANCED: f64 = 1e-8;
+/// Residual over the load below which a stage is solved where no step brings it down.
+const NEARLY_BALANCED: f64 = 1e-8;
 
 /// The short time in which the motion of a film that conserves its oil begins, of the cycle.
 const BEGINNING: f64 = 1e-7;

@@ -73,8 +73,8 @@ impl<'a> Array<'a> {
         Self { name, unit: None, components, numbers }
     }
 
-    /// The numbers of the array as text: the number of bytes and the bytes in one, or sizes of the compressed blocks
-    /// and, after them, the blocks.
+    /// The numbers of the array as text: the number of bytes and the bytes in one, or the sizes of the compressed
+    /// blocks before the blocks.
     pub(super) fn text(&self, compression: Compression) -> String {
         let encoder: fn(&[u8]) -> Vec<u8> = match compression {
             Compression::None => {

@@ -63,8 +63,8 @@ pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> 
     blocks
 }
 
-/// What each of some `changes` of the law does to the balances of the corners of every sub-triangle [m3/s], by the block
-/// of it and its change: change by change for one sub-triangle after the other.
+/// Changes of the balances of the corners of every sub-triangle [m3/s] with each of some `changes` of the law, made of
+/// its block and the change of that by `of_block`: change by change for one sub-triangle after the other.
 pub(super) fn balance_changes(
     law: &FilmLaw,
     changes: &[FilmChange<'_>],
