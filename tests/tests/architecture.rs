@@ -53,7 +53,7 @@ const PHYSICS_FILES: [&str; 9] = [
     "crates/bearing/src/shaft/beam.rs",
     "crates/bearing/src/shaft/counterweights.rs",
     "crates/bearing/src/shaft/engine.rs",
-    "crates/bearing/src/shaft/films.rs",
+    "crates/bearing/src/shaft/joined.rs",
     "crates/bearing/src/thermal_balance.rs",
 ];
 

@@ -43,7 +43,7 @@ pub fn find(
         Carrier::Quadratic => search.equilibrium(balance),
         Carrier::Cubic => {
             let by_cubic = Search::new(problem, system, load, *options);
-            by_cubic.spend(search.work.get());
+            by_cubic.spend(search.record().work);
             balance_cubic(balance, &by_cubic)
         }
     }
@@ -140,7 +140,7 @@ impl Search<'_> {
             let problem = coarser.problem(problem);
             let search = Search::new(&problem, &coarser.system, self.load, rough);
             let found = search.found(&problem);
-            self.spend(Work { films: search.work.get().films, ..Work::default() });
+            self.spend(Work { films: search.record().work.films, ..Work::default() });
             found
         };
         let reason = match known.map_or_else(on_coarser, Err) {
@@ -257,7 +257,7 @@ impl Search<'_> {
                 asked: self.load.magnitude(),
                 residual: self.residual(&trial),
                 journal: Box::new(trial.film.problem.journal),
-                history: self.tried.borrow().clone(),
+                history: self.record().tried.clone(),
             }),
             Err(Unbalanced { trial, end }) => Err(self.unreachable(&trial, end)),
         }

@@ -54,7 +54,7 @@ pub fn balance_hill(
                 wall: WallByPlace::default(),
                 film: trial.film,
                 cubic: None,
-                work: search.work.get(),
+                work: search.record().work,
                 steps,
             };
             return Some((found, hill));

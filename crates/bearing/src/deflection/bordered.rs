@@ -8,7 +8,7 @@
 //! the quadratic film. So nothing is eliminated, and each direction of GMRES for x and d is the solution of the
 //! [`Joint`] of the quadratic film. A product costs one back-solve.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::LoadGradient;
@@ -35,11 +35,9 @@ pub(crate) struct Bordered<'a> {
     /// To which its linear systems are solved: norm of the residual over that of the right-hand side [1].
     accuracy: f64,
     /// That of the film much like it.
-    near: Joint<'a>,
+    pub(crate) near: Joint<'a>,
     /// What systems solved have shown.
     known: RefCell<Known>,
-    /// How many products that took.
-    products: Cell<usize>,
 }
 
 impl<'a> Bordered<'a> {
@@ -61,7 +59,6 @@ impl<'a> Bordered<'a> {
             accuracy,
             near,
             known: RefCell::default(),
-            products: Cell::default(),
         }
     }
 
@@ -80,7 +77,6 @@ impl<'a> Bordered<'a> {
             Ok(self.together(moves.place, &moves.wall))
         };
         let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, self.accuracy)?;
-        self.products.set(self.products.get() + solved.steps);
         let (place, wall) = self.apart(&solved.x);
         Ok(Moves {
             place,
@@ -88,12 +84,8 @@ impl<'a> Bordered<'a> {
                 .map_or_else(Vec::new, |(_, forces)| forces),
             wall: wall.to_vec(),
             film: MixedChange::default(),
+            products: solved.steps,
         })
-    }
-
-    /// How many products with the tangent the systems have taken.
-    pub(crate) fn products(&self) -> usize {
-        self.products.get()
     }
 
     /// What coordinates and a move of the wall change: weighed forces [m], and the part of that move that film and
