@@ -166,7 +166,8 @@ impl Journals<'_> {
         let accuracy = Accuracy::of(options.tolerance, self.peak_load());
         let mut films = 0;
         let places: Vec<(Vector, Option<&Deflection>)> = starts.iter().map(|&start| (start, None)).collect();
-        let here = self.beginning(starts, accuracy, &mut films);
+        let begun = Accuracy { balanced: accuracy.balanced.min(self.balanced_at_steps()), ..accuracy };
+        let here = self.beginning(starts, begun, &mut films);
         let here = here.map_err(|reason| self.told(reason, (0.0, 1), &places))?;
         let mut travellers = Travellers { accelerations: vec![[0.0; 4]; here.len()], here, before: None };
         let (mut cycles, mut last): (Vec<Cycle>, Steps) = (Vec::new(), Vec::new());
