@@ -119,10 +119,10 @@ impl Search<'_> {
         })
     }
 
-    /// What a trial leaves of load and deflection, as parts of them [1].
+    /// What a trial leaves of load, deflection and heat, as parts of them [1].
     pub(crate) fn left(&self, trial: &Trial) -> f64 {
         let wall = trial.left.as_ref().map_or(0.0, |left| left.residual);
-        self.residual(trial).hypot(wall)
+        self.residual(trial).hypot(wall).hypot(self.unbalanced_heat(trial))
     }
 
     /// What a trial leaves of the balance of its wall.

@@ -30,6 +30,7 @@ use crate::coordinates::{length, moved};
 use crate::coupled::{FilmSolve, counted};
 use crate::deflection::{Left, resting};
 use crate::equilibrium::NEAR;
+use crate::heat::{self, Warming};
 use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
 use crate::work::Work;
@@ -118,10 +119,11 @@ impl Search<'_> {
         for _ in 0..most {
             let left = self.left_of_wall(&here).into_owned();
             let (force, wall) = (self.residual(&here), left.residual);
-            let (now, is_settled) = (force.hypot(wall), here.film.solution.wrong.is_empty());
+            let (now, is_settled) = (self.left(&here), here.film.solution.wrong.is_empty());
             let is_at_rounding = now > STALLED * last && force.max(wall) < goal.rounding;
             let is_balanced = force < goal.balanced && wall < goal.closed && ahead <= goal.moved;
-            if is_settled && (is_balanced || is_at_rounding) {
+            let is_heat_balanced = self.unbalanced_heat(&here) < heat::BALANCED.max(goal.balanced);
+            if is_settled && is_heat_balanced && (is_balanced || is_at_rounding) {
                 return Ok(here);
             }
             if self.options.deadline.is_over() {
@@ -137,6 +139,7 @@ impl Search<'_> {
                 return ended(here, SearchEnd::NoStep);
             };
             let left_over = self.left(&next);
+            self.correct_row(&here, &next);
             let way = moved(self.place(&next), -1.0, self.place(&here));
             // Newton's method reduces the steps as it reduces what is left.
             ahead = length(way) / part * (1.0 - part + left_over / now) / self.least_film(&here);
@@ -158,7 +161,8 @@ impl Search<'_> {
         let film = resting(&here.film, rate);
         let tangents = self.tangents(here, &film, left, (accuracy, rate))?;
         let moves = tangents.solve(self.excess(here).map(|excess| -excess), Some(&left.wall))?;
-        self.spend(Work { linear_solves: self.coordinates.order + tangents.products(), ..Work::default() });
+        let Warming { moves, kelvin } = self.with_heat(here, &tangents, moves)?;
+        self.spend(Work { linear_solves: self.coordinates.order + usize::from(self.options.heat.is_some()) + tangents.products(), ..Work::default() });
         let (gap, length) = (self.least_film(here), length(moves.place));
         if !length.is_finite() {
             return Ok(None);
@@ -170,7 +174,7 @@ impl Search<'_> {
                 continue;
             };
             *tried += 1;
-            let bent = counted(bent, (0, tangents.products()), f64::INFINITY);
+            let bent = self.warmed(counted(bent, (0, tangents.products()), f64::INFINITY), part * kelvin);
             let next = match &here.cubic {
                 Some(cubic) => self.open_cubic(&bent, at, (&here.film, Some(cubic))),
                 None => {

@@ -91,6 +91,11 @@ impl<'a> Bordered<'a> {
         })
     }
 
+    /// The tangent of the film much like this one.
+    pub(crate) fn near(&self) -> &Joint<'a> {
+        &self.near
+    }
+
     /// How many products with the tangent the systems have taken.
     pub(crate) fn products(&self) -> usize {
         self.products.get()

@@ -13,7 +13,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::Resultant;
-use oilwedge_reynolds::{FilmChange, JournalChange, MixedChange};
+use oilwedge_reynolds::{FilmChange, JournalChange, MixedChange, SolvedFilm};
 
 use super::gmres::Known;
 use super::tangent::{Follower, Free};
@@ -75,6 +75,12 @@ impl Moves {
             contact: both(&self.contact, &more.contact),
             film: MixedChange::sum([(1.0, &self.film), (part, &more.film)]),
         }
+    }
+
+    /// These, by which the film changes by so much more.
+    pub(crate) fn with_film(mut self, more: &MixedChange) -> Self {
+        self.film = MixedChange::sum([(1.0, &self.film), (1.0, more)]);
+        self
     }
 
     /// Where a part of them leads from a place and a wall.
@@ -147,6 +153,22 @@ impl<'a> Joint<'a> {
         let place = self.tangent.solve(moved(force, -1.0, forces));
         let film = MixedChange::sum(place.into_iter().zip(&self.film_by_place).chain([(1.0, &by_wall)]));
         Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film })
+    }
+
+    /// The moves that follow, under the same load, from a change of the film by `change` where journal and wall are
+    /// held.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn following(
+        &self,
+        change: impl FnOnce(&SolvedFilm) -> Result<MixedChange, Error>,
+    ) -> Result<Moves, Error> {
+        let film = change(self.follower.film)?;
+        let unknown = self.follower.film.unknown_in(&film);
+        let forces = self.coordinates.forces(&self.gradient.change(&unknown, &[]));
+        let moves = self.solve(forces.map(|force| -force), Some(&self.follower.image_with(&unknown, None)))?;
+        Ok(moves.with_film(&film))
     }
 
     /// How many products with the tangent the systems have taken.
