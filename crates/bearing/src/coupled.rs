@@ -41,7 +41,9 @@ pub(crate) enum Tangents<'a> {
 /// How force and film change with each coordinate of a journal in a rigid wall.
 pub(crate) struct Rigid {
     stiffness: Stiffness,
-    columns: Vec<MixedChange>,
+    /// How the film changes with each coordinate and, last, with the logarithm of the viscosity, where the temperature
+    /// is found.
+    pub(crate) columns: Vec<MixedChange>,
 }
 
 impl Tangents<'_> {
@@ -170,6 +172,7 @@ impl Search<'_> {
     fn rigid(&self, film: &SolvedFilm, rate: f64) -> Result<Rigid, NoFilm> {
         let changes: Vec<FilmChange> = (0..self.coordinates.order)
             .map(|k| FilmChange::Journal(self.change_at(&film.problem.journal, unit(k), rate)))
+            .chain(self.options.heat.map(|_| FilmChange::Viscosity(1.0)))
             .collect();
         let columns = film.mixed_changes(&changes).map_err(Failure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {

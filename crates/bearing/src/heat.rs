@@ -13,18 +13,17 @@
 //! |---|---|---|
 //! | E | W | `surplus` |
 //! | c, b | W/m, W/K | `Row` |
-//! | y_1 | m/K | `Search::per_kelvin` |
+//! | y_1 | m/K | `Tangents::thicker` |
 //!
 //! **Source.** Broyden, Math. Comp. 19 (1965) 577. **Verified by** `tests/tests/cli/heat.rs`,
 //! `tests/tests/literature/thermal_balance.rs`: the heat of the film found is balanced.
 
 use std::fmt::Debug;
 
-use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
 use oilwedge_reynolds::quantities::load::oil_change;
-use oilwedge_reynolds::{CentreVelocity, FilmChange, FilmProblem, MixedChange, NoFilm, SolvedFilm};
+use oilwedge_reynolds::{CentreVelocity, FilmChange, FilmProblem, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Coordinates, Vector, dot, moved};
 use crate::coupled::Tangents;
@@ -40,6 +39,8 @@ const LONGEST: f64 = 0.7;
 const FRICTION_EXPONENT: f64 = 0.6;
 /// A slope of the surplus further from the usual one than this factor, in either sense, is not believed.
 const UNUSUAL: f64 = 4.0;
+/// From this part of load and heat that is left on the surplus is believed to change as in a film whose cavity is held.
+const MOVING: f64 = 1e-2;
 /// Accuracy of the linear systems of film and wall by which a balanced film follows its temperature.
 const FOLLOWED: f64 = 1e-3;
 /// Temperatures [K] whose difference shows how the viscosity changes.
@@ -68,9 +69,13 @@ pub(crate) struct Warmth {
     surplus: f64,
 }
 
-/// How a balanced film follows its temperature under the same load.
+/// The heat of a film whose temperature was found, and how its journal and wall follow that under the same load.
 #[derive(Debug, Clone)]
-pub struct PerKelvin {
+pub struct FoundHeat {
+    /// Temperature of the film [K].
+    pub temperature: f64,
+    /// What heats and cools it.
+    pub flows: ThermalFlows,
     coordinates: Coordinates,
     /// Velocity of the journal's centre.
     velocity: CentreVelocity,
@@ -80,7 +85,7 @@ pub struct PerKelvin {
     wall: Vec<f64>,
 }
 
-impl PerKelvin {
+impl FoundHeat {
     /// A problem whose journal and wall have followed so many kelvin.
     pub fn followed(&self, problem: &FilmProblem, kelvin: f64) -> FilmProblem {
         let place = self.place.map(|x| kelvin * x);
@@ -160,8 +165,12 @@ impl Search<'_> {
         row
     }
 
-    /// Corrects the row of the surplus by what it missed in the step from one trial to another.
+    /// Corrects the row of the surplus by what it missed in the step from one trial to another; not by that of a short
+    /// step in which the cavity moves.
     pub(crate) fn correct_row(&self, before: &Trial, after: &Trial) {
+        if !before.film.solution.wrong.is_empty() && self.left(before) < MOVING {
+            return;
+        }
         let (Some(row), Some(from), Some(to)) = (self.row.get(), self.warmth(before), self.warmth(after)) else {
             return;
         };
@@ -195,19 +204,19 @@ impl Search<'_> {
         of_heat.map_or_else(|| self.law.clone(), |(heat, temperature)| heat.lubricant(temperature).pressure_law)
     }
 
-    /// How journal and wall of a balanced film follow its temperature; none where that is given.
+    /// The heat of a balanced film; none where its temperature is given.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn per_kelvin(&self, trial: &Trial) -> Result<Option<PerKelvin>, NoFilm> {
-        let (Some(heat), Some(warmth)) = (self.options.heat, self.warmth(trial)) else {
+    pub(crate) fn found_heat(&self, trial: &Trial) -> Result<Option<FoundHeat>, NoFilm> {
+        let (Some(heat), Some(Warmth { temperature, flows, .. })) = (self.options.heat, self.warmth(trial)) else {
             return Ok(None);
         };
         let left = self.left_of_wall(trial);
         let tangents = self.tangents(trial, &trial.film, &left, (FOLLOWED, 0.0))?;
-        let moves = tangents.thicker(self, trial)?.over(1.0 / thinning(heat, warmth.temperature));
+        let Moves { place, wall, .. } = tangents.thicker(self, trial)?.over(1.0 / thinning(heat, temperature));
         let (coordinates, velocity) = (self.coordinates, self.options.centre_velocity);
-        Ok(Some(PerKelvin { coordinates, velocity, place: moves.place, wall: moves.wall }))
+        Ok(Some(FoundHeat { temperature, flows, coordinates, velocity, place, wall }))
     }
 }
 
@@ -216,22 +225,17 @@ impl Tangents<'_> {
     /// of a film in cubic elements as the quadratic one does, which is much like it.
     fn thicker(&self, search: &Search, here: &Trial) -> Result<Moves, NoFilm> {
         let joint = match self {
-            Self::Rigid(_) => {
-                let film = by_viscosity(&here.film).map_err(Failure::from)?;
-                let carried = oil_change(&here.film, &here.film.unknown_in(&film));
+            Self::Rigid(rigid) => {
+                let film = &rigid.columns[search.coordinates.order];
+                let carried = oil_change(&here.film, &here.film.unknown_in(film));
                 let moves = self.solve(search.coordinates.forces(&carried).map(|force| -force), None)?;
-                return Ok(moves.with_film(&film));
+                return Ok(moves.with_film(film));
             }
             Self::Yielding(joint) => joint,
             Self::OfCubic(bordered) => bordered.near(),
         };
-        Ok(joint.following(by_viscosity).map_err(Failure::from)?)
+        Ok(joint.following(FilmChange::Viscosity(1.0)).map_err(Failure::from)?)
     }
-}
-
-/// How a film changes with the logarithm of its viscosity, journal and wall held.
-fn by_viscosity(film: &SolvedFilm) -> Result<MixedChange, Error> {
-    Ok(film.mixed_changes(&[FilmChange::Viscosity(1.0)])?.remove(0))
 }
 
 /// How the logarithm of the viscosity changes with temperature [1/K].

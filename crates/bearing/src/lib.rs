@@ -58,7 +58,7 @@ pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 pub use estimate::{GREATEST_ECCENTRICITY, first_contact, first_position, is_contact};
 pub use find::{find, find_after, find_held};
-pub use heat::{Heated, PerKelvin};
+pub use heat::{FoundHeat, Heated};
 pub use hill::balance_hill;
 pub use load::{Load, Tilting};
 pub use no_equilibrium::{NoEquilibrium, SearchEnd, Waypoint};

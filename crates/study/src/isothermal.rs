@@ -98,7 +98,7 @@ fn sought(
             Solved { reference: Some(ReferenceFilm::Cubic(SolvedFilm { problem, ..cubic })), ..solved }
         }
     };
-    let solved = Solved { balance: Some(by_film), wall: found.wall, per_kelvin: found.per_kelvin, ..solved };
+    let solved = Solved { balance: Some(by_film), wall: found.wall, heat: found.heat, ..solved };
     Ok(balanced_by_hill(solved, load, &search, clock))
 }
 
@@ -193,7 +193,7 @@ fn with_reference(film: &Film, found: SolvedFilm, errors: Errors) -> Result<Solv
         reference,
         balance: None,
         wall: WallByPlace::default(),
-        per_kelvin: None,
+        heat: None,
         temperature: None,
         reference_seconds: clock.elapsed().as_secs_f64(),
     })

@@ -13,7 +13,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::Resultant;
-use oilwedge_reynolds::{FilmChange, JournalChange, MixedChange, SolvedFilm};
+use oilwedge_reynolds::{FilmChange, JournalChange, MixedChange};
 
 use super::gmres::Known;
 use super::tangent::{Follower, Free};
@@ -155,16 +155,12 @@ impl<'a> Joint<'a> {
         Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film })
     }
 
-    /// The moves that follow, under the same load, from a change of the film by `change` where journal and wall are
-    /// held.
+    /// The moves that follow, under the same load, from a change of the film other than of its gap.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn following(
-        &self,
-        change: impl FnOnce(&SolvedFilm) -> Result<MixedChange, Error>,
-    ) -> Result<Moves, Error> {
-        let film = change(self.follower.film)?;
+    pub(crate) fn following(&self, change: FilmChange) -> Result<Moves, Error> {
+        let film = self.follower.film.mixed_changes(&[change])?.remove(0);
         let unknown = self.follower.film.unknown_in(&film);
         let forces = self.coordinates.forces(&self.gradient.change(&unknown, &[]));
         let moves = self.solve(forces.map(|force| -force), Some(&self.follower.image_with(&unknown, None)))?;

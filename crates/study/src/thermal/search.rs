@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
-use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, PerKelvin, Work};
+use oilwedge_bearing::{Balanced, FoundHeat, InitialGuess, NoBalance, Work};
+use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -26,8 +27,8 @@ use crate::thermal_model::ThermalModel;
 pub(super) const ROUGHLY: f64 = 1e-4;
 /// Force and load of films that only lead to the balance differ by this part of the load at most.
 const LEADING_ACCURACY: f64 = 1e-6;
-/// Distance [K] from the temperature found of the films on either side that show how numbers change with it.
-const BESIDE: f64 = 0.25;
+/// Distance [K] from the temperature found of the film that shows how numbers change with it.
+const BESIDE: f64 = 0.1;
 
 /// How each number changes with temperature, by name, and how the surplus does [W/K].
 type Slopes = (HashMap<Cow<'static, str>, f64>, f64);
@@ -53,27 +54,22 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     };
     let mut solved = with_heat(film, options)
         .or_else(|_| bracketed(film, model, options).and_then(|film| with_heat(&film, options)))?;
-    let (steps, work) = (solved.balance.map_or(0, |balance| balance.steps), work_of(&solved));
-    let seconds = solved.balance.map_or(0.0, |balance| balance.seconds);
-    let is_ended = solved.balance.is_some_and(|balance| balance.is_ended);
-    if film.load.is_none() {
-        solved.balance = None;
-    }
-    let temperature = solved.film.oil.temperature.unwrap_or(f64::NAN);
-    let flows = thermal_flows(model, &solved.film, &measure(solved.reported()));
-    let (slopes, slope) = match (options.errors, &solved.per_kelvin) {
-        (Errors::Estimated, Some(per_kelvin)) if !is_ended => slopes(&solved, model, per_kelvin).unwrap_or_default(),
-        _ => Default::default(),
+    let (Some(heat), Some(balance)) = (solved.heat.take(), solved.balance) else {
+        return Ok(solved);
     };
-    let surplus = model.balance.surplus(temperature, &flows);
+    let (temperature, surplus) = (heat.temperature, model.balance.surplus(heat.temperature, &heat.flows));
+    let is_estimated = options.errors == Errors::Estimated && !balance.is_ended;
+    let slopes = is_estimated.then(|| slopes(&solved, model, &heat)).flatten();
+    let (slopes, slope) = slopes.unwrap_or_default();
     solved.temperature = Some(TemperatureFound {
-        balanced: Balanced { temperature, film: flows, surplus, slope, films: steps },
-        is_ended,
-        positions: steps,
-        work,
+        balanced: Balanced { temperature, film: heat.flows, surplus, slope, films: balance.steps },
+        is_ended: balance.is_ended,
+        positions: balance.steps,
+        work: balance.work,
         slopes,
-        seconds: clock.elapsed().as_secs_f64() - seconds,
+        seconds: clock.elapsed().as_secs_f64() - balance.seconds,
     });
+    solved.balance = film.load.map(|_| balance);
     Ok(solved)
 }
 
@@ -84,27 +80,23 @@ pub(crate) fn work_of(solved: &Solved) -> Work {
     solved.balance.map_or(own, |balance| balance.work)
 }
 
-/// How numbers change with temperature, by name, and how the surplus does [W/K]: by films on either side of the one
-/// found, where journal and wall have followed under the same load. None where there is no such film.
-fn slopes(solved: &Solved, model: &ThermalModel, per_kelvin: &PerKelvin) -> Option<Slopes> {
-    let (colder, less) = beside(solved, model, per_kelvin, -BESIDE)?;
-    let (warmer, more) = beside(solved, model, per_kelvin, BESIDE)?;
-    let slope = |quantity: &Quantity| {
-        let other = warmer.iter().find(|other| other.name == quantity.name)?;
-        Some((quantity.name.clone(), quantity.row.difference(other.value, quantity.value) / (2.0 * BESIDE)))
+/// How numbers change with temperature, by name, and how the surplus does [W/K]: by a film beside the one found, where
+/// journal and wall have followed under the same load. None where there is no such film.
+fn slopes(solved: &Solved, model: &ThermalModel, heat: &FoundHeat) -> Option<Slopes> {
+    let numbers = |film: &Film, solution: &SolvedFilm| {
+        let measured = measure(solution).with_dynamics(film, solution, None);
+        let surplus = model.balance.surplus(film.oil.temperature?, &thermal_flows(model, film, &measured));
+        Some((quantities::measured(&View::new(film, &film.problem, &measured)), surplus))
     };
-    Some((colder.iter().filter_map(slope).collect(), (more - less) / (2.0 * BESIDE)))
-}
-
-/// Numbers of the film so many kelvin beside the one found, and the heat that it leaves over [W].
-fn beside(solved: &Solved, model: &ThermalModel, per_kelvin: &PerKelvin, kelvin: f64) -> Option<(Vec<Quantity>, f64)> {
-    let temperature = solved.film.oil.temperature? + kelvin;
-    let film = at_temperature(&solved.film, temperature);
-    let film = film.as_found(&per_kelvin.followed(&film.problem, kelvin));
-    let found = film.problem.solve_from(&film.system, Neighbour::Start(&solved.primary)).ok()?;
-    let measured = measure(&found).with_dynamics(&film, &found, None);
-    let surplus = model.balance.surplus(temperature, &thermal_flows(model, &film, &measured));
-    Some((quantities::measured(&View::new(&film, &film.problem, &measured)), surplus))
+    let film = at_temperature(&solved.film, heat.temperature + BESIDE);
+    let film = film.as_found(&heat.followed(&film.problem, BESIDE));
+    let beside = film.problem.solve_from(&film.system, Neighbour::Start(&solved.primary)).ok()?;
+    let ((here, less), (there, more)) = (numbers(&solved.film, &solved.primary)?, numbers(&film, &beside)?);
+    let slope = |quantity: &Quantity| {
+        let other = there.iter().find(|other| other.name == quantity.name)?;
+        Some((quantity.name.clone(), quantity.row.difference(other.value, quantity.value) / BESIDE))
+    };
+    Some((here.iter().filter_map(slope).collect(), (more - less) / BESIDE))
 }
 
 /// The film at the temperature at which its heat is balanced, where no search for all unknowns together has led to it:
