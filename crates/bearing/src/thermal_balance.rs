@@ -227,8 +227,8 @@ pub fn find<E>(
             }
             (None, Some((edge, _))) => 0.5 * (here.temperature + edge),
             (None, None) => {
-                let is_end = here.temperature == hottest || here.temperature == coldest && here.surplus < 0.0;
-                if is_end || films > MOST_FILMS {
+                let end = if here.surplus > 0.0 { hottest } else { coldest };
+                if here.temperature == end || films > MOST_FILMS {
                     return Err(NoBalance::TooHot { temperature: here.temperature, film: here.film });
                 }
                 let told = balance.balanced_by(&here.film).clamp(coldest, hottest);

@@ -30,8 +30,16 @@ const LEADING_ACCURACY: f64 = 1e-6;
 /// Distance [K] from the temperature found of the film that shows how numbers change with it.
 const BESIDE: f64 = 0.1;
 
-/// How each number changes with temperature, by name, and how the surplus does [W/K].
-type Slopes = (HashMap<Cow<'static, str>, f64>, f64);
+/// How a film changes with its temperature.
+#[derive(Default)]
+struct Slopes {
+    /// Each number, by name [1/K].
+    numbers: HashMap<Cow<'static, str>, f64>,
+    /// The heat that is left over [W/K].
+    surplus: f64,
+    /// What that has cost.
+    work: Work,
+}
 
 /// Why a search for the temperature was left.
 pub(crate) enum Left {
@@ -47,7 +55,6 @@ pub(crate) enum Left {
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
 pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    let clock = Instant::now();
     let with_heat = |film: &Film, options: &SolveOptions| {
         let heat = Heating::of(film);
         heat.map_or_else(|| isothermal(film, options), |heat| heated(film, &heat, options))
@@ -58,16 +65,17 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         return Ok(solved);
     };
     let (temperature, surplus) = (heat.temperature, model.balance.surplus(heat.temperature, &heat.flows));
-    let is_estimated = options.errors == Errors::Estimated && !balance.is_ended;
-    let slopes = is_estimated.then(|| slopes(&solved, model, &heat)).flatten();
-    let (slopes, slope) = slopes.unwrap_or_default();
+    let (clock, is_estimated) = (Instant::now(), options.errors == Errors::Estimated && !balance.is_ended);
+    let slopes = is_estimated.then(|| slopes(&solved, model, &heat)).flatten().unwrap_or_default();
+    let mut work = balance.work;
+    work += slopes.work;
     solved.temperature = Some(TemperatureFound {
-        balanced: Balanced { temperature, film: heat.flows, surplus, slope, films: balance.steps },
+        balanced: Balanced { temperature, film: heat.flows, surplus, slope: slopes.surplus, films: balance.steps },
         is_ended: balance.is_ended,
         positions: balance.steps,
-        work: balance.work,
-        slopes,
-        seconds: clock.elapsed().as_secs_f64() - balance.seconds,
+        work,
+        slopes: slopes.numbers,
+        seconds: clock.elapsed().as_secs_f64(),
     });
     solved.balance = film.load.map(|_| balance);
     Ok(solved)
@@ -80,8 +88,8 @@ pub(crate) fn work_of(solved: &Solved) -> Work {
     solved.balance.map_or(own, |balance| balance.work)
 }
 
-/// How numbers change with temperature, by name, and how the surplus does [W/K]: by a film beside the one found, where
-/// journal and wall have followed under the same load. None where there is no such film.
+/// How numbers change with temperature: by a film beside the one found, where journal and wall have followed under the
+/// same load. None where there is no such film.
 fn slopes(solved: &Solved, model: &ThermalModel, heat: &FoundHeat) -> Option<Slopes> {
     let numbers = |film: &Film, solution: &SolvedFilm| {
         let measured = measure(solution).with_dynamics(film, solution, None);
@@ -96,7 +104,12 @@ fn slopes(solved: &Solved, model: &ThermalModel, heat: &FoundHeat) -> Option<Slo
         let other = there.iter().find(|other| other.name == quantity.name)?;
         Some((quantity.name.clone(), quantity.row.difference(other.value, quantity.value) / BESIDE))
     };
-    Some((here.iter().filter_map(slope).collect(), (more - less) / BESIDE))
+    let steps = beside.solution.history.len();
+    Some(Slopes {
+        numbers: here.iter().filter_map(slope).collect(),
+        surplus: (more - less) / BESIDE,
+        work: Work { films: 1, factorisations: steps, linear_solves: steps },
+    })
 }
 
 /// The film at the temperature at which its heat is balanced, where no search for all unknowns together has led to it:
@@ -114,9 +127,9 @@ fn bracketed(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         }
         let options = SolveOptions { accuracy: Some(LEADING_ACCURACY), errors: Errors::Omitted, ..*options };
         let solved = near_or_cold(temperature, (film, last.as_ref()), &options).map_err(Left::NoAnswer)?;
-        let flows = thermal_flows_of(model, &solved.primary);
+        let (flows, is_ended) = (thermal_flows_of(model, &solved.primary), solved.is_ended());
         last = Some(solved);
-        Ok(flows)
+        if is_ended { Err(Left::Ended) } else { Ok(flows) }
     };
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
     let found = find(&model.balance, Start::at(first), ROUGHLY, at);
