@@ -169,7 +169,7 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         bearing: Bearing { radius: RADIUS, length, clearance: CLEARANCE, end_pressure: 0.0 },
         journal,
         film_thickness: vec![Arc::new(Eccentricity { radius: RADIUS, clearance: CLEARANCE })],
-        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law: PressureLaw::Constant },
+        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law: PressureLaw::Constant, temperature: None },
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,

@@ -23,6 +23,7 @@ impl Search<'_> {
     pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
         let Balance { trial, tried, is_ended } = balance;
         let tangent = self.tangent(&trial)?;
+        let heat = self.found_heat(&trial)?;
         let residual = self.residual(&trial);
         Ok(Equilibrium {
             residual,
@@ -34,6 +35,7 @@ impl Search<'_> {
             is_ended,
             stiffness: tangent.stiffness,
             wall: tangent.wall,
+            heat,
             film: trial.film,
             cubic: trial.cubic,
         })

@@ -43,7 +43,9 @@ pub(crate) struct Rigid<'a> {
     film: &'a SolvedFilm,
     coordinates: Coordinates,
     stiffness: Stiffness,
-    columns: Vec<MixedChange>,
+    /// How the film changes with each coordinate and, last, with the logarithm of the viscosity, where the temperature
+    /// is found.
+    pub(crate) columns: Vec<MixedChange>,
 }
 
 impl Rigid<'_> {
@@ -87,7 +89,7 @@ impl Tangents<'_> {
                 Ok((coordinates.forces(&load_change(film, &[change], &film.unknown_in(&unknown))), Vec::new()))
             }
             Self::Yielding(joint) => Ok(joint.pushed(change, rate).map_err(Failure::from)?),
-            Self::OfCubic(bordered) => Ok(bordered.near.pushed(change, rate).map_err(Failure::from)?),
+            Self::OfCubic(bordered) => Ok(bordered.near().pushed(change, rate).map_err(Failure::from)?),
         }
     }
 }
@@ -184,6 +186,7 @@ impl Search<'_> {
     fn rigid<'t>(&self, film: &'t SolvedFilm, rate: f64) -> Result<Rigid<'t>, NoFilm> {
         let changes: Vec<FilmChange> = (0..self.coordinates.order)
             .map(|k| FilmChange::Journal(self.change_at(&film.problem.journal, unit(k), rate)))
+            .chain(self.options.heat.map(|_| FilmChange::Viscosity(1.0)))
             .collect();
         let columns = film.mixed_changes(&changes).map_err(Failure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {

@@ -22,7 +22,7 @@
 
 use oilwedge_reynolds::SolvedFilm;
 
-use crate::{Coordinates, Stiffness, WallByPlace, Work};
+use crate::{Coordinates, FoundHeat, Stiffness, WallByPlace, Work};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -59,4 +59,6 @@ pub struct Equilibrium {
     pub stiffness: Stiffness,
     /// How the wall follows in that tangent.
     pub wall: WallByPlace,
+    /// The heat of the film, where its temperature was found.
+    pub heat: Option<FoundHeat>,
 }

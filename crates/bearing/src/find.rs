@@ -37,13 +37,32 @@ pub fn find(
     options: &SearchOptions,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let load = load.into();
-    let search = Search::new(problem, system, load, *options);
+    by_carrier(problem, || Search::new(problem, system, load, *options))
+}
+
+/// Finds what is unknown of a film whose journal stays where `problem` has it: the deflection of its wall, and its
+/// temperature.
+///
+/// # Errors
+/// [`NoEquilibrium`]: the reason why there is none.
+pub fn find_held(
+    problem: &FilmProblem,
+    system: &Arc<FilmSystem>,
+    options: &SearchOptions,
+) -> Result<Equilibrium, NoEquilibrium> {
+    by_carrier(problem, || Search::held(problem, system, *options))
+}
+
+/// The balance of the film that carries the load: of the quadratic one, and from there of the cubic one.
+fn by_carrier<'a>(problem: &FilmProblem, new_search: impl Fn() -> Search<'a>) -> Result<Equilibrium, NoEquilibrium> {
+    let search = new_search();
     let balance = search.found(problem)?;
-    match options.carrier {
+    match search.options.carrier {
         Carrier::Quadratic => search.equilibrium(balance),
         Carrier::Cubic => {
-            let by_cubic = Search::new(problem, system, load, *options);
+            let by_cubic = new_search();
             by_cubic.spend(search.record().work);
+            by_cubic.record().row = search.record().row;
             balance_cubic(balance, &by_cubic)
         }
     }
@@ -91,6 +110,9 @@ impl Search<'_> {
 
     /// As [`Self::cold`]; `known` is why the coarser mesh has no balance, where that was asked.
     fn cold_after(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Balance, NoEquilibrium> {
+        if self.coordinates.order == 0 {
+            return self.on_levels(problem, known);
+        }
         self.below_rounding().map_or(Ok(()), Err)?;
         let found = self.check_capacity(problem).map_or_else(|| self.on_levels(problem, known), Err);
         let found = self.inside(found, None)?;
@@ -139,7 +161,9 @@ impl Search<'_> {
         let on_coarser = || {
             let problem = coarser.problem(problem);
             let search = Search::new(&problem, &coarser.system, self.load, rough);
+            let search = Search { coordinates: self.coordinates, ..search };
             let found = search.found(&problem);
+            self.record().row = search.record().row;
             self.spend(Work { films: search.record().work.films, ..Work::default() });
             found
         };
@@ -188,7 +212,8 @@ impl Search<'_> {
         let journal = found.film.problem.journal;
         let start = self.system.coarser.as_ref().map(|coarser| coarser.start_of(&found.film));
         let near = start.as_ref().map_or(Neighbour::None, Neighbour::Coarser);
-        let placed = FilmProblem { journal, ..bent };
+        let lubricant = found.film.problem.lubricant.clone();
+        let placed = FilmProblem { journal, lubricant, ..bent };
         self.near(&placed, near).or_else(|_| self.run(&placed, journal))
     }
 

@@ -31,6 +31,7 @@ use oilwedge_reynolds::NoFilm;
 use crate::coordinates::length;
 use crate::deflection::{Left, Moves};
 use crate::equilibrium::NEAR;
+use crate::heat;
 use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
 use crate::together::{Coupled, greatest};
@@ -138,10 +139,11 @@ impl Coupled<'_, '_> {
         for _ in 0..most {
             let walls = self.left_of_walls(&here);
             let (force, wall) = (self.residual(&here), greatest(walls.iter().map(|left| left.residual)));
-            let (now, is_settled) = (force.hypot(wall), here.iter().all(|trial| trial.film.solution.wrong.is_empty()));
+            let (now, is_settled) = (self.left(&here), here.iter().all(|trial| trial.film.solution.wrong.is_empty()));
             let is_at_rounding = now > STALLED * last && force.max(wall) < goal.rounding;
             let is_balanced = force < goal.balanced && wall < goal.closed && ahead <= goal.moved;
-            if is_settled && (is_balanced || is_at_rounding) {
+            let is_heat_balanced = self.unbalanced_heat(&here) < heat::BALANCED.max(goal.balanced);
+            if is_settled && is_heat_balanced && (is_balanced || is_at_rounding) {
                 return (here, None);
             }
             if self.searches.iter().any(|search| search.options.deadline.is_over()) {
@@ -156,6 +158,7 @@ impl Coupled<'_, '_> {
                 return (here, Some(SearchEnd::NoStep));
             };
             let left_over = self.left(&next);
+            self.correct_rows(&here, &next);
             // Newton's method reduces the steps as it reduces what is left.
             ahead = self.way(&here, &next) / part * (1.0 - part + left_over / now);
             rate = next_rate(rate, part, [now, left_over], damping);

@@ -14,9 +14,10 @@ use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Left, closed_within};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
+use crate::heat::Row;
 use crate::time_terms::TimeTerms;
 use crate::work::Work;
-use crate::{Load, SearchOptions};
+use crate::{Load, SearchOptions, ThermalFlows};
 
 /// Part of a deflection that a trial may leave, over the difference of force and load at which the balance is found.
 pub(crate) const OF_BALANCE: f64 = 1e-2;
@@ -39,11 +40,11 @@ pub(crate) struct Search<'a> {
     /// Rate [1/s] at which motion and given pressures change the film.
     pub(crate) reference_rate: f64,
     /// What its trials have shown, and cost.
-    record: Mutex<Record>,
+    pub(crate) record: Mutex<Record>,
     /// What a stage of a motion adds; none of a journal at rest.
     pub(crate) time: Option<TimeTerms>,
     /// The viscosity law of the film that is found; trials saturate.
-    law: PressureLaw,
+    pub(crate) law: PressureLaw,
     /// True of a full Sommerfeld film.
     pub(crate) bears_tension: bool,
     /// True of a film whose pressure is nowhere below that from which loads count.
@@ -57,6 +58,8 @@ pub(crate) struct Record {
     pub(crate) nearest: Option<Nearest>,
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: Vec<f64>,
+    /// How the heat that is left over changes, as far as the steps have shown it.
+    pub(crate) row: Option<Row>,
     /// What they have cost.
     pub(crate) work: Work,
 }
@@ -82,12 +85,15 @@ pub(crate) struct Trial {
     pub(crate) left: Option<Left>,
     /// Least film [m], once it was asked for.
     pub(crate) least_film: OnceLock<f64>,
+    /// What heats and cools it, once it was asked for.
+    pub(crate) heat: OnceLock<ThermalFlows>,
 }
 
 impl Trial {
     /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
-        Self { film, cubic: None, carried, contact: None, left: None, least_film: OnceLock::new() }
+        let (least_film, heat) = (OnceLock::new(), OnceLock::new());
+        Self { film, cubic: None, carried, contact: None, left: None, least_film, heat }
     }
 }
 
@@ -149,9 +155,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// A search whose journal stays where the problem has it: its wall alone is unknown.
-    pub(crate) fn held(problem: &FilmProblem, system: &'a Arc<FilmSystem>) -> Self {
-        let search = Self::new(problem, system, Load::from([0.0; 2]), SearchOptions::default());
+    /// A search whose journal stays where the problem has it: its wall and its temperature alone are unknown.
+    pub(crate) fn held(problem: &FilmProblem, system: &'a Arc<FilmSystem>, options: SearchOptions<'a>) -> Self {
+        let search = Self::new(problem, system, Load::from([0.0; 2]), options);
         Self { coordinates: Coordinates { order: 0, ..search.coordinates }, ..search }
     }
 
@@ -227,9 +233,10 @@ impl<'a> Search<'a> {
     /// # Errors
     /// The law has no pressure for the film.
     pub(crate) fn accepted(&self, trial: Trial) -> Result<Trial, NoFilm> {
-        match self.law {
+        let law = self.law_at(&trial.film.problem);
+        match law {
             PressureLaw::Saturating(_) => Ok(trial),
-            _ => Ok(Trial { film: trial.film.accepted(&self.law)?, ..trial }),
+            _ => Ok(Trial { film: trial.film.accepted(&law)?, ..trial }),
         }
     }
 

@@ -4,6 +4,7 @@ use oilwedge_reynolds::CentreVelocity;
 use oilwedge_reynolds::solve::Neighbour;
 
 use crate::Deadline;
+use crate::Heated;
 use crate::SearchObserver;
 use crate::Waypoint;
 use crate::equilibrium::{BALANCED, ROUGHLY_BALANCED};
@@ -28,6 +29,8 @@ pub struct SearchOptions<'a> {
     pub accuracy: Option<f64>,
     /// What the balance is for.
     pub purpose: Purpose,
+    /// How the temperature of the film is found beside the position; `None`: it is given.
+    pub heat: Option<&'a dyn Heated>,
     /// Notified of each position tried.
     pub observer: Option<&'static dyn SearchObserver>,
 }

@@ -9,8 +9,8 @@
 //! side rises: there is one root.
 //!
 //! The flows at a temperature t lead to another one, g(t), at which they would be balanced; as P falls and Q rises, the
-//! root lies between t and g(t): that brackets it from any start. Within, false position (Illinois), bisected where
-//! that is slow, so it always converges.
+//! root lies between t and g(t): that brackets it from any start. Within, secants, bisected where they are slow, so it
+//! always converges. A steady film has t as an unknown beside its position instead ([`crate::Heated`]).
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -170,123 +170,6 @@ impl Point {
     }
 }
 
-/// A search for the root.
-struct Search<'a, F> {
-    balance: &'a ThermalBalance,
-    evaluate: F,
-    films: usize,
-}
-
-impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
-    fn at(&mut self, temperature: f64) -> Result<Point, E> {
-        self.films += 1;
-        let film = (self.evaluate)(temperature)?;
-        Ok(Point { temperature, film, surplus: self.balance.surplus(temperature, &film) })
-    }
-
-    /// The first film: at the start or, where there is none, elsewhere.
-    fn first(&mut self, start: f64) -> Result<Point, NoBalance<E>> {
-        let reason = match self.at(start) {
-            Ok(point) => return Ok(point),
-            Err(reason) => reason,
-        };
-        let [coldest, _] = self.balance.range();
-        let found = STARTS.into_iter().find_map(|above| self.at(coldest + above).ok());
-        found.ok_or(NoBalance::NoFilm(reason))
-    }
-
-    /// The film nearest to the root that secants lead to while they are quick, from a `slope` of the surplus; with the
-    /// last slope [W/K].
-    fn by_slope(&mut self, first: Point, slope: Option<f64>, accuracy: f64) -> (Point, f64) {
-        let [coldest, hottest] = self.balance.range();
-        let (mut near, mut last_slope) = (first, slope.unwrap_or(f64::NAN));
-        while !near.is_balanced(accuracy) && last_slope < 0.0 {
-            let next = near.temperature - near.surplus / last_slope;
-            let Some(Ok(point)) = (next > coldest && next < hottest).then(|| self.at(next)) else {
-                break;
-            };
-            if point.surplus.abs() > QUICK * near.surplus.abs() {
-                break;
-            }
-            if (point.temperature - near.temperature).abs() > APART {
-                last_slope = (point.surplus - near.surplus) / (point.temperature - near.temperature);
-            }
-            near = point;
-        }
-        (near, last_slope)
-    }
-
-    /// A film on the other side of the root than `near`.
-    fn other_side(&mut self, mut near: Point) -> Result<[Point; 2], NoBalance<E>> {
-        let [coldest, hottest] = self.balance.range();
-        let mut none_beyond: Option<(f64, E)> = None;
-        loop {
-            let told = self.balance.balanced_by(&near.film).clamp(coldest, hottest);
-            // A little beyond, so that the root does not lie at the end of the bracket.
-            let beyond = told + 1e-3 * (told - near.temperature);
-            let mut next = if beyond.is_nan() { hottest } else { beyond.clamp(coldest, hottest) };
-            if let Some((edge, _)) = &none_beyond {
-                next = 0.5 * (near.temperature + edge);
-            }
-            match self.at(next) {
-                Ok(point) if (point.surplus > 0.0) != (near.surplus > 0.0) || point.surplus == 0.0 => {
-                    return Ok([near, point]);
-                }
-                Ok(point) => near = point,
-                Err(reason) => none_beyond = Some((next, reason)),
-            }
-            match none_beyond {
-                Some((edge, reason)) if (edge - near.temperature).abs() < EDGE || self.films > MOST_FILMS => {
-                    return Err(NoBalance::Ends { temperature: near.temperature, film: near.film, reason });
-                }
-                other => none_beyond = other,
-            }
-            let is_last = near.temperature == hottest || near.temperature == coldest || self.films > MOST_FILMS;
-            if is_last && none_beyond.is_none() {
-                return Err(NoBalance::TooHot { temperature: near.temperature, film: near.film });
-            }
-        }
-    }
-
-    /// Narrows a bracket until the surplus is below `accuracy` of the power; with the slope of the surplus there [W/K].
-    fn narrowed(&mut self, [mut a, mut b]: [Point; 2], accuracy: f64) -> Result<(Point, f64), NoBalance<E>> {
-        let slope = |a: &Point, b: &Point| (b.surplus - a.surplus) / (b.temperature - a.temperature);
-        // What false position takes the surplus at `a` for; `b` is the last film.
-        let mut held = a.surplus;
-        let (mut last_slope, mut width, mut turns) = (slope(&a, &b), f64::INFINITY, 0);
-        loop {
-            let best = if a.surplus.abs() < b.surplus.abs() { a } else { b };
-            let [low, high] = [a.temperature.min(b.temperature), a.temperature.max(b.temperature)];
-            let is_narrow = high - low < NARROW || self.films > MOST_FILMS;
-            if best.is_balanced(accuracy) || is_narrow {
-                return Ok((best, last_slope));
-            }
-            let mut next = b.temperature - b.surplus * (b.temperature - a.temperature) / (b.surplus - held);
-            turns += 1;
-            let is_slow = turns % 3 == 0 && high - low > 0.5 * width;
-            if turns % 3 == 0 {
-                width = high - low;
-            }
-            if is_slow || !(next > low && next < high) {
-                next = 0.5 * (low + high);
-            }
-            let point = self.at(next).map_err(|reason| NoBalance::Ends {
-                temperature: best.temperature,
-                film: best.film,
-                reason,
-            })?;
-            if (point.temperature - best.temperature).abs() > APART {
-                last_slope = slope(&best, &point);
-            }
-            match (point.surplus > 0.0) == (b.surplus > 0.0) {
-                true => held *= 0.5,
-                false => (a, held) = (b, b.surplus),
-            }
-            b = point;
-        }
-    }
-}
-
 /// Where the search for a temperature begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
@@ -312,26 +195,69 @@ pub fn find<E>(
     balance: &ThermalBalance,
     start: Start,
     accuracy: f64,
-    evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
+    mut evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
 ) -> Result<Balanced, NoBalance<E>> {
-    let mut search = Search { balance, evaluate, films: 0 };
     let [coldest, hottest] = balance.range();
-    let first = search.first(start.temperature.clamp(coldest, hottest))?;
-    let (nearest, slope) = search.by_slope(first, start.slope, accuracy);
-    let (found, slope) = match nearest.is_balanced(accuracy) {
-        true => (nearest, slope),
-        false => {
-            let bracket = search.other_side(nearest)?;
-            search.narrowed(bracket, accuracy)?
-        }
+    let mut films = 0;
+    let mut at = |temperature: f64| {
+        films += 1;
+        evaluate(temperature)
+            .map(|film| (films, Point { temperature, film, surplus: balance.surplus(temperature, &film) }))
     };
-    Ok(Balanced {
-        temperature: found.temperature,
-        film: found.film,
-        surplus: found.surplus,
-        slope,
-        films: search.films,
-    })
+    let first = at(start.temperature.clamp(coldest, hottest));
+    let first = first.or_else(|reason| STARTS.into_iter().find_map(|above| at(coldest + above).ok()).ok_or(reason));
+    let (mut films, mut here) = first.map_err(NoBalance::NoFilm)?;
+    // A film on the other side of the root, and the nearest temperature beyond which there is none.
+    let (mut other, mut edge): (Option<Point>, Option<(f64, E)>) = (None, None);
+    let mut secant = start.slope.unwrap_or(f64::NAN);
+    let (mut slope, mut is_quick, mut width) = (secant, true, f64::INFINITY);
+    while !here.is_balanced(accuracy) {
+        let by_secant = Some(here.temperature - here.surplus / secant).filter(|_| secant < 0.0);
+        let next = match (&other, &edge) {
+            (Some(other), _) => {
+                let between = 0.5 * (here.temperature + other.temperature);
+                let span = (here.temperature - other.temperature).abs();
+                if span < NARROW || films > MOST_FILMS {
+                    here = if other.surplus.abs() < here.surplus.abs() { *other } else { here };
+                    break;
+                }
+                let is_inside = |next: &f64| 2.0 * (next - between).abs() < span;
+                let is_slow = films % 3 == 0 && span > 0.5 * width;
+                width = if films % 3 == 0 { span } else { width };
+                by_secant.filter(|next| is_inside(next) && !is_slow).unwrap_or(between)
+            }
+            (None, Some((edge, _))) => 0.5 * (here.temperature + edge),
+            (None, None) => {
+                let end = if here.surplus > 0.0 { hottest } else { coldest };
+                if here.temperature == end || films > MOST_FILMS {
+                    return Err(NoBalance::TooHot { temperature: here.temperature, film: here.film });
+                }
+                let told = balance.balanced_by(&here.film).clamp(coldest, hottest);
+                // A little beyond, so that the root does not lie at the end of the bracket.
+                let beyond = told + 1e-3 * (told - here.temperature);
+                let beyond = if beyond.is_nan() { hottest } else { beyond };
+                by_secant.filter(|_| is_quick).unwrap_or(beyond).clamp(coldest, hottest)
+            }
+        };
+        match (at(next), &other) {
+            (Ok((number, point)), _) => {
+                secant = (point.surplus - here.surplus) / (point.temperature - here.temperature);
+                if (point.temperature - here.temperature).abs() > APART {
+                    slope = secant;
+                }
+                is_quick = point.surplus.abs() <= QUICK * here.surplus.abs();
+                other = if (point.surplus > 0.0) == (here.surplus > 0.0) { other } else { Some(here) };
+                (films, here) = (number, point);
+            }
+            (Err(reason), Some(_)) => edge = Some((here.temperature, reason)),
+            (Err(reason), None) => edge = Some((next, reason)),
+        }
+        let is_at_edge = |at: f64| (at - here.temperature).abs() < EDGE || films > MOST_FILMS;
+        if let Some((_, reason)) = edge.take_if(|(at, _)| is_at_edge(*at)) {
+            return Err(NoBalance::Ends { temperature: here.temperature, film: here.film, reason });
+        }
+    }
+    Ok(Balanced { temperature: here.temperature, film: here.film, surplus: here.surplus, slope, films })
 }
 
 #[cfg(test)]

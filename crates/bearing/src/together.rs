@@ -62,7 +62,20 @@ impl Coupled<'_, '_> {
     /// What trials leave of load and deflections, as parts of them [1].
     pub(crate) fn left(&self, trials: &[Trial]) -> f64 {
         let walls = trials.iter().filter_map(|trial| trial.left.as_ref().map(|left| left.residual));
-        self.residual(trials).hypot(greatest(walls))
+        self.residual(trials).hypot(greatest(walls)).hypot(self.unbalanced_heat(trials))
+    }
+
+    /// Heat that trials leave over, as a part of their friction [1]; zero where temperatures are given.
+    pub(crate) fn unbalanced_heat(&self, trials: &[Trial]) -> f64 {
+        greatest(self.searches.iter().zip(trials).map(|(search, trial)| search.unbalanced_heat(trial)))
+    }
+
+    /// Corrects the rows of the heat by what they missed in the step from trials to others.
+    pub(crate) fn correct_rows(&self, before: &[Trial], after: &[Trial]) {
+        let left = self.left(before);
+        for (search, (before, after)) in self.searches.iter().zip(before.iter().zip(after)) {
+            search.correct_row((before, left), after);
+        }
     }
 
     /// What trials leave of the balances of their walls.
@@ -104,6 +117,7 @@ impl Coupled<'_, '_> {
             let film = resting(&trial.film, rate);
             let tangents = search.tangents(trial, &film, &walls[0], (accuracy, rate))?;
             let moves = tangents.solve(excess[0].map(|excess| -excess), Some(&walls[0].wall))?;
+            let moves = search.with_heat(trial, &tangents, moves)?;
             search.count(moves.products);
             return Ok(length(moves.place).is_finite().then(|| vec![moves]));
         };
@@ -146,7 +160,7 @@ impl Coupled<'_, '_> {
         closed: f64,
     ) -> Result<Vec<Trial>, NoFilm> {
         let open = |((search, trial), ((bent, at), moves)): ((&Search, &Trial), (Led, &Moves))| {
-            let bent = counted(bent, (0, moves.products), f64::INFINITY);
+            let bent = search.warmed(counted(bent, (0, moves.products), f64::INFINITY), part * moves.kelvin);
             match &trial.cubic {
                 Some(cubic) => search.open_cubic(&bent, at, (&trial.film, Some(cubic))),
                 None => {
@@ -170,7 +184,9 @@ impl Coupled<'_, '_> {
 impl Search<'_> {
     /// Counts what moves have cost that took so many products with the tangent.
     fn count(&self, products: usize) {
-        self.spend(Work { linear_solves: self.coordinates.order + products, ..Work::default() });
+        let by_temperature = usize::from(self.options.heat.is_some());
+        let linear_solves = self.coordinates.order + by_temperature + products;
+        self.spend(Work { linear_solves, ..Work::default() });
     }
 }
 

@@ -12,6 +12,8 @@ pub enum FilmChange<'a> {
     Gap(&'a dyn FilmContribution),
     /// The gap grows with time, each second by this shape.
     GapRate(&'a dyn FilmContribution),
+    /// The viscosity grows by this part [1].
+    Viscosity(f64),
 }
 
 impl From<&JournalChange> for FilmChange<'_> {

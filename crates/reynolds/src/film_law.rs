@@ -173,6 +173,9 @@ impl<'a> FilmLaw<'a> {
                     *point = FilmPoint { rate: point.thickness, ..FilmPoint::default() };
                 }
             }
+            FilmChange::Viscosity(part) => {
+                film.iter_mut().for_each(|point| point.viscosity = part * self.problem.lubricant.viscosity);
+            }
         }
     }
 

@@ -70,8 +70,8 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     let problem = problem(scene, &oil, sockets, &mesh, position)?;
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     check_gap(scene, &problem, &system, load)?;
-    // A position is sought on coarser meshes first, and by many films; so is a deflection.
-    let is_sought = load.is_some() || scene.orbit.is_some() || problem.deflection().is_some();
+    // A position is sought on coarser meshes first, and by many films; so are a deflection and a temperature.
+    let is_sought = load.is_some() || thermal.is_some() || scene.orbit.is_some() || problem.deflection().is_some();
     let system = match is_sought {
         true => system.for_many_solves(),
         false => system,
@@ -122,7 +122,11 @@ fn problem(
         bearing,
         journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
         film_thickness: std::iter::once(eccentric).chain(deeper).chain(shapes).chain(deflection).collect(),
-        lubricant: Lubricant { viscosity: oil.viscosity, pressure_law: sockets.pressure_law },
+        lubricant: Lubricant {
+            viscosity: oil.viscosity,
+            pressure_law: sockets.pressure_law,
+            temperature: oil.temperature,
+        },
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
@@ -168,11 +172,15 @@ fn check_gap(
 
 /// The film at another temperature [K]; it shares the system.
 pub fn at_temperature(film: &Film, temperature: f64) -> Film {
+    let lubricant = lubricant(film, temperature);
+    film.as_found(&FilmProblem { lubricant, ..film.problem.clone() })
+}
+
+/// The oil of a film at another temperature [K].
+pub(crate) fn lubricant(film: &Film, temperature: f64) -> Lubricant {
     let scene = oil::at_temperature(&film.scene, temperature);
-    let oil = film.oil.at(temperature);
-    let mut problem = film.problem.clone();
-    problem.lubricant = Lubricant { viscosity: oil.viscosity, pressure_law: Sockets::of(&scene).pressure_law };
-    Film { scene: Arc::new(scene), oil, problem, ..film.clone() }
+    let viscosity = film.oil.at(temperature).viscosity;
+    Lubricant { viscosity, pressure_law: Sockets::of(&scene).pressure_law, temperature: Some(temperature) }
 }
 
 /// What messages call the mesh.

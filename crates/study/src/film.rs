@@ -9,7 +9,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, G
 use oilwedge_scene::{Dynamics, Scene};
 
 use crate::observer::Watch;
-use crate::oil::Oil;
+use crate::oil::{self, Oil};
 use crate::position::Position;
 use crate::thermal_model::ThermalModel;
 
@@ -79,10 +79,15 @@ impl Film {
         film
     }
 
-    /// This film with journal and wall as a search has found them.
+    /// This film with journal, wall and temperature as a search has found them.
     pub(crate) fn as_found(&self, found: &FilmProblem) -> Self {
         let mut film = self.with_journal(found.journal);
         film.problem = film.problem.deflected(found.deflection());
+        if let Some(temperature) = found.lubricant.temperature.filter(|found| Some(*found) != self.oil.temperature) {
+            film.problem.lubricant = found.lubricant.clone();
+            film.scene = Arc::new(oil::at_temperature(&self.scene, temperature));
+            film.oil = self.oil.at(temperature);
+        }
         film
     }
 
@@ -132,17 +137,6 @@ impl Film {
             None => Self { system: Arc::new(system), ..self },
             Some(coarser) => Self { problem: coarser.problem(&self.problem), system: coarser.system, ..self },
         }
-    }
-
-    /// This film with the journal elsewhere; its centre moves on as before.
-    pub(crate) fn at_position(self, position: Position) -> Self {
-        let (sin, cos) = position.min_film_angle.sin_cos();
-        let offset = position.eccentricity * self.problem.bearing.clearance;
-        self.with_journal(JournalState {
-            offset: [offset * cos, offset * sin],
-            tilt: position.tilt,
-            ..self.problem.journal
-        })
     }
 
     /// Gap of the film, with the journal anywhere.

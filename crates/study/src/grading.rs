@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    Equilibrium, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find,
+    Equilibrium, Heated, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find,
     find_after, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
@@ -18,7 +18,9 @@ use crate::film::{Film, Start};
 use crate::liner_mesh::{expected_triangles, resized};
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
+use crate::oil::at_temperature;
 use crate::position::Position;
+use crate::thermal::heating::Heating;
 
 /// Factor between the least film found and the one that a mesh was graded for, from which on it is graded anew.
 const REGRADED: f64 = 1.3;
@@ -116,7 +118,8 @@ pub fn graded_within(
                 return Ok(Graded { film, refused: Some(reason) });
             }
             Suited::Not(position, known) => {
-                let scene = coarsened(scene, most_triangles, position)?;
+                let warmed = known.temperature().map(|temperature| at_temperature(scene, temperature));
+                let scene = coarsened(warmed.as_ref().unwrap_or(scene), most_triangles, position)?;
                 let graded = compile_near(&scene, position)?;
                 film = match known {
                     Known::Balance(found) if takes_long(&found, load) => graded.as_found(&found).nearly_balanced(),
@@ -166,6 +169,16 @@ enum Known {
     /// The way that a growing moment takes, under a wall that gives way.
     Way(Arc<Waypoint>),
     Nothing,
+}
+
+impl Known {
+    /// The temperature [K] of the film that balances the load.
+    fn temperature(&self) -> Option<f64> {
+        match self {
+            Self::Balance(found) => found.lubricant.temperature,
+            Self::Way(_) | Self::Nothing => None,
+        }
+    }
 }
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
@@ -241,8 +254,10 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be
 /// out of reach only because the mesh is too coarse there.
 fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, NoEquilibrium> {
+    let heat = Heating::of(film);
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
+        heat: heat.as_ref().map(|heat| heat as &dyn Heated),
         // The way into contact under a wall that gives way takes long: what it leads to may be certain on this mesh.
         purpose: match is_judged(film) {
             true => Purpose::Answer,

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
 use oilwedge_bearing::{
-    Carrier, Equilibrium, InitialGuess, Load, SearchOptions, WallByPlace, Work, balance_hill, find,
+    Carrier, Equilibrium, Heated, InitialGuess, Load, SearchOptions, WallByPlace, Work, balance_hill, find, find_held,
 };
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
@@ -22,8 +22,16 @@ use crate::solved::{Balance, Errors, SolveOptions, Solved};
 pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     match film.load {
         None => at_given_position(film, options),
-        Some(load) => under_load(film, load, options),
+        Some(load) => sought(film, Some(load), None, options),
     }
+}
+
+/// Solves a film at the temperature at which its heat is balanced.
+///
+/// # Errors
+/// [`NoAnswer`]: the reason why none was found.
+pub fn heated(film: &Film, heat: &dyn Heated, options: &SolveOptions) -> Result<Solved, NoAnswer> {
+    sought(film, film.load, Some(heat), options)
 }
 
 fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
@@ -56,19 +64,31 @@ fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoA
     })
 }
 
-fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved, NoAnswer> {
+/// A film at the position in which it carries a load, or at its own where there is none, and at the temperature that
+/// balances its heat, where that is sought.
+fn sought(
+    film: &Film,
+    load: Option<Load>,
+    heat: Option<&dyn Heated>,
+    options: &SolveOptions,
+) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let by_cubic = options.errors == Errors::Estimated && film.problem.cavitation.is_symmetric();
     let search = SearchOptions {
         accuracy: options.accuracy,
         carrier: if by_cubic { Carrier::Cubic } else { Carrier::Quadratic },
+        heat,
         ..film.search_options(options.watch())
     };
     let search = match options.guess {
         InitialGuess::Cold => search,
         guess => SearchOptions { guess, ..search },
     };
-    let found = find(&film.problem, &film.system, load, &search)?;
+    let found = match load {
+        Some(load) => find(&film.problem, &film.system, load, &search),
+        None => find_held(&film.problem, &film.system, &search),
+    }?;
+    let load = load.unwrap_or(Load::from([0.0; 2]));
     let by_film = balance(&found, load, clock);
     let solved = match found.cubic {
         None => with_reference(film, found.film, options.errors)?,
@@ -78,7 +98,7 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
             Solved { reference: Some(ReferenceFilm::Cubic(SolvedFilm { problem, ..cubic })), ..solved }
         }
     };
-    let solved = Solved { balance: Some(by_film), wall: found.wall, ..solved };
+    let solved = Solved { balance: Some(by_film), wall: found.wall, heat: found.heat, ..solved };
     Ok(balanced_by_hill(solved, load, &search, clock))
 }
 
@@ -173,6 +193,7 @@ fn with_reference(film: &Film, found: SolvedFilm, errors: Errors) -> Result<Solv
         reference,
         balance: None,
         wall: WallByPlace::default(),
+        heat: None,
         temperature: None,
         reference_seconds: clock.elapsed().as_secs_f64(),
     })

@@ -71,9 +71,7 @@ impl Measured {
 
     /// What the journal puts in as its centre moves and its axis turns [W].
     pub fn motion_power(&self, journal: &JournalState) -> f64 {
-        let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
-        let total = &self.load.total;
-        product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
+        motion_power(journal, &self.load)
     }
 
     /// The numbers with what is asked of `film` about small motions of its journal, found on the `solved` one that was
@@ -114,9 +112,8 @@ pub fn measure(film: &SolvedFilm) -> Measured {
     let extremes = pressure::extremes(film);
     let load = load::load(film);
     let contact = load.contact.map(|share| Touching { unsure: contact::unsure(problem, system, &share), share });
-    let thrust = contact.map_or(0.0, |contact| contact.share.pressure);
     Measured {
-        power: power::power(film).with_moment(problem, load.of_oil().resultant()).with_contact(problem, thrust),
+        power: powers(film, &load),
         contact,
         load,
         flows: flow::flows(film),
@@ -133,6 +130,19 @@ pub fn measure(film: &SolvedFilm) -> Measured {
         fallbacks: solution.fallbacks.clone(),
         dynamics: None,
     }
+}
+
+/// Powers of a film under its load.
+pub(crate) fn powers(film: &SolvedFilm, load: &Load) -> Power {
+    let thrust = load.contact.map_or(0.0, |contact| contact.pressure);
+    let by_moment = power::power(film).with_moment(&film.problem, load.of_oil().resultant());
+    by_moment.with_contact(&film.problem, thrust)
+}
+
+/// What a journal puts in as its centre moves and its axis turns under a load [W].
+pub(crate) fn motion_power(journal: &JournalState, load: &Load) -> f64 {
+    let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
+    product(journal.velocity, load.total.force) + product(journal.tilt_rate, load.total.moment)
 }
 
 /// True if the pressure falls below that of the ends by more than rounding and interpolation explain.

@@ -64,8 +64,6 @@ pub(crate) fn answer_telling(scene: &Scene, options: &RunOptions, tell: Option<T
     if targets.is_some() {
         next::check_first(scene, options.watch())?;
     }
-    let warmed = crate::thermal::warmed(scene, options.watch())?;
-    let scene = warmed.as_ref().unwrap_or(scene);
     if let Some(targets) = targets {
         return levels::towards(scene, &targets, options, tell);
     }

@@ -189,7 +189,7 @@ fn temperature_rise(film: &Film, measured: &Measured) -> Option<f64> {
     let capacity = film.thermal.map_or(HEAT_CAPACITY, |model| model.balance.heat_capacity);
     let Film { problem, system, .. } = film;
     let (bearing, journal) = (&problem.bearing, &problem.journal);
-    let flow = leaving(problem, system, measured);
+    let flow = leaving(problem, system, &measured.flows);
     let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;
     let rise = (measured.power.friction() + measured.motion_power(journal)) / (capacity * flow);
     (dragged > 0.0 && flow > NOTHING * dragged && rise >= 0.0).then_some(rise)

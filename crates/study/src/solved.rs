@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness, WallByPlace, Work};
+use oilwedge_bearing::{Balanced, Coordinates, Deadline, FoundHeat, InitialGuess, Stiffness, WallByPlace, Work};
 use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use crate::film::Film;
@@ -54,6 +54,8 @@ pub struct Solved {
     pub balance: Option<Balance>,
     /// How the wall follows where the journal moves along the coordinates of the balance.
     pub wall: WallByPlace,
+    /// The heat of the film, where its temperature was found.
+    pub heat: Option<FoundHeat>,
     /// How the temperature was found, where it was sought.
     pub temperature: Option<TemperatureFound>,
     /// Seconds that the reference film took at the position of the film.

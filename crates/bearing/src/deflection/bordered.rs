@@ -35,7 +35,7 @@ pub(crate) struct Bordered<'a> {
     /// To which its linear systems are solved: norm of the residual over that of the right-hand side [1].
     accuracy: f64,
     /// That of the film much like it.
-    pub(crate) near: Joint<'a>,
+    near: Joint<'a>,
     /// What systems solved have shown.
     known: RefCell<Known>,
 }
@@ -84,8 +84,14 @@ impl<'a> Bordered<'a> {
                 .map_or_else(Vec::new, |(_, forces)| forces),
             wall: wall.to_vec(),
             film: MixedChange::default(),
+            kelvin: 0.0,
             products: solved.steps,
         })
+    }
+
+    /// The tangent of the film much like this one.
+    pub(crate) fn near(&self) -> &Joint<'a> {
+        &self.near
     }
 
     /// What coordinates and a move of the wall change: weighed forces [m], and the part of that move that film and

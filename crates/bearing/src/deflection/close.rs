@@ -10,6 +10,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, NoFilm, SolvedFilm};
 
 use super::gmres::norm;
 use super::tangent::contact_points;
+use crate::SearchOptions;
 use crate::coupled::FilmSolve;
 use crate::newton::{CUBIC_ROUNDING, Damping, Goal, Unbalanced};
 use crate::search::{Search, Trial};
@@ -66,7 +67,7 @@ pub(crate) fn closed_within(
         let contact = contact_points(&problem, system);
         return Ok((film, contact));
     }
-    let search = Search::held(&problem, system);
+    let search = Search::held(&problem, system, SearchOptions::default());
     let first = search.open(&problem, [0.0; 4], FilmSolve::Settled(near), enough)?;
     let damping = if problem.has_bent_wall() { Damping::None } else { Damping::PseudoTime };
     let found = closed(&search, first, enough, damping).or_else(|reason| match damping {
@@ -117,7 +118,7 @@ pub fn closed_pair(film: SolvedFilm, neighbour: Option<&SolvedFilm>, enough: f64
         return Ok(Pair { film, cubic });
     }
     let system = film.system.clone();
-    let search = Search::held(&film.problem, &system);
+    let search = Search::held(&film.problem, &system, SearchOptions::default());
     let Trial { film, cubic, .. } = closed(&search, search.of_pair(film, cubic), enough, Damping::None)?;
     match cubic {
         Some(cubic) => Ok(Pair { film, cubic }),

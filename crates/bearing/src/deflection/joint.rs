@@ -51,6 +51,8 @@ pub(crate) struct Moves {
     pub(crate) contact: Vec<f64>,
     /// Change of the quadratic film; empty where it is not known.
     pub(crate) film: MixedChange,
+    /// Step of the temperature, where that is unknown [K].
+    pub(crate) kelvin: f64,
     /// Products with the tangent that they took.
     pub(crate) products: usize,
 }
@@ -63,6 +65,7 @@ impl Moves {
             wall: self.wall.iter().map(|d| d / number).collect(),
             contact: self.contact.iter().map(|force| force / number).collect(),
             film: MixedChange::sum([(1.0 / number, &self.film)]),
+            kelvin: self.kelvin / number,
             products: self.products,
         }
     }
@@ -75,8 +78,15 @@ impl Moves {
             wall: both(&self.wall, &more.wall),
             contact: both(&self.contact, &more.contact),
             film: MixedChange::sum([(1.0, &self.film), (part, &more.film)]),
+            kelvin: self.kelvin + part * more.kelvin,
             products: self.products + more.products,
         }
+    }
+
+    /// These, by which the film changes by so much more.
+    pub(crate) fn with_film(mut self, more: &MixedChange) -> Self {
+        self.film = MixedChange::sum([(1.0, &self.film), (1.0, more)]);
+        self
     }
 
     /// Where a part of them leads from a place and a wall.
@@ -146,7 +156,19 @@ impl<'a> Joint<'a> {
         let (forces, _, by_wall) = self.by_wall(&wall)?;
         let place = self.tangent.solve(moved(force, -1.0, forces));
         let film = MixedChange::sum(place.into_iter().zip(&self.film_by_place).chain([(1.0, &by_wall)]));
-        Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film, products: solved.steps })
+        Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film, products: solved.steps, kelvin: 0.0 })
+    }
+
+    /// The moves that follow, under the same load, from a change of the film other than of its gap.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn following(&self, change: FilmChange) -> Result<Moves, Error> {
+        let film = self.follower.film.mixed_changes(&[change])?.remove(0);
+        let unknown = self.follower.film.unknown_in(&film);
+        let forces = self.coordinates.forces(&self.gradient.change(&unknown, &[]));
+        let moves = self.solve(forces.map(|force| -force), Some(&self.follower.image_with(&unknown, None)))?;
+        Ok(moves.with_film(&film))
     }
 
     /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push

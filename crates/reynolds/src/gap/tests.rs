@@ -64,7 +64,7 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
             Arc::new(Tilt { radius: BEARING.radius }),
             Arc::new(Shape(shape)),
         ],
-        lubricant: Lubricant { viscosity: 0.02, pressure_law: PressureLaw::Constant },
+        lubricant: Lubricant { viscosity: 0.02, pressure_law: PressureLaw::Constant, temperature: None },
         form: Form::Conservative,
         terms: Vec::new(),
         cavitation: Cavitation::None,

@@ -57,6 +57,8 @@ pub struct Lubricant {
     pub viscosity: f64,
     /// How it grows with pressure.
     pub pressure_law: PressureLaw,
+    /// Temperature [K] at which it has both; `None` where nothing depends on it.
+    pub temperature: Option<f64>,
 }
 
 /// Law of viscosity against pressure.

@@ -260,7 +260,7 @@ impl ContactPoints {
                     }
                 }
                 FilmChange::Gap(shape) => shape.add(&problem.journal, cell, positions, moved),
-                FilmChange::GapRate(_) => {}
+                FilmChange::GapRate(_) | FilmChange::Viscosity(_) => {}
             }
             film.into_iter().take(number).map(|point| point.thickness)
         };

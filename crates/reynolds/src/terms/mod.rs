@@ -26,7 +26,7 @@ pub trait Term: Send + Sync + std::fmt::Debug {
         }
     }
 
-    /// Adds what its flow changes, to first order, where thickness, slope and rate change by those of `change`.
+    /// Adds what its flow changes, to first order, where thickness, slope, rate and viscosity change by those of `change`.
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow);
 }
 
@@ -41,7 +41,7 @@ pub(crate) fn of_rates() -> Vec<Arc<dyn Term>> {
 #[cfg(test)]
 fn check(term: &dyn Term) {
     let film = FilmPoint { thickness: 2.1, slope: [0.3, -0.2], rate: 0.4, viscosity: 0.7, velocity: [1.3, 0.6] };
-    let change = FilmPoint { thickness: 0.9, slope: [-0.5, 0.8], rate: -1.1, ..FilmPoint::default() };
+    let change = FilmPoint { thickness: 0.9, slope: [-0.5, 0.8], rate: -1.1, viscosity: 0.3, ..FilmPoint::default() };
     let values = |flow: FilmFlow| [flow.conductance, flow.flux[0], flow.flux[1], flow.divergence, flow.storage];
     let at = |step: f64| {
         let mut flow = FilmFlow::default();
@@ -49,6 +49,7 @@ fn check(term: &dyn Term) {
             thickness: film.thickness + step * change.thickness,
             slope: [0, 1].map(|k| film.slope[k] + step * change.slope[k]),
             rate: film.rate + step * change.rate,
+            viscosity: film.viscosity + step * change.viscosity,
             ..film
         };
         term.add(&moved, &mut flow);

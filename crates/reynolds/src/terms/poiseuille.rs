@@ -28,7 +28,8 @@ impl Term for Poiseuille {
     }
 
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow) {
-        flow.conductance += film.thickness.powi(2) * change.thickness / (4.0 * film.viscosity);
+        let conductance = film.thickness.powi(3) / (12.0 * film.viscosity);
+        flow.conductance += conductance * (3.0 * change.thickness / film.thickness - change.viscosity / film.viscosity);
     }
 }
 

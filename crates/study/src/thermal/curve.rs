@@ -1,16 +1,13 @@
 //! Friction and heat carried off around the temperature found, and whether the bearing will do.
 
-use oilwedge_bearing::{Deadline, InitialGuess, Visited};
+use oilwedge_bearing::Deadline;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
-use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
-use crate::compile::at_temperature;
+use super::search::{ROUGHLY, near_or_cold};
 use crate::film::Film;
 use crate::limits::design_criteria;
 use crate::measure::measure;
-use crate::position::Position;
 use crate::quantities::{CYCLE_LOAD_MAX, LOAD, Quantity};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::run_options::RunOptions;
@@ -81,7 +78,6 @@ fn curve(model: &ThermalModel, solved: &Solved, root: f64, deadline: Deadline) -
 /// Films on one side of the temperature found, `step` [K] apart, as far as there are any: each started from the one
 /// before.
 fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: Deadline) -> Vec<TemperaturePoint> {
-    let mut positions = vec![visited(&found.film)];
     let (mut points, mut last): (_, Option<Solved>) = (Vec::new(), None);
     for k in 1..=FILMS {
         let temperature = root + f64::from(k) * step;
@@ -89,30 +85,19 @@ fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: De
         if temperature < model.balance.range()[0] || deadline.is_over() {
             break;
         }
-        let Some(solved) = film_at(temperature, last.as_ref().unwrap_or(found), &positions, deadline) else {
+        let Some(solved) = film_at(temperature, last.as_ref().unwrap_or(found), deadline) else {
             continue;
         };
         points.push(point(model, temperature, &solved));
-        positions.push(visited(&solved.film));
         last = Some(solved);
     }
     points
 }
 
-/// The film at a temperature [K], balanced roughly, from another one and the positions of several.
-fn film_at(temperature: f64, near: &Solved, positions: &[Visited], deadline: Deadline) -> Option<Solved> {
-    let mut film = at_temperature(&near.film, temperature);
-    let position = (film.load).and_then(|_| Position::predicted(&film.scene, positions, operating_point(&film)));
-    if let Some(position) = position {
-        film = film.at_position(position);
-    }
-    let options = SolveOptions {
-        deadline,
-        guess: InitialGuess::Near(Neighbour::Start(&near.primary)),
-        accuracy: Some(ROUGHLY),
-        ..SolveOptions::default()
-    };
-    let solved = from_near_or_cold(&film, &options).ok()?;
+/// The film at a temperature [K], balanced roughly, from another one.
+fn film_at(temperature: f64, near: &Solved, deadline: Deadline) -> Option<Solved> {
+    let options = SolveOptions { deadline, accuracy: Some(ROUGHLY), ..SolveOptions::default() };
+    let solved = near_or_cold(temperature, (&near.film, Some(near)), &options).ok()?;
     (!solved.is_ended()).then_some(solved)
 }
 

@@ -1,0 +1,38 @@
+//! The film whose heat is balanced, as a search asks it.
+
+use oilwedge_bearing::{Heated, ThermalBalance, ThermalFlows};
+use oilwedge_reynolds::SolvedFilm;
+use oilwedge_reynolds::lubricant::Lubricant;
+
+use super::flows::thermal_flows_of;
+use crate::compile::lubricant;
+use crate::film::Film;
+use crate::thermal_model::ThermalModel;
+
+/// A film whose temperature is found beside its position.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Heating<'a> {
+    film: &'a Film,
+    model: ThermalModel,
+}
+
+impl<'a> Heating<'a> {
+    /// None of a film whose temperature is given, or has no effect.
+    pub(crate) fn of(film: &'a Film) -> Option<Self> {
+        Some(Self { film, model: film.thermal? })
+    }
+}
+
+impl Heated for Heating<'_> {
+    fn balance(&self) -> ThermalBalance {
+        self.model.balance
+    }
+
+    fn lubricant(&self, temperature: f64) -> Lubricant {
+        lubricant(self.film, temperature)
+    }
+
+    fn flows(&self, film: &SolvedFilm) -> ThermalFlows {
+        thermal_flows_of(&self.model, film)
+    }
+}
