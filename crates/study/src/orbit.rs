@@ -25,7 +25,7 @@ mod start;
 mod temperature;
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, TiltSupport};
+use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, Step, TiltSupport};
 use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_scene::Scene;
@@ -145,8 +145,8 @@ pub(crate) struct Followed {
     pub(crate) temperature: Option<CycleTemperature>,
     /// Whether the deadline has ended an orbit by which the bars of a film that conserves its oil are found.
     pub(crate) are_bars_ended: bool,
-    /// Place at which the last cycle ended [m].
-    pub(crate) begin: Vector,
+    /// The step at which the last cycle ended.
+    pub(crate) last: Option<Step>,
     /// How it ended.
     pub(crate) end: OrbitEnd,
     /// Seconds of the integration, and of measuring.
@@ -187,15 +187,24 @@ pub(crate) fn follow_under(
     }
     let clearance = film.problem.bearing.clearance;
     let begin = options.earlier.map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
-    let outcome = followed(&film, (scene, model, cycle), (begin, deadline), options);
+    let outcome = followed(&film, (scene, model, cycle), (Begin::At(begin), deadline), options);
     Ok((film, outcome))
 }
 
-/// Follows the orbit of a film from the offsets `begin` [m] until a deadline, and measures it.
+/// Where an orbit begins.
+#[derive(Debug, Clone, Copy)]
+enum Begin<'a> {
+    /// At offsets [m].
+    At(Vector),
+    /// At the end of another one, which this is the last step of.
+    After(&'a Step),
+}
+
+/// Follows the orbit of a film until a deadline, and measures it.
 fn followed(
     film: &Film,
     (scene, model, cycle): (&Scene, &oilwedge_scene::Orbit, &DutyCycle),
-    (begin, deadline): (Vector, Deadline),
+    (begin, deadline): (Begin, Deadline),
     options: &RunOptions,
 ) -> Result<Followed, NoAnswer> {
     let clock = std::time::Instant::now();
@@ -207,7 +216,13 @@ fn followed(
         deadline,
         observer: options.observer.map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
-    let orbit = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit)?;
+    let orbit = match begin {
+        Begin::At(begin) => motion.orbit(begin, &orbit_options),
+        Begin::After(step) => motion.orbit_after(step, &orbit_options),
+    };
+    let orbit = orbit.map_err(NoAnswer::Orbit)?;
+    let last = orbit.steps.last().cloned();
+    let begin = orbit.steps.first().map_or([0.0; 4], |step| step.at);
     if let Some(observer) = options.observer.filter(|_| options.bars) {
         observer.turns_to("the error bars of the orbit");
     }
@@ -220,7 +235,7 @@ fn followed(
         followed.are_bars_ended =
             comparison::compare(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
     }
-    Ok(Followed { seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
+    Ok(Followed { last, seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
 
 /// The equation of motion of a scene's journal on a film.
@@ -320,7 +335,7 @@ pub(crate) fn measured(
         flows,
         temperature: None,
         are_bars_ended: false,
-        begin: steps.last().map_or([0.0; 4], |step| step.at),
+        last: None,
         end,
         seconds: [0.0; 2],
     })

@@ -155,6 +155,15 @@ impl Motion<'_> {
         let orbits = Journals::alone(self).orbits(&[start], options).map_err(|at| at.reason)?;
         Ok(orbits.of(0))
     }
+
+    /// The orbit from the end of another one on, under the same load, of which this is the last step.
+    ///
+    /// # Errors
+    /// [`NoOrbit`]: why there is none.
+    pub fn orbit_after(&self, step: &Step, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
+        let orbits = Journals::alone(self).orbits_after(std::slice::from_ref(step), options);
+        Ok(orbits.map_err(|at| at.reason)?.of(0))
+    }
 }
 
 impl Journals<'_> {
@@ -166,9 +175,39 @@ impl Journals<'_> {
         let accuracy = Accuracy::of(options.tolerance, self.peak_load());
         let mut films = 0;
         let places: Vec<(Vector, Option<&Deflection>)> = starts.iter().map(|&start| (start, None)).collect();
-        let begun = Accuracy { balanced: accuracy.balanced.min(self.balanced_at_steps()), ..accuracy };
-        let here = self.beginning(starts, begun, &mut films);
+        let here = self.beginning(starts, self.accuracy_of_beginning(accuracy), &mut films);
         let here = here.map_err(|reason| self.told(reason, (0.0, 1), &places))?;
+        self.led_on(here, films, accuracy, options)
+    }
+
+    /// The orbits of all journals from the ends of others on, under the same loads, of which these are the last steps.
+    /// Films carry on the oil that they hold.
+    ///
+    /// # Errors
+    /// [`NoOrbitAt`]: why there are none.
+    pub fn orbits_after(&self, steps: &[Step], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
+        let accuracy = Accuracy::of(options.tolerance, self.peak_load());
+        let places: Vec<(Vector, Option<&Deflection>)> =
+            steps.iter().map(|step| (step.at, step.wall.as_ref())).collect();
+        let mut films = 0;
+        let here = self.beginning_after(steps, self.accuracy_of_beginning(accuracy), &mut films);
+        let here = here.map_err(|reason| self.told(reason, (0.0, 1), &places))?;
+        self.led_on(here, films, accuracy, options)
+    }
+
+    /// How exactly a motion begins.
+    fn accuracy_of_beginning(&self, accuracy: Accuracy) -> Accuracy {
+        Accuracy { balanced: accuracy.balanced.min(self.balanced_at_steps()), ..accuracy }
+    }
+
+    /// The orbits of all journals from these instants on, for which so many films were solved.
+    fn led_on(
+        &self,
+        here: Vec<Instant>,
+        mut films: usize,
+        accuracy: Accuracy,
+        options: &OrbitOptions,
+    ) -> Result<Orbits, NoOrbitAt> {
         let mut travellers = Travellers { accelerations: vec![[0.0; 4]; here.len()], here, before: None };
         let (mut cycles, mut last): (Vec<Cycle>, Steps) = (Vec::new(), Vec::new());
         let mut end = OrbitEnd::NotClosed;

@@ -83,6 +83,12 @@ impl Oil {
         Before { storage: Arc::new(Storage { per_time, known }), received, passed }
     }
 
+    /// What a stage of the length of `1/per_time` [s] begins with after a time in which films kept this.
+    pub(super) fn at_rest(&self, per_time: f64) -> Before {
+        let storage = Arc::new(Storage { per_time, known: self.held.clone() });
+        Before { storage, received: self.received, passed: self.passed }
+    }
+
     /// All oil [m3].
     pub fn total(&self) -> f64 {
         self.held.iter().sum()

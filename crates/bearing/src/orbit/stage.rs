@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use super::journals::Journals;
 use super::motion::{Held, Instant, Motion, Moving, TiltSupport};
 use super::oil::Before;
+use super::path::Step;
 use crate::coordinates::{Vector, moved};
 use crate::coupled::FilmSolve;
 use crate::deflection::{CLOSED, Moves};
@@ -227,6 +228,30 @@ impl Journals<'_> {
             }
         };
         journals.begun_at(&stage, without_memory.as_deref(), accuracy, films)
+    }
+
+    /// Where a motion is led on from steps of another one, whose law may be another: a stage of a short time, in which
+    /// films, walls and masses keep what they have.
+    pub(super) fn beginning_after(
+        &self,
+        steps: &[Step],
+        accuracy: Accuracy,
+        films: &mut usize,
+    ) -> Result<Vec<Instant>, NoStage> {
+        let places: Vec<Vector> = steps.iter().map(|step| step.at).collect();
+        let mut stage = Stage::beginning(0.0, self.duration(), &places);
+        let (mut near, mut starts) = (Vec::new(), Vec::new());
+        for (number, (motion, step)) in self.motions.iter().zip(steps).enumerate() {
+            let known = &mut stage.journals[number];
+            near.push(of_journal(number, motion.film_at(step, Neighbour::None))?);
+            known.rate = step.velocity;
+            known.before = step.history.as_ref().map(|history| history.oil.at_rest(stage.per_time));
+            let resting = |wall: &Deflection| (wall.resting(stage.per_time), wall.coefficients.to_vec());
+            known.wall = step.wall.as_ref().map(resting);
+            starts.push(moved(step.at, 1.0 / stage.per_time, step.velocity));
+        }
+        *films += near.len();
+        self.stage(&stage, &starts, (&near, Damping::PseudoTime), accuracy, films)
     }
 
     /// The end of the stage with which a motion begins: in films without memory or, where their films are known, in

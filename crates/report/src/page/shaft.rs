@@ -6,8 +6,8 @@ use oilwedge_scene::wording::millimetres;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::quantities::{
     CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
-    CYCLE_LOAD_MAX, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD,
-    LOAD_ANGLE, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, Unit,
+    CYCLE_LOAD_MAX, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE, FILM_THICKNESS_MIN,
+    FRICTION_POWER, LOAD, LOAD_ANGLE, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE, Unit,
 };
 use oilwedge_study::result::{Criterion, Geometry};
 use oilwedge_study::shaft::{BearingReport, CounterweightReport, CycleReport, ShaftBalances, ShaftResult, Variant};
@@ -22,12 +22,13 @@ use crate::readable::readable_unit;
 use crate::shaft_view::{ShaftView, ShaftViews};
 
 /// Columns of the bearings: heading, and the quantity at rest or over a cycle.
-const COLUMNS: [(&str, [&Row; 2]); 6] = [
+const COLUMNS: [(&str, [&Row; 2]); 7] = [
     ("greatest load", [&LOAD, &CYCLE_LOAD_MAX]),
     ("least film", [&FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN]),
     ("greatest pressure", [&PRESSURE_MAX, &CYCLE_PRESSURE_MAX]),
     ("mean power", [&FRICTION_POWER, &CYCLE_POWER_LOSS]),
     ("oil", [&SIDE_FLOW, &CYCLE_SIDE_FLOW]),
+    ("temperature", [&TEMPERATURE_EFFECTIVE, &CYCLE_TEMPERATURE]),
     ("contact", [&CONTACT_SHARE, &CYCLE_CONTACT_SHARE_MAX]),
 ];
 /// What of two shafts is compared.

@@ -8,8 +8,8 @@ use crate::readable::readable_unit;
 use crate::shaft::ShaftBeside;
 use oilwedge_study::quantities::{
     CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, CYCLE_LOAD_MAX, CYCLE_POWER_LOSS,
-    CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, LOAD_ANGLE, PRESSURE_MAX, Row,
-    SIDE_FLOW, Unit,
+    CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, LOAD_ANGLE,
+    PRESSURE_MAX, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE, Unit,
 };
 use oilwedge_study::shaft::{BearingReport, CounterweightReport, ShaftResult, Variant};
 use std::path::Path;
@@ -18,7 +18,7 @@ use std::path::Path;
 const DIGITS: usize = 4;
 
 /// Headings of the columns, and the rows of the catalogue that they hold.
-type Columns = [(&'static str, &'static Row); 6];
+type Columns = [(&'static str, &'static Row); 7];
 
 const AT_REST: Columns = [
     ("force", &LOAD),
@@ -27,6 +27,7 @@ const AT_REST: Columns = [
     ("p_max", &PRESSURE_MAX),
     ("power", &FRICTION_POWER),
     ("side flow", &SIDE_FLOW),
+    ("temperature", &TEMPERATURE_EFFECTIVE),
 ];
 const OVER_CYCLE: Columns = [
     ("greatest load", &CYCLE_LOAD_MAX),
@@ -35,6 +36,7 @@ const OVER_CYCLE: Columns = [
     ("p_max", &CYCLE_PRESSURE_MAX),
     ("mean power", &CYCLE_POWER_LOSS),
     ("side flow", &CYCLE_SIDE_FLOW),
+    ("temperature", &CYCLE_TEMPERATURE),
 ];
 
 /// Everything about a run of a crankshaft and of those beside it; `files` are those that were written to the folder.
@@ -102,16 +104,17 @@ fn counterweights(found: &CounterweightReport) -> Vec<String> {
     lines
 }
 
-/// The columns of a shaft at rest or over a cycle: the load first, the least film second.
-fn columns(result: &ShaftResult) -> Columns {
-    let is_cycle = result.bearings.iter().any(|bearing| bearing.quantity(&CYCLE_LOAD_MAX).is_some());
-    if is_cycle { OVER_CYCLE } else { AT_REST }
+/// The columns of a shaft at rest or over a cycle that its bearings have: the load first, the least film second.
+fn columns(result: &ShaftResult) -> Vec<(&'static str, &'static Row)> {
+    let has = |row: &Row| result.bearings.iter().any(|bearing| bearing.quantity(row).is_some());
+    let columns = if has(&CYCLE_LOAD_MAX) { OVER_CYCLE } else { AT_REST };
+    columns.into_iter().filter(|(_, row)| has(row)).collect()
 }
 
 fn bearings(result: &ShaftResult) -> String {
     let columns = columns(result);
     let headings = columns.iter().map(|(heading, _)| *heading);
-    let mut rows = table(["bearing", "z"].into_iter().chain(headings).chain(["tilt"]), 1..9);
+    let mut rows = table(["bearing", "z"].into_iter().chain(headings).chain(["tilt"]), 1..columns.len() + 3);
     for bearing in &result.bearings {
         let numbers = columns.iter().map(|(_, row)| number(bearing, row));
         let name = printable(&bearing.name);

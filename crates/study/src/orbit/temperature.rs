@@ -5,13 +5,13 @@
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
-use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd};
+use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, Step};
 use oilwedge_bearing::{NoBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Orbit, Scene};
 
-use super::{Followed, expected_seconds, followed, start};
+use super::{Begin, Followed, expected_seconds, followed, start};
 use crate::compile::at_temperature;
 use crate::compile_error::CompileError;
 use crate::film::Film;
@@ -53,8 +53,10 @@ struct Orbits<'a> {
     cycle: &'a DutyCycle,
     watch: Watch,
     options: RunOptions,
-    /// Where the next one begins [m].
+    /// Where the first one begins [m].
     begin: Vector,
+    /// The last step of the one before; none before the first one.
+    last: Option<Step>,
 }
 
 /// Follows the orbit at the temperature that balances its heat.
@@ -73,7 +75,7 @@ pub(super) fn balanced(
         return Ok((film, Err(none(&thermal.balance, NoBalance::NoFilm(Left::Ended)))));
     };
     let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(model.tolerance), ..*model };
-    let orbits = |film, begin, model| Orbits { film, scene, model, cycle, watch, options: quick, begin };
+    let orbits = |film, begin, model| Orbits { film, scene, model, cycle, watch, options: quick, begin, last: None };
     let found = orbits(film.on_coarser(), begin, rough).balance(&mut heat, ROUGHLY);
     if let Err(reason) = found {
         return Ok((film, Err(reason)));
@@ -119,13 +121,14 @@ impl Orbits<'_> {
         if found.end == OrbitEnd::Ended {
             return Err(Left::Ended);
         }
-        self.begin = found.begin;
+        self.last = found.last;
         Ok(heat.add(found.flows.ok_or(Left::Ended)?, found.quantities))
     }
 
     fn followed(&self, temperature: f64, options: &RunOptions) -> Result<Followed, NoAnswer> {
         let film = at_temperature(&self.film, temperature);
-        followed(&film, (self.scene, &self.model, self.cycle), (self.begin, self.watch.deadline), options)
+        let begin = self.last.as_ref().map_or(Begin::At(self.begin), Begin::After);
+        followed(&film, (self.scene, &self.model, self.cycle), (begin, self.watch.deadline), options)
     }
 
     /// The orbit at the temperature found, with the numbers of the balance.

@@ -96,7 +96,7 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
         }
     }
     temperatures.begin_again();
-    let found = at_temperatures(scene, engine, (&compiled, &mut temperatures), (&mut start, &march), options);
+    let found = at_temperatures(scene, engine, (&compiled, &mut temperatures), (&start, &march), options);
     run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
     let compiled = temperatures.applied(&compiled);
     let outcome = found.and_then(|orbit| {
@@ -117,21 +117,20 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     Ok(run)
 }
 
-/// The orbits of all journals from some places [m] on, at the temperatures that balance the heat of their films; the
-/// places become those where they end.
+/// The orbits of all journals from some places [m] on, at the temperatures that balance the heat of their films.
 fn at_temperatures(
     scene: &ShaftScene,
     engine: &Engine,
     (compiled, temperatures): (&Compiled, &mut Temperatures),
-    (start, march): (&mut Vec<Vector>, &OrbitOptions),
+    (start, march): (&[Vector], &OrbitOptions),
     options: &RunOptions,
 ) -> Result<Orbits, NoShaftAnswer> {
-    let followed = |at: &Compiled, start: &[Vector]| {
-        let found = orbits(scene, engine, at, &at.films(), (start, march));
+    let followed = |at: &Compiled, begin: Begin| {
+        let found = orbits(scene, engine, at, &at.films(), (begin, march));
         found.map_err(|reason| (status(&reason), told(&reason, at, options.cause())))
     };
     if temperatures.are_given() {
-        return followed(compiled, start);
+        return followed(compiled, Begin::At(start));
     }
     let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
     let shown = |at: &Compiled, orbits: &Orbits| {
@@ -144,33 +143,53 @@ fn at_temperatures(
         BALANCED * march.tolerance,
         || march.deadline.is_over(),
         |at| {
-            let orbits = followed(at, start)?;
-            *start = orbits.steps.last().map_or_else(|| start.clone(), |step| places(step));
+            let orbits = followed(at, Begin::after(last.as_ref(), start))?;
             let shown = shown(at, &orbits)?;
             last = Some(orbits);
             Ok(shown)
         },
     )?;
     if options.bars {
-        temperatures.show_slopes(compiled, |at| shown(at, &followed(at, start)?));
+        temperatures.show_slopes(compiled, |at| shown(at, &followed(at, Begin::after(last.as_ref(), start))?));
     }
     match last {
         Some(orbits) => Ok(orbits),
-        None => followed(&temperatures.applied(compiled), start),
+        None => followed(&temperatures.applied(compiled), Begin::At(start)),
     }
 }
 
-/// The orbits of all journals on these films of a shaft, from some places [m] on.
+/// Where the motion of all journals begins.
+#[derive(Clone, Copy)]
+enum Begin<'a> {
+    /// At places [m].
+    At(&'a [Vector]),
+    /// At the end of other orbits.
+    After(&'a Orbits),
+}
+
+impl<'a> Begin<'a> {
+    /// After other orbits or, where there are none, at places [m].
+    fn after(orbits: Option<&'a Orbits>, start: &'a [Vector]) -> Self {
+        orbits.map_or(Self::At(start), Self::After)
+    }
+}
+
+/// The orbits of all journals on these films of a shaft.
 fn orbits(
     scene: &ShaftScene,
     engine: &Engine,
     compiled: &Compiled,
     films: &Films,
-    (start, march): (&[Vector], &OrbitOptions),
+    (begin, march): (Begin, &OrbitOptions),
 ) -> Result<Orbits, NoOrbitAt> {
     let loads = |angle: f64| compiled.shaft.loads(&engine.loads(angle), angle);
     let drive = films.drive(&loads, [scene.crankshaft.period, scene.crankshaft.speed]);
-    Journals { motions: &films.motions(), shaft: Some(drive) }.orbits(start, march)
+    let motions = films.motions();
+    let journals = Journals { motions: &motions, shaft: Some(drive) };
+    match begin {
+        Begin::At(start) => journals.orbits(start, march),
+        Begin::After(Orbits { steps, .. }) => journals.orbits_after(steps.last().map_or(&[], |step| step), march),
+    }
 }
 
 /// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1], with the
@@ -185,12 +204,11 @@ fn rough(
     let films = compiled.films();
     let coarser = compiled.with_films(|_, bearing| bearing.film.on_coarser());
     let march = OrbitOptions { tolerance: ROUGH, cycles: ROUGH_CYCLES, observer: None, ..*march };
-    let mut start = start.to_vec();
     let orbit = at_temperatures(
         scene,
         engine,
         (&coarser, temperatures),
-        (&mut start, &march),
+        (start, &march),
         &RunOptions { bars: false, ..*options },
     )
     .ok()?;
@@ -218,7 +236,7 @@ fn report(
         let on_vertices = compiled.on_vertices();
         let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
         let compared = compared(march, |march| {
-            let orbits = orbits(scene, engine, &on_vertices, &on_vertices.films(), (start, march)).ok()?;
+            let orbits = orbits(scene, engine, &on_vertices, &on_vertices.films(), (Begin::At(start), march)).ok()?;
             let is_complete = orbits.end != OrbitEnd::Ended;
             is_complete.then(|| measured_all(scene, &on_vertices, &orbits, &numbers_alone).ok()).flatten()
         });
