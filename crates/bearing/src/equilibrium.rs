@@ -60,5 +60,5 @@ pub struct Equilibrium {
     /// How the wall follows in that tangent.
     pub wall: WallByPlace,
     /// The heat of the film, where its temperature was found.
-    pub heat: Option<FoundHeat>,
+    pub warming: Option<FoundHeat>,
 }

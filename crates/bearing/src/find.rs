@@ -54,10 +54,7 @@ pub fn find_held(
 }
 
 /// The balance of the film that carries the load: of the quadratic one, and from there of the cubic one.
-fn by_carrier<'a>(
-    problem: &FilmProblem,
-    new_search: impl Fn() -> Search<'a>,
-) -> Result<Equilibrium, NoEquilibrium> {
+fn by_carrier<'a>(problem: &FilmProblem, new_search: impl Fn() -> Search<'a>) -> Result<Equilibrium, NoEquilibrium> {
     let search = new_search();
     let balance = search.found(problem)?;
     match search.options.carrier {

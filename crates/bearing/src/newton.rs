@@ -30,9 +30,9 @@ use crate::coordinates::{length, moved};
 use crate::coupled::{FilmSolve, counted};
 use crate::deflection::{Left, resting};
 use crate::equilibrium::NEAR;
-use crate::heat::{self, Warming};
 use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
+use crate::warming::{self, Warming};
 use crate::work::Work;
 
 /// Most films from a start that is near.
@@ -122,7 +122,7 @@ impl Search<'_> {
             let (now, is_settled) = (self.left(&here), here.film.solution.wrong.is_empty());
             let is_at_rounding = now > STALLED * last && force.max(wall) < goal.rounding;
             let is_balanced = force < goal.balanced && wall < goal.closed && ahead <= goal.moved;
-            let is_heat_balanced = self.unbalanced_heat(&here) < heat::BALANCED.max(goal.balanced);
+            let is_heat_balanced = self.unbalanced_heat(&here) < warming::BALANCED.max(goal.balanced);
             if is_settled && is_heat_balanced && (is_balanced || is_at_rounding) {
                 return Ok(here);
             }
@@ -162,7 +162,10 @@ impl Search<'_> {
         let tangents = self.tangents(here, &film, left, (accuracy, rate))?;
         let moves = tangents.solve(self.excess(here).map(|excess| -excess), Some(&left.wall))?;
         let Warming { moves, kelvin } = self.with_heat(here, &tangents, moves)?;
-        self.spend(Work { linear_solves: self.coordinates.order + usize::from(self.options.heat.is_some()) + tangents.products(), ..Work::default() });
+        self.spend(Work {
+            linear_solves: self.coordinates.order + usize::from(self.options.warming.is_some()) + tangents.products(),
+            ..Work::default()
+        });
         let (gap, length) = (self.least_film(here), length(moves.place));
         if !length.is_finite() {
             return Ok(None);

@@ -15,7 +15,6 @@ use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Left, closed_within};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
-use crate::heat::Row;
 use crate::time_terms::TimeTerms;
 use crate::work::Work;
 use crate::{Load, SearchOptions, ThermalFlows};
@@ -53,7 +52,7 @@ pub(crate) struct Search<'a> {
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: RefCell<Vec<f64>>,
     /// How the heat that is left over changes, as far as the steps have shown it.
-    pub(crate) row: Cell<Option<Row>>,
+    pub(crate) row: Cell<Option<HeatRow>>,
     /// What it has cost.
     pub(crate) work: Cell<Work>,
 }
@@ -64,6 +63,15 @@ pub(crate) struct Nearest {
     pub(crate) distance: f64,
     pub(crate) force: [f64; 2],
     pub(crate) journal: JournalState,
+}
+
+/// How the heat that a film leaves over changes ([`crate::warming`]).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct HeatRow {
+    /// With the coordinates [W/m].
+    pub(crate) by_place: Vector,
+    /// With the temperature [W/K].
+    pub(crate) by_temperature: f64,
 }
 
 /// A position, its film and its force.
@@ -80,13 +88,21 @@ pub(crate) struct Trial {
     /// Least film [m], once it was asked for.
     pub(crate) least_film: OnceCell<f64>,
     /// What heats and cools it, once it was asked for.
-    pub(crate) heat: OnceCell<ThermalFlows>,
+    pub(crate) warming: OnceCell<ThermalFlows>,
 }
 
 impl Trial {
     /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
-        Self { film, cubic: None, carried, contact: None, left: None, least_film: OnceCell::new(), heat: OnceCell::new() }
+        Self {
+            film,
+            cubic: None,
+            carried,
+            contact: None,
+            left: None,
+            least_film: OnceCell::new(),
+            warming: OnceCell::new(),
+        }
     }
 }
 

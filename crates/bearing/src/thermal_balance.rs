@@ -201,7 +201,8 @@ pub fn find<E>(
     let mut films = 0;
     let mut at = |temperature: f64| {
         films += 1;
-        evaluate(temperature).map(|film| (films, Point { temperature, film, surplus: balance.surplus(temperature, &film) }))
+        evaluate(temperature)
+            .map(|film| (films, Point { temperature, film, surplus: balance.surplus(temperature, &film) }))
     };
     let first = at(start.temperature.clamp(coldest, hottest));
     let first = first.or_else(|reason| STARTS.into_iter().find_map(|above| at(coldest + above).ok()).ok_or(reason));

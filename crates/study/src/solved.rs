@@ -55,7 +55,7 @@ pub struct Solved {
     /// How the wall follows where the journal moves along the coordinates of the balance.
     pub wall: WallByPlace,
     /// The heat of the film, where its temperature was found.
-    pub heat: Option<FoundHeat>,
+    pub warming: Option<FoundHeat>,
     /// How the temperature was found, where it was sought.
     pub temperature: Option<TemperatureFound>,
     /// Seconds that the reference film took at the position of the film.

@@ -19,7 +19,10 @@ fn system() -> Arc<FilmSystem> {
 }
 
 fn film(pressure_law: PressureLaw, speed: f64) -> FilmProblem {
-    FilmProblem { lubricant: Lubricant { viscosity: VISCOSITY, pressure_law, temperature: None }, ..plain_film(0.1, 0.6, PI, speed) }
+    FilmProblem {
+        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law, temperature: None },
+        ..plain_film(0.1, 0.6, PI, speed)
+    }
 }
 
 fn greatest(solved: &SolvedFilm) -> f64 {

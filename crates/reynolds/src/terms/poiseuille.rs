@@ -29,8 +29,7 @@ impl Term for Poiseuille {
 
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow) {
         let conductance = film.thickness.powi(3) / (12.0 * film.viscosity);
-        flow.conductance +=
-            conductance * (3.0 * change.thickness / film.thickness - change.viscosity / film.viscosity);
+        flow.conductance += conductance * (3.0 * change.thickness / film.thickness - change.viscosity / film.viscosity);
     }
 }
 

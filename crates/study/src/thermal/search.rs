@@ -56,21 +56,21 @@ pub(crate) enum Left {
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
 pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     let with_heat = |film: &Film, options: &SolveOptions| {
-        let heat = Heating::of(film);
-        heat.map_or_else(|| isothermal(film, options), |heat| heated(film, &heat, options))
+        let warming = Heating::of(film);
+        warming.map_or_else(|| isothermal(film, options), |warming| heated(film, &warming, options))
     };
     let mut solved = with_heat(film, options)
         .or_else(|_| bracketed(film, model, options).and_then(|film| with_heat(&film, options)))?;
-    let (Some(heat), Some(balance)) = (solved.heat.take(), solved.balance) else {
+    let (Some(warming), Some(balance)) = (solved.warming.take(), solved.balance) else {
         return Ok(solved);
     };
-    let (temperature, surplus) = (heat.temperature, model.balance.surplus(heat.temperature, &heat.flows));
+    let (temperature, surplus) = (warming.temperature, model.balance.surplus(warming.temperature, &warming.flows));
     let (clock, is_estimated) = (Instant::now(), options.errors == Errors::Estimated && !balance.is_ended);
-    let slopes = is_estimated.then(|| slopes(&solved, model, &heat)).flatten().unwrap_or_default();
+    let slopes = is_estimated.then(|| slopes(&solved, model, &warming)).flatten().unwrap_or_default();
     let mut work = balance.work;
     work += slopes.work;
     solved.temperature = Some(TemperatureFound {
-        balanced: Balanced { temperature, film: heat.flows, surplus, slope: slopes.surplus, films: balance.steps },
+        balanced: Balanced { temperature, film: warming.flows, surplus, slope: slopes.surplus, films: balance.steps },
         is_ended: balance.is_ended,
         positions: balance.steps,
         work,
@@ -90,14 +90,14 @@ pub(crate) fn work_of(solved: &Solved) -> Work {
 
 /// How numbers change with temperature: by a film beside the one found, where journal and wall have followed under the
 /// same load. None where there is no such film.
-fn slopes(solved: &Solved, model: &ThermalModel, heat: &FoundHeat) -> Option<Slopes> {
+fn slopes(solved: &Solved, model: &ThermalModel, warming: &FoundHeat) -> Option<Slopes> {
     let numbers = |film: &Film, solution: &SolvedFilm| {
         let measured = measure(solution).with_dynamics(film, solution, None);
         let surplus = model.balance.surplus(film.oil.temperature?, &thermal_flows(model, film, &measured));
         Some((quantities::measured(&View::new(film, &film.problem, &measured)), surplus))
     };
-    let film = at_temperature(&solved.film, heat.temperature + BESIDE);
-    let film = film.as_found(&heat.followed(&film.problem, BESIDE));
+    let film = at_temperature(&solved.film, warming.temperature + BESIDE);
+    let film = film.as_found(&warming.followed(&film.problem, BESIDE));
     let beside = film.problem.solve_from(&film.system, Neighbour::Start(&solved.primary)).ok()?;
     let ((here, less), (there, more)) = (numbers(&solved.film, &solved.primary)?, numbers(&film, &beside)?);
     let slope = |quantity: &Quantity| {
@@ -135,7 +135,9 @@ fn bracketed(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     let found = find(&model.balance, Start::at(first), ROUGHLY, at);
     match (found, last) {
         (Ok(_), Some(last)) => Ok(last.film),
-        (Err(NoBalance::NoFilm(Left::Ended) | NoBalance::Ends { reason: Left::Ended, .. }), Some(last)) => Ok(last.film),
+        (Err(NoBalance::NoFilm(Left::Ended) | NoBalance::Ends { reason: Left::Ended, .. }), Some(last)) => {
+            Ok(last.film)
+        }
         (Err(reason), _) => Err(none(&model.balance, reason)),
         (Ok(_), None) => Err(none(&model.balance, NoBalance::NoFilm(Left::Ended))),
     }

@@ -12,11 +12,11 @@
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | E | W | `surplus` |
-//! | c, b | W/m, W/K | `Row` |
+//! | c, b | W/m, W/K | `HeatRow` |
 //! | y_1 | m/K | `Tangents::thicker` |
 //!
-//! **Source.** Broyden, Math. Comp. 19 (1965) 577. **Verified by** `tests/tests/cli/heat.rs`,
-//! `tests/tests/literature/thermal_balance.rs`: the heat of the film found is balanced.
+//! **Source.** Broyden, Math. Comp. 19 (1965) 577. **Range.** Steady films, each of one temperature. **Verified by**
+//! `tests/tests/cli/heat.rs`, `tests/tests/literature/thermal_balance.rs`: the heat of the film found is balanced.
 
 use std::fmt::Debug;
 
@@ -28,7 +28,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmChange, FilmProblem, NoFilm, SolvedF
 use crate::coordinates::{Coordinates, Vector, dot, moved};
 use crate::coupled::Tangents;
 use crate::deflection::Moves;
-use crate::search::{Search, Trial};
+use crate::search::{HeatRow, Search, Trial};
 use crate::{ThermalBalance, ThermalFlows};
 
 /// The heat is balanced when what is left over is this part of the friction.
@@ -96,13 +96,6 @@ impl FoundHeat {
     }
 }
 
-/// How the surplus changes with the coordinates [W/m] and with the temperature [W/K].
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Row {
-    by_place: Vector,
-    by_temperature: f64,
-}
-
 /// A step in temperature, with the moves that follow from it.
 pub(crate) struct Warming {
     /// All moves, those of the step in temperature included.
@@ -114,11 +107,11 @@ pub(crate) struct Warming {
 impl Search<'_> {
     /// The heat of a trial; none where its temperature is given.
     fn warmth(&self, trial: &Trial) -> Option<Warmth> {
-        let heat = self.options.heat?;
+        let warming = self.options.warming?;
         let temperature = trial.film.problem.lubricant.temperature?;
-        let flows = || heat.flows(trial.cubic.as_ref().unwrap_or(&trial.film));
-        let flows = *trial.heat.get_or_init(flows);
-        Some(Warmth { temperature, flows, surplus: heat.balance().surplus(temperature, &flows) })
+        let flows = || warming.flows(trial.cubic.as_ref().unwrap_or(&trial.film));
+        let flows = *trial.warming.get_or_init(flows);
+        Some(Warmth { temperature, flows, surplus: warming.balance().surplus(temperature, &flows) })
     }
 
     /// Heat that a trial leaves over, as a part of its friction [1]; zero where its temperature is given.
@@ -132,34 +125,31 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn with_heat(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Warming, NoFilm> {
-        let (Some(warmth), Some(heat)) = (self.warmth(here), self.options.heat) else {
+        let (Some(warmth), Some(warming)) = (self.warmth(here), self.options.warming) else {
             return Ok(Warming { moves, kelvin: 0.0 });
         };
         let Warmth { temperature, surplus, .. } = warmth;
-        let thinning = thinning(heat, temperature);
+        let thinning = thinning(warming, temperature);
         let per_kelvin = tangents.thicker(self, here)?.over(1.0 / thinning);
         let row = self.row_at(&warmth, thinning, per_kelvin.place);
         let slope = row.by_temperature + dot(row.by_place, per_kelvin.place);
         let most = LONGEST / thinning.abs();
-        let [coldest, hottest] = heat.balance().range();
-        let kelvin = (-(surplus + dot(row.by_place, moves.place)) / slope).clamp(-most, most);
-        let kelvin = (temperature + kelvin).clamp(coldest, hottest) - temperature;
+        let [coldest, hottest] = warming.balance().range();
+        let kelvin = (-(surplus + dot(row.by_place, moves.place)) / slope).max(-most).min(most);
+        let kelvin = kelvin.max(coldest - temperature).min(hottest - temperature);
         Ok(Warming { moves: moves.plus(kelvin, &per_kelvin), kelvin })
     }
 
     /// The row of the surplus, as the steps before have shown it or, where that is not to be believed, as it usually is.
-    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> Row {
+    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> HeatRow {
         let Warmth { temperature, flows, .. } = warmth;
-        let taken = |t: f64| -self.options.heat.map_or(0.0, |heat| {
-            heat.balance().surplus(t, &ThermalFlows { power: 0.0, ..*flows })
-        });
-        let by_cooling = taken(temperature + 1.0) - taken(*temperature);
-        let by_temperature = flows.power * thinning - by_cooling;
+        let surplus = |t: f64| self.options.warming.map_or(0.0, |warming| warming.balance().surplus(t, flows));
+        let by_temperature = flows.power * thinning + surplus(temperature + 1.0) - surplus(*temperature);
         let square = dot(per_kelvin, per_kelvin);
         let by_load = if square > 0.0 { (FRICTION_EXPONENT - 1.0) * flows.power * thinning / square } else { 0.0 };
-        let usual = Row { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
-        let slope = |row: &Row| row.by_temperature + dot(row.by_place, per_kelvin);
-        let is_believed = |row: &Row| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
+        let usual = HeatRow { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
+        let slope = |row: &HeatRow| row.by_temperature + dot(row.by_place, per_kelvin);
+        let is_believed = |row: &HeatRow| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
         let row = self.row.get().filter(is_believed).unwrap_or(usual);
         self.row.set(Some(row));
         row
@@ -178,10 +168,10 @@ impl Search<'_> {
         let missed = to.surplus - from.surplus - dot(row.by_place, place) - row.by_temperature * kelvin;
         // A film that is half as thick, or oil that is e times as thick, count alike.
         let per_metre = self.least_film(before).powi(-2);
-        let per_kelvin = self.options.heat.map_or(0.0, |heat| thinning(heat, from.temperature).powi(2));
+        let per_kelvin = self.options.warming.map_or(0.0, |warming| thinning(warming, from.temperature).powi(2));
         let square = per_metre * dot(place, place) + per_kelvin * kelvin * kelvin;
         if square > 0.0 {
-            self.row.set(Some(Row {
+            self.row.set(Some(HeatRow {
                 by_place: moved(row.by_place, missed * per_metre / square, place),
                 by_temperature: row.by_temperature + missed * per_kelvin * kelvin / square,
             }));
@@ -190,9 +180,9 @@ impl Search<'_> {
 
     /// A problem whose film is warmer by some kelvin; one whose temperature is given stays as it is.
     pub(crate) fn warmed(&self, problem: FilmProblem, kelvin: f64) -> FilmProblem {
-        match (self.options.heat, problem.lubricant.temperature) {
-            (Some(heat), Some(temperature)) if kelvin != 0.0 => {
-                FilmProblem { lubricant: heat.lubricant(temperature + kelvin), ..problem }
+        match (self.options.warming, problem.lubricant.temperature) {
+            (Some(warming), Some(temperature)) if kelvin != 0.0 => {
+                FilmProblem { lubricant: warming.lubricant(temperature + kelvin), ..problem }
             }
             _ => problem,
         }
@@ -200,8 +190,8 @@ impl Search<'_> {
 
     /// The viscosity law of the oil of a problem which may be only tried.
     pub(crate) fn law_at(&self, problem: &FilmProblem) -> PressureLaw {
-        let of_heat = self.options.heat.zip(problem.lubricant.temperature);
-        of_heat.map_or_else(|| self.law.clone(), |(heat, temperature)| heat.lubricant(temperature).pressure_law)
+        let of_heat = self.options.warming.zip(problem.lubricant.temperature);
+        of_heat.map_or_else(|| self.law.clone(), |(warming, temperature)| warming.lubricant(temperature).pressure_law)
     }
 
     /// The heat of a balanced film; none where its temperature is given.
@@ -209,12 +199,13 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn found_heat(&self, trial: &Trial) -> Result<Option<FoundHeat>, NoFilm> {
-        let (Some(heat), Some(Warmth { temperature, flows, .. })) = (self.options.heat, self.warmth(trial)) else {
+        let (Some(warming), Some(Warmth { temperature, flows, .. })) = (self.options.warming, self.warmth(trial))
+        else {
             return Ok(None);
         };
         let left = self.left_of_wall(trial);
         let tangents = self.tangents(trial, &trial.film, &left, (FOLLOWED, 0.0))?;
-        let Moves { place, wall, .. } = tangents.thicker(self, trial)?.over(1.0 / thinning(heat, temperature));
+        let Moves { place, wall, .. } = tangents.thicker(self, trial)?.over(1.0 / thinning(warming, temperature));
         let (coordinates, velocity) = (self.coordinates, self.options.centre_velocity);
         Ok(Some(FoundHeat { temperature, flows, coordinates, velocity, place, wall }))
     }
@@ -239,7 +230,7 @@ impl Tangents<'_> {
 }
 
 /// How the logarithm of the viscosity changes with temperature [1/K].
-fn thinning(heat: &dyn Heated, temperature: f64) -> f64 {
-    let [low, high] = [-0.5, 0.5].map(|part| heat.lubricant(temperature + part * APART).viscosity.ln());
+fn thinning(warming: &dyn Heated, temperature: f64) -> f64 {
+    let [low, high] = [-0.5, 0.5].map(|part| warming.lubricant(temperature + part * APART).viscosity.ln());
     (high - low) / APART
 }
