@@ -54,7 +54,7 @@ const PHYSICS_FILES: [&str; 10] = [
     "crates/bearing/src/shaft/beam.rs",
     "crates/bearing/src/shaft/counterweights.rs",
     "crates/bearing/src/shaft/engine.rs",
-    "crates/bearing/src/shaft/films.rs",
+    "crates/bearing/src/shaft/joined.rs",
     "crates/bearing/src/thermal_balance.rs",
     "crates/bearing/src/warming.rs",
 ];

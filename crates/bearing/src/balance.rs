@@ -31,7 +31,7 @@ impl Search<'_> {
             parts: self.parts(&trial),
             coordinates: self.coordinates,
             steps: tried,
-            work: self.work.get(),
+            work: self.record().work,
             is_ended,
             stiffness: tangent.stiffness,
             wall: tangent.wall,

@@ -15,7 +15,7 @@ use oilwedge_reynolds::{
     FilmChange, FilmProblem, FilmStart, JournalChange, JournalState, MixedChange, NoFilm, SolvedFilm,
 };
 
-use crate::coordinates::{Vector, moved, unit};
+use crate::coordinates::{Coordinates, Vector, moved, unit};
 use crate::deflection::{Bordered, Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
@@ -31,7 +31,7 @@ pub(crate) enum FilmSolve<'a> {
 /// How the journal of a film, and a wall that gives way, move where their balances are to change.
 pub(crate) enum Tangents<'a> {
     /// The wall is rigid.
-    Rigid(Rigid),
+    Rigid(Rigid<'a>),
     /// It gives way.
     Yielding(Box<Joint<'a>>),
     /// It gives way, and the film in cubic elements carries the load.
@@ -39,11 +39,22 @@ pub(crate) enum Tangents<'a> {
 }
 
 /// How force and film change with each coordinate of a journal in a rigid wall.
-pub(crate) struct Rigid {
+pub(crate) struct Rigid<'a> {
+    film: &'a SolvedFilm,
+    coordinates: Coordinates,
     stiffness: Stiffness,
     /// How the film changes with each coordinate and, last, with the logarithm of the viscosity, where the temperature
     /// is found.
     pub(crate) columns: Vec<MixedChange>,
+}
+
+impl Rigid<'_> {
+    /// The change of the forces by each coordinate [N/m], and the moves of a journal by each.
+    pub(crate) fn by_place(&self) -> (Stiffness, Vec<Moves>) {
+        let column =
+            |(k, film): (usize, &MixedChange)| Moves { place: unit(k), film: film.clone(), ..Moves::default() };
+        (self.stiffness, self.columns.iter().enumerate().map(column).collect())
+    }
 }
 
 impl Tangents<'_> {
@@ -57,19 +68,28 @@ impl Tangents<'_> {
             Self::Rigid(rigid) => {
                 let place = rigid.stiffness.solve(force);
                 let film = MixedChange::sum(place.into_iter().zip(&rigid.columns));
-                Ok(Moves { place, wall: Vec::new(), contact: Vec::new(), film })
+                Ok(Moves { place, film, ..Moves::default() })
             }
             Self::Yielding(joint) => Ok(joint.solve(force, wall).map_err(Failure::from)?),
             Self::OfCubic(bordered) => Ok(bordered.solve(force, wall).map_err(Failure::from)?),
         }
     }
 
-    /// How many products with the tangent that took.
-    pub(crate) fn products(&self) -> usize {
+    /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push
+    /// film and wall by: forces [N], and how far the wall is bent [m].
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn pushed(&self, change: &JournalChange, rate: &[f64]) -> Result<(Vector, Vec<f64>), NoFilm> {
         match self {
-            Self::Rigid(..) => 0,
-            Self::Yielding(joint) => joint.products(),
-            Self::OfCubic(bordered) => bordered.products(),
+            Self::Rigid(Rigid { film, coordinates, .. }) => {
+                let change = FilmChange::Journal(*change);
+                let columns = film.mixed_changes(&[change]).map_err(Failure::from)?;
+                let unknown = MixedChange::sum(columns.iter().map(|column| (1.0, column)));
+                Ok((coordinates.forces(&load_change(film, &[change], &film.unknown_in(&unknown))), Vec::new()))
+            }
+            Self::Yielding(joint) => Ok(joint.pushed(change, rate).map_err(Failure::from)?),
+            Self::OfCubic(bordered) => Ok(bordered.near().pushed(change, rate).map_err(Failure::from)?),
         }
     }
 }
@@ -121,12 +141,6 @@ impl Search<'_> {
         })
     }
 
-    /// What a trial leaves of load, deflection and heat, as parts of them [1].
-    pub(crate) fn left(&self, trial: &Trial) -> f64 {
-        let wall = trial.left.as_ref().map_or(0.0, |left| left.residual);
-        self.residual(trial).hypot(wall).hypot(self.unbalanced_heat(trial))
-    }
-
     /// What a trial leaves of the balance of its wall.
     pub(crate) fn left_of_wall<'t>(&self, trial: &'t Trial) -> Cow<'t, Left> {
         let of = || Left::of(&trial.film, contact_points(&trial.film.problem, self.system));
@@ -169,7 +183,7 @@ impl Search<'_> {
     }
 
     /// The tangent of a film in a rigid wall whose journal moves in pseudo-time.
-    fn rigid(&self, film: &SolvedFilm, rate: f64) -> Result<Rigid, NoFilm> {
+    fn rigid<'t>(&self, film: &'t SolvedFilm, rate: f64) -> Result<Rigid<'t>, NoFilm> {
         let changes: Vec<FilmChange> = (0..self.coordinates.order)
             .map(|k| FilmChange::Journal(self.change_at(&film.problem.journal, unit(k), rate)))
             .chain(self.options.warming.map(|_| FilmChange::Viscosity(1.0)))
@@ -181,7 +195,7 @@ impl Search<'_> {
             column[k] += self.stiffness_beside()[k];
             Ok::<_, NoFilm>(column)
         })?;
-        Ok(Rigid { stiffness, columns })
+        Ok(Rigid { film, coordinates: self.coordinates, stiffness, columns })
     }
 
     /// Where a part of moves leads: the problem under the wall there, and the coordinates.

@@ -61,8 +61,8 @@ fn by_carrier<'a>(problem: &FilmProblem, new_search: impl Fn() -> Search<'a>) ->
         Carrier::Quadratic => search.equilibrium(balance),
         Carrier::Cubic => {
             let by_cubic = new_search();
-            by_cubic.spend(search.work.get());
-            by_cubic.row.set(search.row.get());
+            by_cubic.spend(search.record().work);
+            by_cubic.record().row = search.record().row;
             balance_cubic(balance, &by_cubic)
         }
     }
@@ -163,8 +163,8 @@ impl Search<'_> {
             let search = Search::new(&problem, &coarser.system, self.load, rough);
             let search = Search { coordinates: self.coordinates, ..search };
             let found = search.found(&problem);
-            self.row.set(search.row.get());
-            self.spend(Work { films: search.work.get().films, ..Work::default() });
+            self.record().row = search.record().row;
+            self.spend(Work { films: search.record().work.films, ..Work::default() });
             found
         };
         let reason = match known.map_or_else(on_coarser, Err) {
@@ -282,7 +282,7 @@ impl Search<'_> {
                 asked: self.load.magnitude(),
                 residual: self.residual(&trial),
                 journal: Box::new(trial.film.problem.journal),
-                history: self.tried.borrow().clone(),
+                history: self.record().tried.clone(),
             }),
             Err(Unbalanced { trial, end }) => Err(self.unreachable(&trial, end)),
         }

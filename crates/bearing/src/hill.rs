@@ -55,7 +55,7 @@ pub fn balance_hill(
                 warming: None,
                 film: trial.film,
                 cubic: None,
-                work: search.work.get(),
+                work: search.record().work,
                 steps,
             };
             return Some((found, hill));

@@ -47,6 +47,7 @@ mod tangent;
 pub mod thermal_balance;
 mod tilting;
 mod time_terms;
+mod together;
 mod warming;
 mod work;
 

@@ -167,7 +167,8 @@ impl Search<'_> {
         let greatest = known?.into_iter().fold(0.0, f64::max);
         // A wall that is pressed out may carry many times what a rigid one does.
         if guide.is_none() && greatest < FAR_BELOW * self.load.magnitude() {
-            return Some(self.unreachable_from(self.nearest.get()?, SearchEnd::FarBelow));
+            let nearest = self.record().nearest;
+            return nearest.map(|nearest| self.unreachable_from(nearest, SearchEnd::FarBelow));
         }
         let mut best: Option<(f64, JournalState)> = None;
         for pair in around.windows(2) {

@@ -24,16 +24,17 @@
 //! Keyes, SIAM J. Numer. Anal. 35 (1998) 508 (pseudo-transient continuation). **Verified by** `tests/tests/liner`,
 //! `tests/tests/equilibrium.rs`: balances of force and wall.
 
-use oilwedge_reynolds::{MixedChange, NoFilm};
+use std::borrow::Cow;
 
-use crate::coordinates::{length, moved};
-use crate::coupled::{FilmSolve, counted};
-use crate::deflection::{Left, resting};
+use oilwedge_reynolds::NoFilm;
+
+use crate::coordinates::length;
+use crate::deflection::{Left, Moves};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
-use crate::warming::{self, Warming};
-use crate::work::Work;
+use crate::together::{Coupled, greatest};
+use crate::warming;
 
 /// Most films from a start that is near.
 const MOST_UNDAMPED: usize = 14;
@@ -107,85 +108,90 @@ impl Search<'_> {
         damping: Damping,
         tried: &mut usize,
     ) -> Result<Trial, Unbalanced> {
+        let alone = Coupled { searches: std::slice::from_ref(self), shaft: None };
+        let (trials, end) = alone.newton(vec![first], goal, damping, tried);
+        let trial = trials.into_iter().next().expect("as many trials as searches");
+        match end {
+            None => Ok(trial),
+            Some(end) => Err(Unbalanced { trial: Box::new(trial), end }),
+        }
+    }
+}
+
+impl Coupled<'_, '_> {
+    /// The balance of all films from trials on by Newton's method, each step with one factorisation of each film: the
+    /// trials reached, and what stopped there without a balance.
+    pub(crate) fn newton(
+        &self,
+        first: Vec<Trial>,
+        goal: Goal,
+        damping: Damping,
+        tried: &mut usize,
+    ) -> (Vec<Trial>, Option<SearchEnd>) {
         let mut here = first;
         // Of pseudo-time, over the rate at which the motion changes the film.
         let (mut rate, most) = match damping {
             Damping::None => (0.0, MOST_UNDAMPED),
             Damping::PseudoTime => (1.0, MOST_DAMPED),
         };
-        let ended = |trial: Trial, end: SearchEnd| Err(Unbalanced { trial: Box::new(trial), end });
         // What was left of the load before, and the way still to go over the least film.
         let (mut last, mut ahead) = (f64::INFINITY, f64::INFINITY);
         for _ in 0..most {
-            let left = self.left_of_wall(&here).into_owned();
-            let (force, wall) = (self.residual(&here), left.residual);
-            let (now, is_settled) = (self.left(&here), here.film.solution.wrong.is_empty());
+            let walls = self.left_of_walls(&here);
+            let (force, wall) = (self.residual(&here), greatest(walls.iter().map(|left| left.residual)));
+            let (now, is_settled) = (self.left(&here), here.iter().all(|trial| trial.film.solution.wrong.is_empty()));
             let is_at_rounding = now > STALLED * last && force.max(wall) < goal.rounding;
             let is_balanced = force < goal.balanced && wall < goal.closed && ahead <= goal.moved;
             let is_heat_balanced = self.unbalanced_heat(&here) < warming::BALANCED.max(goal.balanced);
             if is_settled && is_heat_balanced && (is_balanced || is_at_rounding) {
-                return Ok(here);
+                return (here, None);
             }
-            if self.options.deadline.is_over() {
-                return ended(here, SearchEnd::Ended);
+            if self.searches.iter().any(|search| search.options.deadline.is_over()) {
+                return (here, Some(SearchEnd::Ended));
             }
-            if self.least_film(&here) < CONTACT * here.film.problem.bearing.clearance {
-                return ended(here, SearchEnd::Touching);
+            if self.least_film(&here) < CONTACT {
+                return (here, Some(SearchEnd::Touching));
             }
             let accuracy = (OF_LEFT * now).max(SPARE * goal.closed / now).min(ROUGHEST);
-            let in_time = if rate < LEAST_RATE { 0.0 } else { rate * self.reference_rate };
-            let stepped = self.stepped(&here, (&left, goal.closed), (accuracy, in_time), tried);
-            let Ok(Some((next, part))) = stepped else {
-                return ended(here, SearchEnd::NoStep);
+            let in_time = if rate < LEAST_RATE { 0.0 } else { rate };
+            let Ok(Some((next, part))) = self.stepped(&here, (&walls, goal.closed), (accuracy, in_time), tried) else {
+                return (here, Some(SearchEnd::NoStep));
             };
             let left_over = self.left(&next);
-            self.correct_row(&here, &next);
-            let way = moved(self.place(&next), -1.0, self.place(&here));
+            self.correct_rows(&here, &next);
             // Newton's method reduces the steps as it reduces what is left.
-            ahead = length(way) / part * (1.0 - part + left_over / now) / self.least_film(&here);
+            ahead = self.way(&here, &next) / part * (1.0 - part + left_over / now);
             rate = next_rate(rate, part, [now, left_over], damping);
             (here, last) = (next, now);
         }
-        ended(here, SearchEnd::NoProgress)
+        (here, Some(SearchEnd::NoProgress))
     }
 
-    /// The trial after a step of Newton's method, and which part of it was taken: as much as keeps the gap open. None
+    /// The trials after a step of Newton's method, and which part of it was taken: as much as keeps all gaps open. None
     /// where there is no film on the way.
     fn stepped(
         &self,
-        here: &Trial,
-        (left, closed): (&Left, f64),
+        here: &[Trial],
+        (walls, closed): (&[Cow<'_, Left>], f64),
         (accuracy, rate): (f64, f64),
         tried: &mut usize,
-    ) -> Result<Option<(Trial, f64)>, NoFilm> {
-        let film = resting(&here.film, rate);
-        let tangents = self.tangents(here, &film, left, (accuracy, rate))?;
-        let moves = tangents.solve(self.excess(here).map(|excess| -excess), Some(&left.wall))?;
-        let Warming { moves, kelvin } = self.with_heat(here, &tangents, moves)?;
-        self.spend(Work {
-            linear_solves: self.coordinates.order + usize::from(self.options.warming.is_some()) + tangents.products(),
-            ..Work::default()
-        });
-        let (gap, length) = (self.least_film(here), length(moves.place));
-        if !length.is_finite() {
+    ) -> Result<Option<(Vec<Trial>, f64)>, NoFilm> {
+        let Some(moves) = self.moves(here, walls, (accuracy, rate))? else {
             return Ok(None);
-        }
-        let mut part = (LONGEST * here.film.problem.bearing.clearance / length).min(1.0);
+        };
+        let longest =
+            |(trial, moves): (&Trial, &Moves)| LONGEST * trial.film.problem.bearing.clearance / length(moves.place);
+        let mut part = here.iter().zip(&moves).map(longest).fold(1.0, f64::min);
         for _ in 0..MOST_SHORTENINGS {
-            let Some((bent, at)) = self.led_on(here, &moves, part, LEAST_SHRINK * gap) else {
+            if !(part > 0.0) {
+                return Ok(None);
+            }
+            let Some(led) = self.led_on(here, &moves, part, LEAST_SHRINK) else {
                 part *= SHORTER;
                 continue;
             };
-            *tried += 1;
-            let bent = self.warmed(counted(bent, (0, tangents.products()), f64::INFINITY), part * kelvin);
-            let next = match &here.cubic {
-                Some(cubic) => self.open_cubic(&bent, at, (&here.film, Some(cubic))),
-                None => {
-                    let start = here.film.start_after(&MixedChange::sum([(part, &moves.film)]));
-                    self.open(&bent, at, FilmSolve::Step(start), closed)
-                }
-            };
-            match next {
+            *tried += here.len();
+            match self.opened(here, led, (&moves, part), closed) {
                 Ok(next) if self.left(&next).is_finite() => return Ok(Some((next, part))),
                 Ok(_) | Err(_) => part *= SHORTER,
             }

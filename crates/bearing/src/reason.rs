@@ -26,7 +26,7 @@ impl Search<'_> {
                 NoEquilibrium::BelowRounding { asked, least }
             }
             NoEquilibrium::Unreachable { asked, nearest, journal, .. } if self.options.deadline.is_over() => {
-                NoEquilibrium::Ended { asked, nearest, journal, history: self.tried.take() }
+                NoEquilibrium::Ended { asked, nearest, journal, history: std::mem::take(&mut self.record().tried) }
             }
             // What the film carries in contact all around is known, unless a force like the load was found on the way.
             NoEquilibrium::Unreachable { why: SearchEnd::FarBelow, .. } if !self.found_alike() => reason,
@@ -37,7 +37,7 @@ impl Search<'_> {
                 reason
             }
             NoEquilibrium::Unreachable { asked, nearest, journal, .. } if nearest > AT_REST * asked => {
-                let history = self.tried.take();
+                let history = std::mem::take(&mut self.record().tried);
                 NoEquilibrium::NotConverged {
                     asked,
                     residual: history.iter().copied().fold(f64::INFINITY, f64::min),
@@ -59,7 +59,7 @@ impl Search<'_> {
 
     /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
     fn found_alike(&self) -> bool {
-        self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
+        self.record().nearest.is_some_and(|Nearest { force: [x, y], .. }| {
             let [load_x, load_y] = self.load.force;
             let ratio = x.hypot(y) / load_x.hypot(load_y);
             let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
@@ -78,7 +78,7 @@ impl Search<'_> {
     /// As [`Self::unreachable`].
     pub(crate) fn unreachable_from(&self, last: Nearest, why: SearchEnd) -> NoEquilibrium {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
-        let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
+        let nearest = self.record().nearest.filter(|nearest| nearest.distance < last.distance);
         let nearest = nearest.unwrap_or(last);
         NoEquilibrium::Unreachable {
             asked: self.load.magnitude(),

@@ -1,8 +1,7 @@
 //! One position of the journal tried: its film, its force, and the tangent of the force.
 
 use std::borrow::Cow;
-use std::cell::{Cell, OnceCell, RefCell};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use oilwedge_reynolds::contact::Fineness;
 use oilwedge_reynolds::lubricant::PressureLaw;
@@ -39,8 +38,8 @@ pub(crate) struct Search<'a> {
     pub(crate) reference_force: f64,
     /// Rate [1/s] at which motion and given pressures change the film.
     pub(crate) reference_rate: f64,
-    /// The trial whose force was nearest to the load.
-    pub(crate) nearest: Cell<Option<Nearest>>,
+    /// What its trials have shown, and cost.
+    pub(crate) record: Mutex<Record>,
     /// What a stage of a motion adds; none of a journal at rest.
     pub(crate) time: Option<TimeTerms>,
     /// The viscosity law of the film that is found; trials saturate.
@@ -49,12 +48,19 @@ pub(crate) struct Search<'a> {
     pub(crate) bears_tension: bool,
     /// True of a film whose pressure is nowhere below that from which loads count.
     pub(crate) only_pushes: bool,
+}
+
+/// What the trials of a search have shown, and cost.
+#[derive(Debug, Default)]
+pub(crate) struct Record {
+    /// The trial whose force was nearest to the load.
+    pub(crate) nearest: Option<Nearest>,
     /// Load less force of each trial, relative to the load.
-    pub(crate) tried: RefCell<Vec<f64>>,
+    pub(crate) tried: Vec<f64>,
     /// How the heat that is left over changes, as far as the steps have shown it.
-    pub(crate) row: Cell<Option<HeatRow>>,
-    /// What it has cost.
-    pub(crate) work: Cell<Work>,
+    pub(crate) row: Option<HeatRow>,
+    /// What they have cost.
+    pub(crate) work: Work,
 }
 
 /// The distance of a trial from the load, its force [N] and its journal.
@@ -86,23 +92,16 @@ pub(crate) struct Trial {
     /// What it leaves of the balance of its wall, where the wall is not closed at each place.
     pub(crate) left: Option<Left>,
     /// Least film [m], once it was asked for.
-    pub(crate) least_film: OnceCell<f64>,
+    pub(crate) least_film: OnceLock<f64>,
     /// What heats and cools it, once it was asked for.
-    pub(crate) warming: OnceCell<ThermalFlows>,
+    pub(crate) warming: OnceLock<ThermalFlows>,
 }
 
 impl Trial {
     /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
-        Self {
-            film,
-            cubic: None,
-            carried,
-            contact: None,
-            left: None,
-            least_film: OnceCell::new(),
-            warming: OnceCell::new(),
-        }
+        let (least_film, warming) = (OnceLock::new(), OnceLock::new());
+        Self { film, cubic: None, carried, contact: None, left: None, least_film, warming }
     }
 }
 
@@ -126,7 +125,12 @@ impl<'a> Search<'a> {
         time: TimeTerms,
     ) -> Self {
         let search = Self::within(gap, problem, system, load, SearchOptions::default());
-        Self { scale, time: Some(time), ..search }
+        Self { time: Some(time), ..search.relative_to(scale) }
+    }
+
+    /// This search with residuals relative to a force `scale` [N].
+    pub(crate) fn relative_to(self, scale: f64) -> Self {
+        Self { scale, ..self }
     }
 
     fn within(
@@ -151,14 +155,11 @@ impl<'a> Search<'a> {
                 0.0 => reference_force.max(f64::MIN_POSITIVE),
                 load => load,
             },
-            nearest: Cell::new(None),
+            record: Mutex::default(),
             time: None,
             law: problem.lubricant.pressure_law.clone(),
             bears_tension: problem.cavitation.bears_tension(),
             only_pushes: only_pushes(problem, system),
-            tried: RefCell::default(),
-            row: Cell::default(),
-            work: Cell::default(),
         }
     }
 
@@ -250,20 +251,23 @@ impl<'a> Search<'a> {
     pub(crate) fn recorded(&self, trial: Trial) -> Trial {
         let distance = self.distance(&trial);
         let residual = self.residual(&trial);
-        self.tried.borrow_mut().push(residual);
         let steps = trial.film.solution.history.len();
-        self.spend(Work { films: 1, factorisations: steps, linear_solves: steps });
+        let mut record = self.record();
+        record.tried.push(residual);
+        record.work += Work { films: 1, factorisations: steps, linear_solves: steps };
         if let Some(observer) = self.options.observer {
-            observer.position(self.tried.borrow().len(), residual);
+            observer.position(record.tried.len(), residual);
         }
-        if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
-            self.nearest.set(Some(Nearest {
-                distance,
-                force: trial.carried.force,
-                journal: trial.film.problem.journal,
-            }));
+        if record.nearest.is_none_or(|nearest| distance < nearest.distance) {
+            let (force, journal) = (trial.carried.force, trial.film.problem.journal);
+            record.nearest = Some(Nearest { distance, force, journal });
         }
         trial
+    }
+
+    /// What its trials have shown, and cost.
+    pub(crate) fn record(&self) -> MutexGuard<'_, Record> {
+        self.record.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// How finely contact is integrated in a film that may leave this part of a deflection. A stage of a motion, whose
@@ -277,9 +281,7 @@ impl<'a> Search<'a> {
 
     /// Adds to what the search has cost.
     pub(crate) fn spend(&self, more: Work) {
-        let mut sum = self.work.get();
-        sum += more;
-        self.work.set(sum);
+        self.record().work += more;
     }
 
     /// Difference of forces and load over the load.

@@ -262,7 +262,7 @@ impl Branch<'_, '_> {
                 asked: search.load.magnitude(),
                 residual: search.residual(&here.trial),
                 journal: Box::new(here.trial.film.problem.journal),
-                history: search.tried.borrow().clone(),
+                history: search.record().tried.clone(),
             },
         }
     }

@@ -96,14 +96,6 @@ impl FoundHeat {
     }
 }
 
-/// A step in temperature, with the moves that follow from it.
-pub(crate) struct Warming {
-    /// All moves, those of the step in temperature included.
-    pub(crate) moves: Moves,
-    /// Step of the temperature [K].
-    pub(crate) kelvin: f64,
-}
-
 impl Search<'_> {
     /// The heat of a trial; none where its temperature is given.
     fn warmth(&self, trial: &Trial) -> Option<Warmth> {
@@ -124,20 +116,20 @@ impl Search<'_> {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn with_heat(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Warming, NoFilm> {
+    pub(crate) fn with_heat(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Moves, NoFilm> {
         let (Some(warmth), Some(warming)) = (self.warmth(here), self.options.warming) else {
-            return Ok(Warming { moves, kelvin: 0.0 });
+            return Ok(moves);
         };
         let Warmth { temperature, surplus, .. } = warmth;
         let thinning = thinning(warming, temperature);
-        let per_kelvin = tangents.thicker(self, here)?.over(1.0 / thinning);
+        let per_kelvin = Moves { kelvin: 1.0, ..tangents.thicker(self, here)?.over(1.0 / thinning) };
         let row = self.row_at(&warmth, thinning, per_kelvin.place);
         let slope = row.by_temperature + dot(row.by_place, per_kelvin.place);
         let most = LONGEST / thinning.abs();
         let [coldest, hottest] = warming.balance().range();
         let kelvin = (-(surplus + dot(row.by_place, moves.place)) / slope).max(-most).min(most);
         let kelvin = kelvin.max(coldest - temperature).min(hottest - temperature);
-        Ok(Warming { moves: moves.plus(kelvin, &per_kelvin), kelvin })
+        Ok(moves.plus(kelvin, &per_kelvin))
     }
 
     /// The row of the surplus, as the steps before have shown it or, where that is not to be believed, as it usually is.
@@ -150,18 +142,19 @@ impl Search<'_> {
         let usual = HeatRow { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
         let slope = |row: &HeatRow| row.by_temperature + dot(row.by_place, per_kelvin);
         let is_believed = |row: &HeatRow| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
-        let row = self.row.get().filter(is_believed).unwrap_or(usual);
-        self.row.set(Some(row));
+        let mut record = self.record();
+        let row = record.row.filter(is_believed).unwrap_or(usual);
+        record.row = Some(row);
         row
     }
 
-    /// Corrects the row of the surplus by what it missed in the step from one trial to another; not by that of a short
-    /// step in which the cavity moves.
-    pub(crate) fn correct_row(&self, before: &Trial, after: &Trial) {
-        if !before.film.solution.wrong.is_empty() && self.left(before) < MOVING {
+    /// Corrects the row of the surplus by what it missed in the step from one trial, which leaves so much of its
+    /// balances [1], to another; not by that of a short step in which the cavity moves.
+    pub(crate) fn correct_row(&self, (before, left): (&Trial, f64), after: &Trial) {
+        if !before.film.solution.wrong.is_empty() && left < MOVING {
             return;
         }
-        let (Some(row), Some(from), Some(to)) = (self.row.get(), self.warmth(before), self.warmth(after)) else {
+        let (Some(row), Some(from), Some(to)) = (self.record().row, self.warmth(before), self.warmth(after)) else {
             return;
         };
         let (place, kelvin) = (moved(self.place(after), -1.0, self.place(before)), to.temperature - from.temperature);
@@ -171,10 +164,10 @@ impl Search<'_> {
         let per_kelvin = self.options.warming.map_or(0.0, |warming| thinning(warming, from.temperature).powi(2));
         let square = per_metre * dot(place, place) + per_kelvin * kelvin * kelvin;
         if square > 0.0 {
-            self.row.set(Some(HeatRow {
+            self.record().row = Some(HeatRow {
                 by_place: moved(row.by_place, missed * per_metre / square, place),
                 by_temperature: row.by_temperature + missed * per_kelvin * kelvin / square,
-            }));
+            });
         }
     }
 

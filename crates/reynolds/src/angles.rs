@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 
 use oilwedge_fem::quadrature::MOST_POINTS;
 
-/// Angles [rad] from the first point up to which the series below end with rounding.
-const NEAR: f64 = 0.125;
+/// Angles [rad] from the first point up to which five terms of the series below end with rounding, and seven.
+const NEAR: [f64; 2] = [0.125, 0.5];
 
 /// The angle [rad] in `[-pi, pi]` that differs from `angle` by whole turns.
 pub fn wrapped(angle: f64) -> f64 {
@@ -34,25 +34,30 @@ pub(crate) fn sines_and_cosines(positions: &[[f64; 2]], radius: f64) -> [AtPoint
         *distance = (x - origin) * per_radius;
         farthest = farthest.max(distance.abs());
     }
-    if farthest > NEAR {
+    if farthest > NEAR[1] {
         for ((&[x, _], sine), cosine) in positions.iter().zip(&mut sines).zip(&mut cosines) {
             (*sine, *cosine) = (x / radius).sin_cos();
         }
         return [sines, cosines];
     }
+    let has_more_terms = farthest > NEAR[0];
     for ((d, sine), cosine) in distances[..n].iter().zip(&mut sines[..n]).zip(&mut cosines[..n]) {
         let s = d * d;
-        let sin_d = d * series(s, [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0]);
-        let cos_d = series(s, [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0]);
+        let [rest_of_sine, rest_of_cosine] = match has_more_terms {
+            true => [1.0 - s / 156.0 * (1.0 - s / 210.0), 1.0 - s / 132.0 * (1.0 - s / 182.0)],
+            false => [1.0; 2],
+        };
+        let sin_d = d * series(s, [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0], rest_of_sine);
+        let cos_d = series(s, [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0], rest_of_cosine);
         *sine = sin * cos_d + cos * sin_d;
         *cosine = cos * cos_d - sin * sin_d;
     }
     [sines, cosines]
 }
 
-/// `1 - a s (1 - b s (1 - c s ...))`.
-fn series(s: f64, [a, b, c, d, e]: [f64; 5]) -> f64 {
-    1.0 - a * s * (1.0 - b * s * (1.0 - c * s * (1.0 - d * s * (1.0 - e * s))))
+/// `1 - a s (1 - b s (1 - c s (1 - d s (1 - e s rest))))`.
+fn series(s: f64, [a, b, c, d, e]: [f64; 5], rest: f64) -> f64 {
+    1.0 - a * s * (1.0 - b * s * (1.0 - c * s * (1.0 - d * s * (1.0 - e * s * rest))))
 }
 
 #[cfg(test)]
@@ -65,7 +70,9 @@ mod tests {
     #[test]
     fn near_and_far_points_agree_with_the_library() {
         let radius = 0.0375;
-        for (start, step) in [(0.3, 0.0), (1.0, 0.01), (3.1, -0.0113), (6.2, 0.0113), (2.0, 0.02)] {
+        for (start, step) in
+            [(0.3, 0.0), (1.0, 0.01), (3.1, -0.0113), (6.2, 0.0113), (2.0, 0.02), (0.7, 0.045), (4.0, -0.06)]
+        {
             let positions: Vec<[f64; 2]> = (0..12).map(|k| [radius * (start + step * f64::from(k)), 0.1]).collect();
             let found = sines_and_cosines(&positions, radius);
             for (q, &[x, _]) in positions.iter().enumerate() {

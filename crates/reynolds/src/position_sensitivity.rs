@@ -22,7 +22,7 @@ impl MixedChange {
     pub fn sum<'a>(changes: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {
         let mut sum = Vec::new();
         for (factor, Self(change)) in changes {
-            sum.resize(change.len(), 0.0);
+            sum.resize(change.len().max(sum.len()), 0.0);
             sum.iter_mut().zip(change).for_each(|(sum, change)| *sum += factor * change);
         }
         Self(sum)

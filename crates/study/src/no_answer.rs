@@ -206,7 +206,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::Between { .. }) => {
             return Some("give a smaller orbit.tolerance: steps are shorter then");
         }
-        NoAnswer::Orbit(NoOrbit::SqueezedOut { .. }) => {
+        NoAnswer::Orbit(NoOrbit::SqueezedOut { .. } | NoOrbit::SqueezedOutOnShaft { .. }) => {
             return Some(
                 "give a finer mesh ([mesh] size), for a coarse one carries less where the film is thin; else lower the load, or raise speed, viscosity or size",
             );

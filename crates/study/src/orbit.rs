@@ -33,6 +33,7 @@ use serde::{Deserialize, Serialize};
 
 use balances::CycleBalances;
 pub use by_map::{ByMap, by_maps, no_map};
+pub(crate) use comparison::{compared, judge};
 pub use frame::Frame;
 pub use price::expected_seconds;
 pub use start::film_of_orbit;
@@ -216,7 +217,7 @@ fn followed(
     let mut followed = measured(film, &motion, model, orbit, &of_films)?;
     if by_comparison && options.errors() == Errors::Estimated {
         followed.are_bars_ended =
-            comparison::judge(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
+            comparison::compare(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
     }
     Ok(Followed { seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
@@ -256,7 +257,8 @@ pub(crate) fn measured(
     let mut samples = sample::samples(film, motion, &steps, options)?;
     sample::refine_peak(film, motion, &mut steps, &mut samples, options)?;
     drift::carry(&steps, &mut samples, end);
-    drift::add_closure(&cycles, &mut samples, motion.coordinates().order);
+    let order = motion.coordinates().order;
+    drift::add_closure((&cycles, film.problem.bearing.clearance), &mut samples, order);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();
     let load = motion.cycle.summary();
     let (_, peak) = load.peak;
@@ -300,7 +302,7 @@ pub(crate) fn measured(
             closed: end == OrbitEnd::Closed,
             earlier_cycles: options.earlier.map_or(0, |earlier| earlier.cycles),
             end: steps.last().map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
-            cycles: cycles.iter().map(|cycle| facts(cycle, clearance)).collect(),
+            cycles: cycles.iter().map(facts).collect(),
             half_speed_share: load.half_speed_share,
         },
         path: OrbitPath {
@@ -323,9 +325,9 @@ pub(crate) fn measured(
     })
 }
 
-fn facts(cycle: &Cycle, clearance: f64) -> CycleFacts {
+fn facts(cycle: &Cycle) -> CycleFacts {
     CycleFacts {
-        closure: cycle.closure / clearance,
+        closure: cycle.closure,
         steps: cycle.steps,
         rejected: cycle.rejected,
         films: cycle.films,

@@ -98,38 +98,39 @@ fn two_films_bear_what_statics_gives_them() {
     }
 }
 
+/// Whatever closes around a film, the films of a shaft on two of them carry what statics asks for: the peaks of rough
+/// surfaces carry a part of it, a cavity conserves its oil, a wall gives way, and all of that at once.
 #[test]
-fn bearings_of_what_is_not_solved_are_refused() {
-    let refused = |change: (&str, &str)| {
-        let folder = tempfile::tempdir().expect("a folder");
-        let scene = with_bearing(folder.path(), "small_ring", change, &text("three_films.toml"));
-        let scene = oilwedge_scene::ShaftScene::parse(&scene, &engines("scene.toml")).expect("a scene");
-        let error = oilwedge_study::shaft::run_shaft(&scene, &oilwedge_study::RunOptions::default());
-        error.expect_err("refused").to_string()
-    };
-    let liner = "[liner]\nwinkler = \"0.02 um/MPa\"\n\n[journal]";
-    for (change, key, way_out) in [
-        (("\"reynolds\"", "\"jfo\""), "cavitation.model", "reynolds"),
-        (("[journal]", liner), "liner", "remove [liner]"),
-    ] {
-        let told = refused(change);
-        assert!(told.contains("bearing.toml") && told.contains(key) && told.contains(way_out), "{told}");
-    }
-}
-
-/// What the peaks of rough surfaces carry is a part of the force of the film that statics asks for.
-#[test]
-fn peaks_that_touch_carry_a_part_of_the_shaft() {
+fn films_of_every_kind_carry_what_statics_asks_for() {
+    let contact = "[contact]\nmodel = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\n\
+                   modulus = \"115 GPa\"\nhardness = \"900 MPa\"\nfriction = 0.1\n";
+    let rough = format!("\"30 um\"\nroughness = \"3 um\"\n\n{contact}");
+    let layer = "\n[liner]\nwinkler = \"0.02 um/MPa\"\n";
+    let groove = "\n[[feed]]\ngroup = \"groove\"\ngroove = { from = \"60 deg\", to = \"100 deg\", width = \"15 mm\" }\n\
+                  pressure = \"2 bar\"\n";
+    let fed = format!("\"jfo\"\n{groove}");
     let [_, (_, cut)] = BY_STATICS;
-    let rough = "\"30 um\"\nroughness = \"3 um\"\n\n[contact]\nmodel = \"greenwood-tripp\"\neta_beta_sigma = 0.05\n\
-                 sigma_over_beta = 0.01\nmodulus = \"115 GPa\"\nhardness = \"900 MPa\"\nfriction = 0.1\n";
-    let folder = tempfile::tempdir().expect("a folder");
-    let change = ("\"30 um\"\n", rough);
-    let run = run(&with_bearing(folder.path(), "small_ring", change, &two_films_with(cut)));
-    assert_eq!(run.result.head.status, Status::Converged, "{:?}", run.result.head.reason);
-    for (force, wanted) in numbers(&run, &LOAD_Y).iter().zip([13.0 - RIGHT, RIGHT]) {
-        assert!((force / (-1e3 * wanted) - 1.0).abs() < 1e-9, "{force} {wanted}");
+    let kinds = [
+        ("contact", rough.clone(), "\"reynolds\"".to_owned()),
+        ("jfo", "\"30 um\"\n".to_owned(), fed.clone()),
+        ("wall", "\"30 um\"\n".to_owned(), format!("\"reynolds\"\n{layer}")),
+        ("all", rough, format!("{fed}{layer}")),
+    ];
+    for (name, clearance, cavity) in kinds {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("bearing.toml");
+        let bearing = text("bearings/small_ring.toml");
+        let bearing = changed(&changed(&bearing, "\"30 um\"\n", &clearance), "\"reynolds\"", &cavity);
+        std::fs::write(&path, bearing).expect("a file");
+        let scene = two_films_with(cut).replace("bearings/small_ring.toml", path.to_str().expect("a path"));
+        let run = run(&scene);
+        assert_eq!(run.result.head.status, Status::Converged, "{name}: {:?}", run.result.head.reason);
+        for (force, wanted) in numbers(&run, &LOAD_Y).iter().zip([13.0 - RIGHT, RIGHT]) {
+            assert!((force / (-1e3 * wanted) - 1.0).abs() < 1e-9, "{name}: {force} {wanted}");
+        }
+        if clearance.contains("contact") {
+            let shares = numbers(&run, &CONTACT_SHARE);
+            assert!(shares.iter().all(|share| *share > 1e-3 && *share < 0.9), "{name}: {shares:?}");
+        }
     }
-    let shares = numbers(&run, &CONTACT_SHARE);
-    assert!(shares.iter().all(|share| *share > 1e-3 && *share < 0.9), "{shares:?}");
 }

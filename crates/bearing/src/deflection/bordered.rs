@@ -8,7 +8,7 @@
 //! the quadratic film. So nothing is eliminated, and each direction of GMRES for x and d is the solution of the
 //! [`Joint`] of the quadratic film. A product costs one back-solve.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::LoadGradient;
@@ -38,8 +38,6 @@ pub(crate) struct Bordered<'a> {
     near: Joint<'a>,
     /// What systems solved have shown.
     known: RefCell<Known>,
-    /// How many products that took.
-    products: Cell<usize>,
 }
 
 impl<'a> Bordered<'a> {
@@ -61,7 +59,6 @@ impl<'a> Bordered<'a> {
             accuracy,
             near,
             known: RefCell::default(),
-            products: Cell::default(),
         }
     }
 
@@ -80,7 +77,6 @@ impl<'a> Bordered<'a> {
             Ok(self.together(moves.place, &moves.wall))
         };
         let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, self.accuracy)?;
-        self.products.set(self.products.get() + solved.steps);
         let (place, wall) = self.apart(&solved.x);
         Ok(Moves {
             place,
@@ -88,17 +84,14 @@ impl<'a> Bordered<'a> {
                 .map_or_else(Vec::new, |(_, forces)| forces),
             wall: wall.to_vec(),
             film: MixedChange::default(),
+            kelvin: 0.0,
+            products: solved.steps,
         })
     }
 
     /// The tangent of the film much like this one.
     pub(crate) fn near(&self) -> &Joint<'a> {
         &self.near
-    }
-
-    /// How many products with the tangent the systems have taken.
-    pub(crate) fn products(&self) -> usize {
-        self.products.get()
     }
 
     /// What coordinates and a move of the wall change: weighed forces [m], and the part of that move that film and

@@ -7,7 +7,7 @@
 //! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a
 //! product. Under a given load the wall answers less than at a given place.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
@@ -38,12 +38,10 @@ pub(crate) struct Joint<'a> {
     accuracy: f64,
     /// What systems solved have shown.
     known: RefCell<Known>,
-    /// How many products that took.
-    products: Cell<usize>,
 }
 
 /// A change of the journal and of the wall.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Moves {
     /// Coordinates [m].
     pub(crate) place: Vector,
@@ -53,6 +51,10 @@ pub(crate) struct Moves {
     pub(crate) contact: Vec<f64>,
     /// Change of the quadratic film; empty where it is not known.
     pub(crate) film: MixedChange,
+    /// Step of the temperature, where that is unknown [K].
+    pub(crate) kelvin: f64,
+    /// Products with the tangent that they took.
+    pub(crate) products: usize,
 }
 
 impl Moves {
@@ -63,6 +65,8 @@ impl Moves {
             wall: self.wall.iter().map(|d| d / number).collect(),
             contact: self.contact.iter().map(|force| force / number).collect(),
             film: MixedChange::sum([(1.0 / number, &self.film)]),
+            kelvin: self.kelvin / number,
+            products: self.products,
         }
     }
 
@@ -74,6 +78,8 @@ impl Moves {
             wall: both(&self.wall, &more.wall),
             contact: both(&self.contact, &more.contact),
             film: MixedChange::sum([(1.0, &self.film), (part, &more.film)]),
+            kelvin: self.kelvin + part * more.kelvin,
+            products: self.products + more.products,
         }
     }
 
@@ -127,7 +133,6 @@ impl<'a> Joint<'a> {
             film_by_place,
             tangent,
             known: RefCell::default(),
-            products: Cell::default(),
         })
     }
 
@@ -147,12 +152,11 @@ impl<'a> Joint<'a> {
         let wanted: Vec<f64> = self.bent(more, pushed.map(|part| -part));
         let nearly = |d: &[f64]| Ok(self.follower.solve_contact(d));
         let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, self.accuracy)?;
-        self.products.set(self.products.get() + solved.steps);
         let wall = solved.x;
         let (forces, _, by_wall) = self.by_wall(&wall)?;
         let place = self.tangent.solve(moved(force, -1.0, forces));
         let film = MixedChange::sum(place.into_iter().zip(&self.film_by_place).chain([(1.0, &by_wall)]));
-        Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film })
+        Ok(Moves { place, contact: self.contact_by(place, &wall), wall, film, products: solved.steps, kelvin: 0.0 })
     }
 
     /// The moves that follow, under the same load, from a change of the film other than of its gap.
@@ -165,11 +169,6 @@ impl<'a> Joint<'a> {
         let forces = self.coordinates.forces(&self.gradient.change(&unknown, &[]));
         let moves = self.solve(forces.map(|force| -force), Some(&self.follower.image_with(&unknown, None)))?;
         Ok(moves.with_film(&film))
-    }
-
-    /// How many products with the tangent the systems have taken.
-    pub(crate) fn products(&self) -> usize {
-        self.products.get()
     }
 
     /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push

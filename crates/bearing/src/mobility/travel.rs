@@ -173,6 +173,7 @@ impl Travel<'_> {
         Step {
             time,
             at: vector(place),
+            excess: [0.0; 4],
             velocity: vector(rate),
             error: [0.0; 4],
             residual: 0.0,

@@ -1,25 +1,26 @@
-//! Steps of the length that the tolerance allows, from cycle to cycle, until the orbit closes.
+//! Steps of the length that the tolerance allows, from cycle to cycle, until the journals repeat.
 
-use oilwedge_reynolds::NoFilm;
-use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::film_thickness::Deflection;
 
-use super::motion::{Held, Instant, Motion, Moving};
-use super::no_orbit::NoOrbit;
+use super::journals::Journals;
+use super::motion::{Instant, Motion};
+use super::no_orbit::{NoOrbit, NoOrbitAt};
 use super::oil::Oil;
 use super::pace::Pace;
-use super::path::{Between, Span, Step};
+use super::path::{Between, Step};
 use super::stage::{Accuracy, NoStage};
-use super::step::{Begin, Made};
+use super::step::{Begin, Made, ways_between};
 use super::wall::Way;
 use crate::Deadline;
 use crate::coordinates::{Vector, length, moved};
 
-/// Loads are sampled at so many times to find their peak.
-const SAMPLES: u32 = 1440;
-
 /// From this cycle on the steps of the cycle before are repeated: what both differ by is then the path, not what other
 /// steps make of it.
 const REPEATED: usize = 3;
+/// The path of a journal on a shaft may be off between two steps by this multiple of the tolerance.
+const PATH: f64 = 2.0;
+/// What the first stage is off by goes like this power of the step.
+const PATH_POWER: f64 = 3.0;
 
 /// How an orbit is sought.
 #[derive(Debug, Clone, Copy)]
@@ -45,16 +46,16 @@ pub trait OrbitObserver: std::fmt::Debug + Sync {
 /// One cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
-    /// Distance between the places in which it begins and ends, or by which the wall moves further, if that is more
-    /// [m].
+    /// Distance between the places in which a journal begins and ends, or by which its wall moves further, if that is
+    /// more: the greatest of all, over the clearance [1].
     pub closure: f64,
     /// Steps made.
     pub steps: usize,
     /// Steps tried with an error beyond the tolerance, or without a solution.
     pub rejected: usize,
-    /// Films solved.
+    /// Films solved, of all journals.
     pub films: usize,
-    /// The oil of films that conserve it; `None` for others.
+    /// The oil of films that conserve it, where it is worst; `None` where there are none.
     pub oil: Option<CycleOil>,
 }
 
@@ -73,12 +74,16 @@ impl CycleOil {
         let missing = end.total() - begin.total() - (end.received - begin.received);
         Self { closure: end.differs(begin), imbalance: missing.abs() / (end.passed - begin.passed).max(end.total()) }
     }
+
+    fn or_worse(self, other: Self) -> Self {
+        Self { closure: self.closure.max(other.closure), imbalance: self.imbalance.max(other.imbalance) }
+    }
 }
 
 impl Cycle {
     /// True if it ends as it began, within this part of the clearance and of the oil.
-    fn is_closed(&self, clearance: f64, within: f64) -> bool {
-        self.closure < within * clearance && self.oil.is_none_or(|oil| oil.closure < within)
+    fn is_closed(&self, within: f64) -> bool {
+        self.closure < within && self.oil.is_none_or(|oil| oil.closure < within)
     }
 }
 
@@ -104,11 +109,41 @@ pub enum OrbitEnd {
     Ended,
 }
 
-/// Where an orbit is.
-struct Traveller {
-    here: Instant,
-    acceleration: Vector,
-    before: Option<Way>,
+/// Where journals are.
+struct Travellers {
+    here: Vec<Instant>,
+    accelerations: Vec<Vector>,
+    before: Option<Vec<Way>>,
+}
+
+/// A journal where a cycle begins.
+struct Begun {
+    at: Vector,
+    velocity: Vector,
+    oil: Option<std::sync::Arc<Oil>>,
+    wall: Option<Deflection>,
+}
+
+/// The steps of one cycle, each that of all journals.
+type Steps = Vec<Vec<Step>>;
+
+/// The orbits of journals that move at the same time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orbits {
+    /// Steps of the last complete cycle, each that of all journals; the first entry is its beginning.
+    pub steps: Vec<Vec<Step>>,
+    /// The cycles, the last one being that of the steps.
+    pub cycles: Vec<Cycle>,
+    /// How they ended.
+    pub end: OrbitEnd,
+}
+
+impl Orbits {
+    /// The orbit of the journal of this number.
+    pub fn of(&self, number: usize) -> Orbit {
+        let steps = self.steps.iter().map(|step| step[number].clone());
+        Orbit { steps: steps.collect(), cycles: self.cycles.clone(), end: self.end }
+    }
 }
 
 impl Motion<'_> {
@@ -117,111 +152,115 @@ impl Motion<'_> {
     /// # Errors
     /// [`NoOrbit`]: why there is none.
     pub fn orbit(&self, start: Vector, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
-        let accuracy = Accuracy { tolerance: options.tolerance, scale: self.peak_load() };
+        let orbits = Journals::alone(self).orbits(&[start], options).map_err(|at| at.reason)?;
+        Ok(orbits.of(0))
+    }
+}
+
+impl Journals<'_> {
+    /// The orbits of all journals from these places [m] on.
+    ///
+    /// # Errors
+    /// [`NoOrbitAt`]: why there are none.
+    pub fn orbits(&self, starts: &[Vector], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
+        let accuracy = Accuracy::of(options.tolerance, self.peak_load());
         let mut films = 0;
-        let period = self.cycle.period() / self.cycle.angular_speed();
-        let here = (self.beginning(start, period, accuracy, &mut films))
-            .map_err(|reason| self.told(reason, 0.0, 1, self.least_gap(start)))?;
-        let mut traveller = Traveller { here, acceleration: [0.0; 4], before: None };
-        let mut cycles = Vec::new();
-        let mut last = Vec::new();
+        let places: Vec<(Vector, Option<&Deflection>)> = starts.iter().map(|&start| (start, None)).collect();
+        let begun = Accuracy { balanced: accuracy.balanced.min(self.balanced_at_steps()), ..accuracy };
+        let here = self.beginning(starts, begun, &mut films);
+        let here = here.map_err(|reason| self.told(reason, (0.0, 1), &places))?;
+        let mut travellers = Travellers { accelerations: vec![[0.0; 4]; here.len()], here, before: None };
+        let (mut cycles, mut last): (Vec<Cycle>, Steps) = (Vec::new(), Vec::new());
+        let mut end = OrbitEnd::NotClosed;
         for number in 1..=options.cycles {
-            let (begin, velocity, oil) = (traveller.here.at, traveller.here.velocity, traveller.here.oil.clone());
-            let wall = traveller.here.film.problem.deflection().cloned();
-            let stops = if number < REPEATED { &[] } else { &last[..] };
-            let (steps, mut cycle) = match self.cycle(&mut traveller, (number, stops), accuracy, options) {
-                Ok(Some(made)) => made,
-                Ok(None) if number == 1 => {
-                    let angle = (self.cycle.angular_speed() * traveller.here.time).to_degrees();
-                    return Err(NoOrbit::Ended { angle });
+            let begun: Vec<Begun> = travellers.here.iter().map(Begun::of).collect();
+            let Some((steps, mut cycle)) = self.cycle(&mut travellers, (number, &last), accuracy, options)? else {
+                if number == 1 {
+                    let angle = self.crank_angle(travellers.here[0].time);
+                    return Err(NoOrbitAt { bearing: 0, reason: NoOrbit::Ended { angle } });
                 }
-                Ok(None) => {
-                    let end = OrbitEnd::Ended;
-                    return Ok(Orbit { steps: last, cycles, end });
-                }
-                Err(reason) => return Err(reason),
+                end = OrbitEnd::Ended;
+                break;
             };
             cycle.films += std::mem::take(&mut films);
-            let by_wall = wall.zip(traveller.here.film.problem.deflection());
-            let by_wall = by_wall.map_or(0.0, |(begin, end)| begin.distance(end));
-            let by_place = length(moved(traveller.here.at, -1.0, begin));
-            cycle.closure = by_place.max(by_wall).max(self.closure_of_velocity(velocity, traveller.here.velocity));
-            cycle.oil = oil.zip(traveller.here.oil.as_ref()).map(|(begin, end)| CycleOil::between(&begin, end));
+            for ((motion, begun), here) in self.motions.iter().zip(&begun).zip(&travellers.here) {
+                cycle.closure = cycle.closure.max(begun.apart(motion, here));
+                let oil = begun.oil.as_ref().zip(here.oil.as_ref()).map(|(begin, end)| CycleOil::between(begin, end));
+                cycle.oil = cycle.oil.map_or(oil, |worst| Some(oil.map_or(worst, |oil| oil.or_worse(worst))));
+            }
             cycles.push(cycle);
             last = steps;
-            if cycle.is_closed(self.problem.bearing.clearance, options.closure) {
-                let end = OrbitEnd::Closed;
-                return Ok(Orbit { steps: last, cycles, end });
+            if cycle.is_closed(options.closure) {
+                end = OrbitEnd::Closed;
+                break;
             }
-            traveller.here.time = 0.0;
-            traveller.before = None;
+            travellers.here.iter_mut().for_each(|here| here.time = 0.0);
+            travellers.before = None;
         }
-        Ok(Orbit { steps: last, cycles, end: OrbitEnd::NotClosed })
+        Ok(Orbits { steps: last, cycles, end })
     }
 
-    /// By how much a rotor with mass would be off after the crank has turned by one radian with the difference of two
-    /// velocities [m]; a journal without mass moves as its place asks.
-    fn closure_of_velocity(&self, begin: Vector, end: Vector) -> f64 {
-        let masses = self.masses();
-        let moves = [0, 1, 2, 3].map(|k| if masses[k] > 0.0 { end[k] - begin[k] } else { 0.0 });
-        length(moves) / self.cycle.angular_speed()
-    }
-
-    /// One cycle, whose steps meet the times of these stops; `None` where the deadline came.
+    /// One cycle; `None` where the deadline came. It meets the times of the steps of the last one from the cycle
+    /// [`REPEATED`] on.
     fn cycle(
         &self,
-        traveller: &mut Traveller,
-        (number, stops): (usize, &[Step]),
+        travellers: &mut Travellers,
+        (number, last): (usize, &[Vec<Step>]),
         accuracy: Accuracy,
         options: &OrbitOptions,
-    ) -> Result<Option<(Vec<Step>, Cycle)>, NoOrbit> {
-        let period = self.cycle.period() / self.cycle.angular_speed();
+    ) -> Result<Option<(Steps, Cycle)>, NoOrbitAt> {
+        let period = self.duration();
+        let stops: Vec<f64> =
+            if number < REPEATED { Vec::new() } else { last.iter().map(|step| step[0].time).collect() };
         let mut cycle = Cycle { closure: 0.0, steps: 0, rejected: 0, films: 0, oil: None };
-        let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
+        let none = vec![[0.0; 4]; travellers.here.len()];
+        let mut steps = vec![self.recorded(travellers, &none, accuracy)];
         let pace = Pace { period, error_power: self.scheme().error_power };
-        let here = &traveller.here;
-        let first = pace.first(self.least_gap_under(here.wall(), here.at), length(here.velocity));
+        let velocities = travellers.here.iter().map(|here| here.velocity);
+        let first = pace.first(1.0, Self::greatest_part(velocities, &self.gaps(&travellers.here)));
         let mut dt = if stops.is_empty() { first } else { f64::INFINITY };
-        while traveller.here.time < period {
+        while travellers.here[0].time < period {
             if options.deadline.is_over() {
                 return Ok(None);
             }
-            let now = traveller.here.time;
-            let stop = stops.iter().map(|step| step.time).find(|time| *time > now).unwrap_or(period);
+            let now = travellers.here[0].time;
+            let stop = stops.iter().copied().find(|time| *time > now).unwrap_or(period);
             let left = stop - now;
             let taken = pace.before(left, dt);
             let begin = Begin {
-                instant: &traveller.here,
-                acceleration: traveller.acceleration,
-                before: traveller.before.as_ref(),
+                instants: &travellers.here,
+                accelerations: &travellers.accelerations,
+                before: travellers.before.as_deref(),
             };
-            match self.step(&begin, taken, accuracy, &mut cycle.films) {
-                Ok(Made { mut end, acceleration, error }) => {
-                    let part = length(error) / self.least_gap_under(end.wall(), end.at) / accuracy.tolerance;
-                    dt = pace.next(taken, part);
+            match self.step(begin, taken, accuracy, &mut cycle.films) {
+                Ok(made) => {
+                    let part;
+                    (part, dt) = self.judged(&made, taken, pace, accuracy.tolerance);
                     if part > 1.0 && !pace.is_shortest(taken) {
                         cycle.rejected += 1;
                         continue;
                     }
+                    let Made { mut end, accelerations, errors, .. } = made;
                     if taken == left {
-                        end.time = stop;
+                        end.iter_mut().for_each(|end| end.time = stop);
                         dt = if stops.is_empty() { dt } else { f64::INFINITY };
                     }
-                    let way = Way::between(&traveller.here, &end);
-                    *traveller = Traveller { here: end, acceleration, before: Some(way) };
-                    steps.push(self.recorded(traveller, error, accuracy));
+                    let before = Some(ways_between(&travellers.here, &end));
+                    *travellers = Travellers { here: end, accelerations, before };
+                    steps.push(self.recorded(travellers, &errors, accuracy));
                     cycle.steps += 1;
                     if let Some(observer) = options.observer {
-                        let turn = self.cycle.period().to_degrees();
-                        observer.step(number, turn * traveller.here.time / period, turn);
+                        let turn = self.crank_angle(period);
+                        observer.step(number, turn * travellers.here[0].time / period, turn);
                     }
                 }
                 Err(reason) => {
                     cycle.rejected += 1;
                     dt = pace.retried(taken);
                     if pace.is_shortest(dt) {
-                        let gap = self.least_gap_under(traveller.here.wall(), traveller.here.at);
-                        return Err(self.told(reason, now, number, gap));
+                        let places: Vec<(Vector, Option<&Deflection>)> =
+                            travellers.here.iter().map(|here| (here.at, here.wall())).collect();
+                        return Err(self.told(reason, (now, number), &places));
                     }
                 }
             }
@@ -229,80 +268,55 @@ impl Motion<'_> {
         Ok(Some((steps, cycle)))
     }
 
-    fn recorded(&self, traveller: &Traveller, error: Vector, accuracy: Accuracy) -> Step {
-        let (here, masses) = (&traveller.here, self.masses());
-        let left: Vector = [0, 1, 2, 3].map(|k| here.excess[k] + masses[k] * traveller.acceleration[k]);
-        Step { error, ..Step::of(here, length(left) / accuracy.scale) }
-    }
-
-    /// Greatest load over the cycle [N]; where there is none, that of drag.
-    pub fn peak_load(&self) -> f64 {
-        let period = self.cycle.period() / self.cycle.angular_speed();
-        let sampled = (0..SAMPLES).map(|k| length(self.asked(period * f64::from(k) / f64::from(SAMPLES))));
-        match sampled.fold(0.0, f64::max) {
-            0.0 => self.drag(),
-            peak => peak,
+    /// The greatest error of a step of this length [s], over the tolerance, and the length of the next step [s]. On a
+    /// shaft the path between two steps counts too, which decides how the journals move there.
+    fn judged(&self, made: &Made, taken: f64, pace: Pace, tolerance: f64) -> (f64, f64) {
+        let of_step = Self::greatest_part(made.errors.iter().copied(), &self.gaps(&made.end)) / tolerance;
+        let next = pace.next(taken, of_step);
+        if self.shaft.is_none() {
+            return (of_step, next);
         }
+        let of_path = made.off_path / (PATH * tolerance);
+        let by_path = Pace { error_power: PATH_POWER, ..pace };
+        (of_step.max(of_path), next.min(by_path.next(taken, of_path)))
     }
 
-    /// Load that drag through the clearance could carry [N].
-    fn drag(&self) -> f64 {
-        let bearing = &self.problem.bearing;
-        let speed = self.duty(0.0).speed.abs().max(self.cycle.angular_speed().abs());
-        let pressure = self.problem.lubricant.viscosity * speed * (bearing.radius / bearing.clearance).powi(2);
-        pressure * 2.0 * bearing.radius * bearing.length
+    fn recorded(&self, travellers: &Travellers, errors: &[Vector], accuracy: Accuracy) -> Vec<Step> {
+        let residual = self.residual(&travellers.here, &travellers.accelerations, accuracy.scale);
+        let until_next = if self.shaft.is_some() { Between::Path } else { Between::Load };
+        let step = |(here, &error): (&Instant, &Vector)| Step { error, until_next, ..Step::of(here, residual) };
+        travellers.here.iter().zip(errors).map(step).collect()
     }
 
-    /// Whether the velocity of the journal between a step and the next is that of the path.
-    pub fn moves_by_path(&self, from: &Step) -> bool {
-        self.mass > 0.0 || from.until_next == Between::Path
+    /// What a stage without a solution means for journals that have come to these places, under these walls.
+    fn told(
+        &self,
+        reason: NoStage,
+        (time, cycle): (f64, usize),
+        places: &[(Vector, Option<&Deflection>)],
+    ) -> NoOrbitAt {
+        let (thinnest, gap) = self.thinnest(places);
+        let bearing = if let NoStage::Film(bearing, _) = reason { bearing } else { thinnest };
+        let at = if self.shaft.is_some() { Some(places[bearing].0) } else { None };
+        let motion = &self.motions[bearing];
+        NoOrbitAt { bearing, reason: motion.told(reason, (time, self.crank_angle(time)), cycle, (gap, at)) }
+    }
+}
+
+impl Begun {
+    fn of(here: &Instant) -> Self {
+        Self { at: here.at, velocity: here.velocity, oil: here.oil.clone(), wall: here.wall().cloned() }
     }
 
-    /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path,
-    /// and the velocity that in which the film carries the load, or that of the path for a rotor with mass and on a
-    /// shaft; a film that conserves its oil, or whose wall gives way, is led on from the step.
-    ///
-    /// # Errors
-    /// [`NoOrbit`]: there is no such film.
-    pub fn between(&self, from: &Step, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
-        let (at, velocity) = (span.at(time), span.rate(time));
-        let accuracy = Accuracy { tolerance, scale: self.peak_load() };
-        let found = match self.moves_by_path(from) {
-            _ if from.history.is_some() || from.wall.is_some() => self.led_on(from, time, accuracy),
-            _ if self.least_gap(at) <= 0.0 => Err(NoStage::Diverged),
-            true => (self.film(Moving { time, at, velocity }, Held::default(), Neighbour::None)).map_err(NoStage::Film),
-            false => self.carried((time, at), velocity, accuracy, &mut 0),
-        };
-        found.map_err(|reason| self.told_between(reason, time, at))
-    }
-
-    /// The end of one step from another one.
-    fn led_on(&self, from: &Step, time: f64, accuracy: Accuracy) -> Result<Instant, NoStage> {
-        let instant = self.film_at(from, Neighbour::None)?;
-        if time <= from.time {
-            return Ok(instant);
-        }
-        let masses = self.masses();
-        let acceleration = [0, 1, 2, 3].map(|k| match masses[k] > 0.0 {
-            true => -instant.excess[k] / masses[k],
-            false => 0.0,
-        });
-        let begin = Begin { instant: &instant, acceleration, before: None };
-        let made = self.step(&begin, time - from.time, accuracy, &mut 0)?;
-        Ok(Instant { time, ..made.end })
-    }
-
-    /// The film of a step: that which was found, where it conserves its oil; else started from a neighbouring one.
-    ///
-    /// # Errors
-    /// [`NoFilm`]: why there is none.
-    pub fn film_at(&self, step: &Step, near: Neighbour) -> Result<Instant, NoFilm> {
-        let wall = step.wall.as_ref();
-        let Some(history) = &step.history else {
-            return self.film(step.moving(), Held { storage: None, wall }, near);
-        };
-        let held = Held { storage: Some(&history.before), wall };
-        let found = self.film(step.moving(), held, Neighbour::Found(&history.trace))?;
-        Ok(Instant { oil: Some(history.oil.clone()), ..found })
+    /// How far journal or wall are from here at another instant, over the clearance [1]; for a rotor with mass also by
+    /// how much it would be off after the crank has turned by one radian with the difference of velocities.
+    fn apart(&self, motion: &Motion, there: &Instant) -> f64 {
+        let by_wall = self.wall.as_ref().zip(there.wall());
+        let by_wall = by_wall.map_or(0.0, |(begin, end)| begin.distance(end));
+        let by_place = length(moved(there.at, -1.0, self.at));
+        let masses = motion.masses();
+        let hastened = [0, 1, 2, 3].map(|k| if masses[k] > 0.0 { there.velocity[k] - self.velocity[k] } else { 0.0 });
+        let by_velocity = length(hastened) / motion.cycle.angular_speed();
+        by_place.max(by_wall).max(by_velocity) / motion.problem.bearing.clearance
     }
 }

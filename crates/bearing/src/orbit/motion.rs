@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{
@@ -20,7 +19,7 @@ use oilwedge_reynolds::{
 
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
-use crate::coordinates::{Coordinates, Vector, unit};
+use crate::coordinates::{Coordinates, Vector, length, unit};
 use crate::deflection::{CLOSED, carried_changes, carried_slowly, closed_within, contact_points};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
@@ -28,6 +27,9 @@ use crate::stiffness::Stiffness;
 /// Accuracy to which a wall that gives way follows in the tangent of a stage: each step leaves about this part of the
 /// difference.
 const FOLLOWED: f64 = 1e-4;
+
+/// Loads are sampled at so many times to find their peak.
+pub(super) const SAMPLES: u32 = 1440;
 
 /// A support that holds the shaft against its tilt.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +41,7 @@ pub struct TiltSupport {
 }
 
 /// A journal that moves under a load.
+#[derive(Clone)]
 pub struct Motion<'a> {
     /// The film; its journal gives the tilt where that is not free, and the axial velocity.
     pub problem: &'a FilmProblem,
@@ -161,7 +164,7 @@ impl Motion<'_> {
         [x, y, z_x + per_tilt * at[2], z_y + per_tilt * at[3]]
     }
 
-    /// The method by which steps are made.
+    /// The method by which steps of the journal alone are made.
     pub(crate) fn scheme(&self) -> &'static Scheme {
         match self.problem.cavitation.conserves_oil() {
             true => &SECOND_ORDER,
@@ -172,40 +175,24 @@ impl Motion<'_> {
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way
     /// is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
-        self.closed(moving, self.problem_of(moving, held), near)
-    }
-
-    /// The film as by [`Motion::film`], for a search that tries films beyond the limit of the viscosity law, too; what
-    /// it finds is to be [accepted](Motion::accepted).
-    pub(super) fn trial(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
-        self.closed(moving, self.problem_of(moving, held).tried(), near)
-    }
-
-    /// What a search has found, under the viscosity law of the oil.
-    pub(super) fn accepted(&self, found: Instant) -> Result<Instant, NoFilm> {
-        let law = &self.problem.lubricant.pressure_law;
-        Ok(Instant { film: found.film.accepted(law)?, ..found })
-    }
-
-    fn closed(&self, moving: Moving, problem: FilmProblem, near: Neighbour) -> Result<Instant, NoFilm> {
-        let (film, contact) = closed_within(problem, self.system, near, CLOSED)?;
+        let (film, contact) = closed_within(self.problem_of(moving, held), self.system, near, CLOSED)?;
         let carried = load_touching(&film, contact.as_deref());
         Ok(self.instant(moving, film, &carried.total.resultant()))
     }
 
-    /// A trial of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of
-    /// contact where that is simulated.
-    pub(super) fn trial_under(
-        &self,
-        moving: Moving,
-        held: Held<'_>,
-        near: Neighbour,
-    ) -> Result<(Instant, Option<Arc<ContactPoints>>), NoFilm> {
+    /// What a search has found, under the viscosity law of the oil.
+    pub(crate) fn accepted(&self, found: Instant) -> Result<Instant, NoFilm> {
+        let law = &self.problem.lubricant.pressure_law;
+        Ok(Instant { film: found.film.accepted(law)?, ..found })
+    }
+
+    /// A trial of a journal that moves so, and what it `held` before, under the wall as it is held; what is found from
+    /// it is to be [accepted](Motion::accepted).
+    pub(super) fn trial(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
         let film = self.problem_of(moving, held).tried().solve_from(self.system, near)?;
         let contact = contact_points(&film.problem, self.system);
         let carried = load_touching(&film, contact.as_deref());
-        let instant = self.instant(moving, film, &carried.total.resultant());
-        Ok((instant, contact))
+        Ok(self.instant(moving, film, &carried.total.resultant()))
     }
 
     pub(super) fn problem_of(&self, moving: Moving, held: Held<'_>) -> FilmProblem {
@@ -218,7 +205,7 @@ impl Motion<'_> {
     }
 
     /// That of a film which carries this.
-    pub(super) fn instant(&self, moving: Moving, film: SolvedFilm, carried: &Resultant) -> Instant {
+    pub(crate) fn instant(&self, moving: Moving, film: SolvedFilm, carried: &Resultant) -> Instant {
         let Moving { time, at, velocity } = moving;
         let response = self.response_by(carried, at);
         let asked = self.asked(time);
@@ -282,5 +269,23 @@ impl Motion<'_> {
     /// The mass in each coordinate [kg]: the tilt has none.
     pub(crate) fn masses(&self) -> Vector {
         [self.mass, self.mass, 0.0, 0.0]
+    }
+
+    /// Greatest load over the cycle [N]; where there is none, that of drag.
+    pub fn peak_load(&self) -> f64 {
+        let period = self.cycle.period() / self.cycle.angular_speed();
+        let sampled = (0..SAMPLES).map(|k| length(self.asked(period * f64::from(k) / f64::from(SAMPLES))));
+        match sampled.fold(0.0, f64::max) {
+            0.0 => self.drag(),
+            peak => peak,
+        }
+    }
+
+    /// Load that drag through the clearance could carry [N].
+    fn drag(&self) -> f64 {
+        let bearing = &self.problem.bearing;
+        let speed = self.duty(0.0).speed.abs().max(self.cycle.angular_speed().abs());
+        let pressure = self.problem.lubricant.viscosity * speed * (bearing.radius / bearing.clearance).powi(2);
+        pressure * 2.0 * bearing.radius * bearing.length
     }
 }

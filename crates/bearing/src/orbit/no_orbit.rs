@@ -72,6 +72,23 @@ pub enum NoOrbit {
         /// Least gap over the clearance [1].
         gap: f64,
     },
+    /// No step leads on, for the film of a journal on a shaft is squeezed out.
+    #[error(
+        "the loads squeeze the film out: at {angle:.2} deg of cycle {cycle} its thinnest place has {gap:.1e} of the clearance, where the journal is {eccentricity:.3} of the clearance off the middle \
+         and its slope takes {tilt:.3} at the ends, and no step leads on"
+    )]
+    SqueezedOutOnShaft {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Least gap over the clearance [1].
+        gap: f64,
+        /// Offset of the journal at mid-length over the clearance [1].
+        eccentricity: f64,
+        /// Slope of the journal times half of its length over the clearance [1].
+        tilt: f64,
+    },
     /// No step leads on, for the load of a journal without mass points out of the shell of an arc.
     #[error(
         "no film carries the load at {angle:.2} deg of cycle {cycle}: it points to {direction:.1} deg, beyond the shell"
@@ -114,6 +131,16 @@ pub enum NoOrbit {
     },
 }
 
+/// Why journals that move at the same time have no orbits, and the bearing, by its number from 0, that is meant.
+#[derive(Debug, thiserror::Error)]
+#[error("{reason}")]
+pub struct NoOrbitAt {
+    /// The bearing.
+    pub bearing: usize,
+    /// Why.
+    pub reason: NoOrbit,
+}
+
 impl NoOrbit {
     /// True if there may be an orbit that was not found.
     pub fn is_unreached(&self) -> bool {
@@ -124,33 +151,55 @@ impl NoOrbit {
             | Self::AtOpening { .. }
             | Self::Between { .. }
             | Self::Ended { .. } => true,
-            Self::SqueezedOut { .. } | Self::OffShell { .. } => false,
+            Self::SqueezedOut { .. } | Self::SqueezedOutOnShaft { .. } | Self::OffShell { .. } => false,
         }
     }
 }
 
 impl Motion<'_> {
-    /// What a stage without a solution means for the orbit, from a film with this least gap [m] on.
-    pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, gap: f64) -> NoOrbit {
-        let angle = (self.cycle.angular_speed() * time).to_degrees();
+    /// What a stage without a solution means for the orbit, from a film with this least gap [m] on; a journal on a shaft
+    /// has come to a place [m].
+    pub(super) fn told(
+        &self,
+        reason: NoStage,
+        (time, angle): (f64, f64),
+        cycle: usize,
+        (gap, on_shaft): (f64, Option<Vector>),
+    ) -> NoOrbit {
         match reason {
-            NoStage::Film(NoFilm::AboveLimit { ratio, .. }) if self.problem.cavitation.conserves_oil() => {
+            NoStage::Film(_, NoFilm::AboveLimit { ratio, .. }) if self.problem.cavitation.conserves_oil() => {
                 NoOrbit::AtLimit { angle, cycle, ratio }
             }
-            NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
-            NoStage::Diverged => self.stuck((angle, cycle), time, gap),
+            NoStage::Film(_, reason) => NoOrbit::Film { angle, cycle, reason },
+            NoStage::Diverged => match on_shaft {
+                None => self.stuck((angle, cycle), time, gap),
+                Some(at) => self.stuck_on_shaft((angle, cycle), at, gap),
+            },
         }
     }
 
     /// What it means for a film between two steps, at a place on the path.
     pub(super) fn told_between(&self, reason: NoStage, time: f64, at: Vector) -> NoOrbit {
+        let angle = (self.cycle.angular_speed() * time).to_degrees();
         match reason {
-            NoStage::Film(_) if self.least_gap(at) > 0.0 => self.told(reason, time, 1, self.least_gap(at)),
-            NoStage::Film(_) | NoStage::Diverged => NoOrbit::Between {
-                angle: (self.cycle.angular_speed() * time).to_degrees(),
-                gap: self.least_gap(at) / self.problem.bearing.clearance,
-            },
+            NoStage::Film(..) if self.least_gap(at) > 0.0 => {
+                self.told(reason, (time, angle), 1, (self.least_gap(at), None))
+            }
+            NoStage::Film(..) | NoStage::Diverged => {
+                NoOrbit::Between { angle, gap: self.least_gap(at) / self.problem.bearing.clearance }
+            }
         }
+    }
+
+    /// Why no step leads a journal on a shaft on from a place [m] with this least gap [m].
+    fn stuck_on_shaft(&self, (angle, cycle): (f64, usize), at: Vector, gap: f64) -> NoOrbit {
+        let clearance = self.problem.bearing.clearance;
+        let gap = gap / clearance;
+        if gap >= 1.0 - GREATEST_ECCENTRICITY {
+            return NoOrbit::Stuck { angle, cycle, gap };
+        }
+        let [x, y, z_x, z_y] = at.map(|part| part / clearance);
+        NoOrbit::SqueezedOutOnShaft { angle, cycle, gap, eccentricity: x.hypot(y), tilt: z_x.hypot(z_y) }
     }
 
     /// Why no step leads on from a film with this least gap [m].

@@ -20,6 +20,8 @@ pub struct Step {
     pub velocity: Vector,
     /// Estimate of the error that the step has made [m].
     pub error: Vector,
+    /// Forces of film and support less the load of the journal's own cycle [N].
+    pub excess: Vector,
     /// What is left of the equation of motion, over the peak of the load [1].
     pub residual: f64,
     /// What a film that conserves its oil has of the time before; `None` for others.
@@ -68,6 +70,7 @@ impl Step {
             time: here.time,
             at: here.at,
             velocity: here.velocity,
+            excess: here.excess,
             error: [0.0; 4],
             residual,
             history: StepHistory::of(here).map(Arc::new),

@@ -1,32 +1,32 @@
-//! One implicit stage: the offset at which film, support and mass carry the load of its time.
+//! One implicit stage: the offsets at which films, supports, masses and the shaft carry the loads of its time.
 //!
 //! With `v = (x - x_0)/(gamma dt)` the residual is `W(x, v) + m (v - v_0)/(gamma dt) - F`, its tangent
 //! `K + C/(gamma dt) + m/(gamma dt)^2`.
 
 use std::sync::Arc;
 
-use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, MixedChange, NoFilm};
+use oilwedge_reynolds::{FilmProblem, NoFilm};
+use rayon::prelude::*;
 
+use super::journals::Journals;
 use super::motion::{Held, Instant, Motion, Moving, TiltSupport};
 use super::oil::Before;
-use crate::coordinates::{Vector, length, moved};
+use crate::coordinates::{Vector, moved};
 use crate::coupled::FilmSolve;
 use crate::deflection::{CLOSED, Moves};
 use crate::duty_cycle::Duty;
 use crate::load::{Load, Tilting};
 use crate::newton::{Damping, Goal};
-use crate::search::Search;
+use crate::search::{Search, Trial};
 use crate::time_terms::TimeTerms;
+use crate::together::Coupled;
 
-/// Most films of the search for a velocity at a given place.
-const MOST_FILMS: usize = 30;
-/// No iteration leaves less than this part of the least gap.
+/// A stage begins where this part of each least gap is left.
 const LEAST_SHRINK: f64 = 0.4;
-/// Shortest part of a step that is tried in the search for a velocity, and of the way to the start of a stage.
+/// Shortest part of the way to the start of a stage.
 const SHORTEST: f64 = 1e-3;
 /// A stage is solved where the residual over the load is below this part of the tolerance.
 const BALANCED: f64 = 1e-3;
@@ -37,22 +37,29 @@ const ROUND_OFF: f64 = 1e-11;
 /// Residual over the load below which a stage is solved where no step brings it down.
 const NEARLY_BALANCED: f64 = 1e-8;
 
-/// The short time in which the motion of a film that conserves its oil begins, of the cycle.
+/// The short time in which a motion begins, of the cycle.
 const BEGINNING: f64 = 1e-7;
 
-/// What is known of a stage before it is solved.
+/// A stage before it is solved.
 #[derive(Debug, Clone)]
-pub(super) struct Known {
+pub(super) struct Stage {
     /// Its time [s].
     pub(super) time: f64,
     /// `1/(gamma dt)` [1/s].
     pub(super) per_time: f64,
+    /// What is known of each journal.
+    pub(super) journals: Vec<Known>,
+}
+
+/// What the stages before leave to a journal.
+#[derive(Debug, Clone)]
+pub(super) struct Known {
     /// `x_0` and `v_0`: offsets [m] and, for a rotor with mass, rates [m/s] from the stages before.
     pub(super) offset: Vector,
     pub(super) rate: Vector,
-    /// What the stages before leave to a film that conserves its oil.
+    /// What they leave to a film that conserves its oil.
     pub(super) before: Option<Before>,
-    /// What they leave to a wall that gives way, and where it is to be expected.
+    /// What they leave to a wall that gives way, and where it is to be expected; none of a wall that has no memory.
     pub(super) wall: Option<(WallStage, Vec<f64>)>,
 }
 
@@ -63,220 +70,239 @@ pub(super) struct Accuracy {
     pub(super) tolerance: f64,
     /// Residuals are relative to this force [N].
     pub(super) scale: f64,
+    /// Greatest residual over that force [1].
+    pub(super) balanced: f64,
 }
 
 impl Accuracy {
-    /// Residual over the load at which a stage is solved [1].
-    pub(super) fn balanced(&self) -> f64 {
-        (BALANCED * self.tolerance).max(ROUND_OFF)
+    /// That of an orbit of this tolerance [1].
+    pub(super) fn of(tolerance: f64, scale: f64) -> Self {
+        Self { tolerance, scale, balanced: (BALANCED * tolerance).max(ROUND_OFF) }
     }
 }
 
 /// Why a stage has no solution.
 #[derive(Debug)]
 pub(super) enum NoStage {
-    /// There is no film.
-    Film(NoFilm),
+    /// There is no film for a journal, by its number.
+    Film(usize, NoFilm),
     /// The iteration does not converge.
     Diverged,
 }
 
-impl From<Error> for NoStage {
-    fn from(reason: Error) -> Self {
-        Self::Film(Failure::from(reason).into())
+impl Stage {
+    /// A motion that begins at a time [s] in places [m], which takes a part of the cycle that is short beside all
+    /// steps.
+    fn beginning(time: f64, duration: f64, at: &[Vector]) -> Self {
+        let known = |&offset: &Vector| Known { offset, rate: [0.0; 4], before: None, wall: None };
+        Self { time, per_time: 1.0 / (BEGINNING * duration), journals: at.iter().map(known).collect() }
+    }
+
+    /// The rate of a journal at these coordinates.
+    pub(super) fn velocity(&self, number: usize, at: Vector) -> Vector {
+        moved(at, -1.0, self.journals[number].offset).map(|way| way * self.per_time)
     }
 }
 
-impl From<NoFilm> for NoStage {
-    fn from(reason: NoFilm) -> Self {
-        Self::Film(reason)
+/// A result of journal `number`.
+pub(super) fn of_journal<T>(number: usize, result: Result<T, NoFilm>) -> Result<T, NoStage> {
+    result.map_err(|reason| NoStage::Film(number, reason))
+}
+
+impl Journals<'_> {
+    /// Solves a stage from `starts` and films nearby by the one Newton's method ([`crate::newton`]), in which places,
+    /// walls and films move as the stage has it; `films` counts those solved.
+    pub(super) fn stage(
+        &self,
+        stage: &Stage,
+        starts: &[Vector],
+        (near, damping): (&[Instant], Damping),
+        accuracy: Accuracy,
+        films: &mut usize,
+    ) -> Result<Vec<Instant>, NoStage> {
+        let searches = self.searches(stage, accuracy);
+        let begun = self.begun(stage, near, starts);
+        let numbers = 0..self.motions.len();
+        let open = |number: usize| {
+            let (motion, search, (at, wall)) = (&self.motions[number], &searches[number], &begun[number]);
+            let moving = Moving { time: stage.time, at: *at, velocity: stage.velocity(number, *at) };
+            let storage = stage.journals[number].before.as_ref().map(|before| &before.storage);
+            let problem = motion.problem_of(moving, Held { storage, wall: wall.as_ref() });
+            let near = FilmSolve::Settled(Neighbour::Start(&near[number].film));
+            of_journal(number, search.open(&problem, *at, near, CLOSED))
+        };
+        *films += searches.len();
+        let first: Vec<Trial> = numbers.clone().into_par_iter().map(open).collect::<Result<_, NoStage>>()?;
+        let Accuracy { balanced, .. } = accuracy;
+        let moved = SETTLED * accuracy.tolerance;
+        let goal = Goal { balanced, closed: balanced, moved, rounding: NEARLY_BALANCED };
+        let shaft = self.shaft.as_ref().map(|drive| drive.balance(stage.time));
+        let coupled = Coupled { searches: &searches, shaft: shaft.as_ref() };
+        let (found, end) = coupled.newton(first, goal, damping, films);
+        if end.is_some() {
+            return Err(NoStage::Diverged);
+        }
+        let ended = |(number, found): (usize, Trial)| self.ended(stage, number, &searches[number], found);
+        numbers.zip(found).map(ended).collect()
+    }
+
+    /// The end of a stage for one journal, with the oil that its film holds.
+    fn ended(&self, stage: &Stage, number: usize, search: &Search, found: Trial) -> Result<Instant, NoStage> {
+        let motion = &self.motions[number];
+        let at = search.place(&found);
+        let moving = Moving { time: stage.time, at, velocity: stage.velocity(number, at) };
+        let here = motion.accepted(motion.instant(moving, found.film, &found.carried));
+        let known = &stage.journals[number];
+        of_journal(number, here.and_then(|here| known.with_oil(here)))
+    }
+
+    /// The searches for the places in a stage.
+    pub(super) fn searches(&self, stage: &Stage, accuracy: Accuracy) -> Vec<Search<'_>> {
+        let motions = self.motions.iter().zip(&stage.journals);
+        motions.map(|(motion, known)| motion.search(known, (stage.time, stage.per_time), accuracy.scale)).collect()
+    }
+
+    /// Where a stage begins from films nearby: at starts and under the walls expected there, or on the way to both, where
+    /// enough of each film is left.
+    fn begun(&self, stage: &Stage, near: &[Instant], starts: &[Vector]) -> Vec<(Vector, Option<Deflection>)> {
+        let ways: Vec<(Option<Deflection>, Moves, f64)> = (self.motions.iter().zip(near).enumerate())
+            .map(|(number, (motion, near))| {
+                let expected = stage.journals[number].wall_from(near);
+                let here = near.wall();
+                let apart = expected.iter().zip(here).flat_map(|(there, here)| {
+                    (there.coefficients.iter().zip(&*here.coefficients)).map(|(there, here)| there - here)
+                });
+                let place = moved(starts[number], -1.0, near.at);
+                let moves = Moves { place, wall: apart.collect(), ..Moves::default() };
+                (expected, moves, motion.least_gap_under(here, near.at))
+            })
+            .collect();
+        let made = |number: usize, part: f64| {
+            let ((expected, moves, _), near) = (&ways[number], &near[number]);
+            let bent = near.wall().map(|here| moves.made(near.at, here, part).1);
+            let wall = expected.as_ref().zip(bent).map(|(there, bent)| there.with(bent.coefficients.to_vec()));
+            (moved(near.at, part, moves.place), wall)
+        };
+        let leaves_enough = |number: usize, part: f64| {
+            let (at, wall) = made(number, part);
+            self.motions[number].least_gap_under(wall.as_ref(), at) >= LEAST_SHRINK * ways[number].2
+        };
+        let numbers = 0..self.motions.len();
+        let mut part = 1.0;
+        while part >= SHORTEST && !numbers.clone().all(|number| leaves_enough(number, part)) {
+            part *= 0.8;
+        }
+        numbers.map(|number| made(number, part)).collect()
+    }
+
+    /// Where a motion begins: at the velocities in which films, supports and shaft carry the loads, found as a stage of
+    /// a short time. Films that conserve their oil are full then; walls are bent as films without memory bend them.
+    pub(super) fn beginning(
+        &self,
+        at: &[Vector],
+        accuracy: Accuracy,
+        films: &mut usize,
+    ) -> Result<Vec<Instant>, NoStage> {
+        let massless: Vec<Motion> = self.motions.iter().map(|motion| Motion { mass: 0.0, ..motion.clone() }).collect();
+        let journals = Journals { motions: &massless, shaft: self.shaft };
+        let stage = Stage::beginning(0.0, self.duration(), at);
+        let conserves = |motion: &Motion| motion.problem.cavitation.conserves_oil();
+        if !massless.iter().any(conserves) {
+            return journals.begun_at(&stage, None, accuracy, films);
+        }
+        let is_wall_bent = massless.iter().any(|motion| motion.problem.deflection().is_some());
+        let without_memory = match is_wall_bent {
+            false => None,
+            true => {
+                let guide = |motion: &Motion| FilmProblem {
+                    cavitation: motion.problem.cavitation.guide().unwrap_or(motion.problem.cavitation),
+                    ..motion.problem.clone()
+                };
+                let problems: Vec<FilmProblem> = massless.iter().map(guide).collect();
+                let motions = massless.iter().zip(&problems);
+                let motions: Vec<Motion> =
+                    motions.map(|(motion, problem)| Motion { problem, ..motion.clone() }).collect();
+                let journals = Journals { motions: &motions, shaft: self.shaft };
+                Some(journals.begun_at(&stage, None, accuracy, films)?)
+            }
+        };
+        journals.begun_at(&stage, without_memory.as_deref(), accuracy, films)
+    }
+
+    /// The end of the stage with which a motion begins: in films without memory or, where their films are known, in
+    /// those that conserve their oil.
+    fn begun_at(
+        &self,
+        stage: &Stage,
+        without_memory: Option<&[Instant]>,
+        accuracy: Accuracy,
+        films: &mut usize,
+    ) -> Result<Vec<Instant>, NoStage> {
+        let (mut stage, mut near, mut starts) = (stage.clone(), Vec::new(), Vec::new());
+        for (number, motion) in self.motions.iter().enumerate() {
+            let known = &mut stage.journals[number];
+            let begin = without_memory.map(|films| &films[number]);
+            let velocity = begin.map_or([0.0; 4], |begin| begin.velocity);
+            let moving = Moving { time: stage.time, at: known.offset, velocity };
+            let wall = begin.and_then(Instant::wall);
+            if motion.problem.cavitation.conserves_oil() {
+                let journal = motion.journal(moving.time, moving.at, velocity);
+                let full = FilmProblem { journal, ..motion.problem.clone() }.deflected(wall);
+                let oil = full.oil_of_full_film(motion.system).map_err(Failure::from).map_err(NoFilm::from);
+                known.before = Some(Before::at_rest(stage.per_time, of_journal(number, oil)?));
+            }
+            known.wall = wall.map(|wall| (wall.resting(stage.per_time), wall.coefficients.to_vec()));
+            let held = Held { storage: known.before.as_ref().map(|before| &before.storage), wall };
+            near.push(of_journal(number, motion.trial(moving, held, Neighbour::None))?);
+            starts.push(moved(known.offset, 1.0 / stage.per_time, velocity));
+        }
+        *films += near.len();
+        self.stage(&stage, &starts, (&near, Damping::PseudoTime), accuracy, films)
+    }
+
+    /// The journals at given places [m], at the velocities in which films, supports and shaft carry the loads, sought
+    /// from a guess [m/s].
+    pub(super) fn carried(
+        &self,
+        (time, at): (f64, &[Vector]),
+        guess: &[Vector],
+        accuracy: Accuracy,
+    ) -> Result<Vec<Instant>, NoStage> {
+        let mut stage = Stage::beginning(time, self.duration(), at);
+        let massless: Vec<Motion> = self.motions.iter().map(|motion| Motion { mass: 0.0, ..motion.clone() }).collect();
+        let near = |number: usize| {
+            let moving = Moving { time, at: at[number], velocity: guess[number] };
+            of_journal(number, massless[number].trial(moving, Held::default(), Neighbour::None))
+        };
+        let near = (0..massless.len()).map(near).collect::<Result<Vec<Instant>, NoStage>>()?;
+        for (known, guess) in stage.journals.iter_mut().zip(guess) {
+            known.offset = moved(known.offset, -1.0 / stage.per_time, *guess);
+        }
+        let journals = Journals { motions: &massless, shaft: self.shaft };
+        journals.stage(&stage, at, (&near, Damping::PseudoTime), accuracy, &mut 0)
     }
 }
 
 impl Motion<'_> {
-    /// Solves a stage from a `start` and a film nearby by the one Newton's method ([`crate::newton`]), in which place,
-    /// wall and film move as the stage has it; `films` counts those solved.
-    pub(super) fn stage(
-        &self,
-        known: &Known,
-        start: Vector,
-        near: &Instant,
-        accuracy: Accuracy,
-        films: &mut usize,
-    ) -> Result<Instant, NoStage> {
-        let search = self.search(known, accuracy);
-        let (at, wall) = self.begun(known, near, start);
-        let moving = Moving { time: known.time, at, velocity: known.velocity(at) };
-        let storage = known.before.as_ref().map(|before| &before.storage);
-        let problem = self.problem_of(moving, Held { storage, wall: wall.as_ref() });
-        *films += 1;
-        let first = search.open(&problem, at, FilmSolve::Settled(Neighbour::Start(&near.film)), CLOSED)?;
-        let goal = Goal {
-            balanced: accuracy.balanced(),
-            closed: accuracy.balanced(),
-            moved: SETTLED * accuracy.tolerance,
-            rounding: NEARLY_BALANCED,
-        };
-        let found = search.newton(first, goal, Damping::None, films).map_err(|_| NoStage::Diverged)?;
-        let at = search.coordinates.at(&found.film.problem.journal);
-        let moving = Moving { at, velocity: known.velocity(at), ..moving };
-        let instant = self.instant(moving, found.film, &found.carried);
-        self.found(known, instant)
-    }
-
-    /// The search for the place in a stage.
-    fn search(&self, known: &Known, accuracy: Accuracy) -> Search<'_> {
-        let Duty { force, moment, .. } = self.duty(known.time);
+    /// The search for the place in a stage, at this time [s] and of this `1/(gamma dt)` [1/s]; residuals are relative to
+    /// the force `scale` [N].
+    fn search(&self, known: &Known, (time, per_time): (f64, f64), scale: f64) -> Search<'_> {
+        let Duty { force, moment, .. } = self.duty(time);
         let tilting = |support: TiltSupport| Tilting { moment, stiffness: support.stiffness, support: support.slope };
         let load = Load { force, tilting: self.support.map(tilting) };
-        let stage =
-            TimeTerms { per_time: known.per_time, offset: known.offset, rate: known.rate, masses: self.masses() };
-        Search::in_stage(self.problem, (self.system, self.gap.clone()), (load, accuracy.scale), stage)
-    }
-
-    /// Where a stage begins from a film nearby: at a start and under the wall expected there, or on the way to both,
-    /// where enough of the film is left.
-    fn begun(&self, known: &Known, near: &Instant, start: Vector) -> (Vector, Option<Deflection>) {
-        let expected = known.wall_from(near);
-        let here = near.wall();
-        let apart = expected.iter().zip(here).flat_map(|(there, here)| {
-            (there.coefficients.iter().zip(&*here.coefficients)).map(|(there, here)| there - here)
-        });
-        let moves = Moves {
-            place: moved(start, -1.0, near.at),
-            wall: apart.collect(),
-            contact: Vec::new(),
-            film: MixedChange::default(),
-        };
-        let made = |part: f64| {
-            let (at, bent) = (moved(near.at, part, moves.place), here.map(|here| moves.made(near.at, here, part).1));
-            let wall = expected.as_ref().zip(bent).map(|(there, bent)| there.with(bent.coefficients.to_vec()));
-            (at, wall)
-        };
-        let gap = self.least_gap_under(here, near.at);
-        let mut part = 1.0;
-        loop {
-            let (at, wall) = made(part);
-            if part < SHORTEST || self.least_gap_under(wall.as_ref(), at) >= LEAST_SHRINK * gap {
-                return (at, wall);
-            }
-            part *= 0.8;
-        }
-    }
-
-    /// The end of a stage, with the oil that the film holds.
-    pub(super) fn found(&self, known: &Known, here: Instant) -> Result<Instant, NoStage> {
-        let here = self.accepted(here)?;
-        let Some(before) = &known.before else {
-            return Ok(here);
-        };
-        let oil = before.oil(&here.film).map_err(Failure::from);
-        Ok(Instant { oil: Some(Arc::new(oil.map_err(NoFilm::from)?)), ..here })
-    }
-
-    /// Where an orbit begins: in films without memory at the velocity in which film and support carry the load, full
-    /// ones that conserve their oil after a time that is short beside all steps.
-    pub(super) fn beginning(
-        &self,
-        at: Vector,
-        period: f64,
-        accuracy: Accuracy,
-        films: &mut usize,
-    ) -> Result<Instant, NoStage> {
-        if !self.problem.cavitation.conserves_oil() {
-            return self.carried((0.0, at), [0.0; 4], accuracy, films);
-        }
-        let (velocity, wall) = self.without_memory(at, accuracy, films)?;
-        let moving = Moving { time: 0.0, at, velocity };
-        let full = FilmProblem { journal: self.journal(0.0, at, velocity), ..self.problem.clone() };
-        let full = full.deflected(wall.as_ref());
-        let held = full.oil_of_full_film(self.system).map_err(Failure::from);
-        let per_time = 1.0 / (BEGINNING * period);
-        let before = Before::at_rest(per_time, held.map_err(NoFilm::from)?);
-        let held = Held { storage: Some(&before.storage), wall: wall.as_ref() };
-        let (near, _) = self.trial_under(moving, held, Neighbour::None)?;
-        let known = Known {
-            time: 0.0,
-            per_time,
-            offset: at,
-            rate: [0.0; 4],
-            before: Some(before),
-            wall: wall.map(|wall| (wall.resting(per_time), wall.coefficients.to_vec())),
-        };
-        self.stage(&known, moved(at, 1.0 / per_time, velocity), &near, accuracy, films)
-    }
-
-    /// How the motion of a film that conserves its oil begins: in a rigid liner at rest. In one that gives way the wall
-    /// has no time to move, so it is where a film without memory bends it, which carries the load in this velocity.
-    fn without_memory(
-        &self,
-        at: Vector,
-        accuracy: Accuracy,
-        films: &mut usize,
-    ) -> Result<(Vector, Option<Deflection>), NoStage> {
-        if self.problem.deflection().is_none() {
-            return Ok(([0.0; 4], None));
-        }
-        let problem = FilmProblem {
-            cavitation: self.problem.cavitation.guide().unwrap_or(self.problem.cavitation),
-            ..self.problem.clone()
-        };
-        let motion = Motion { problem: &problem, gap: self.gap.clone(), ..*self };
-        let begin = motion.carried((0.0, at), [0.0; 4], accuracy, films)?;
-        Ok((begin.velocity, begin.film.problem.deflection().cloned()))
-    }
-
-    /// The velocity at a given place in which film and support carry the load, sought from a `guess`.
-    pub(super) fn carried(
-        &self,
-        (time, at): (f64, Vector),
-        guess: Vector,
-        accuracy: Accuracy,
-        films: &mut usize,
-    ) -> Result<Instant, NoStage> {
-        let moving = |velocity: Vector| Moving { time, at, velocity };
-        let mut here = self.trial(moving(guess), Held::default(), Neighbour::None)?;
-        *films += 1;
-        for _ in 1..MOST_FILMS {
-            let balance = length(here.excess) / accuracy.scale;
-            if balance < accuracy.balanced() {
-                return Ok(self.accepted(here)?);
-            }
-            let step = (self.tangent(&here, 0.0, 1.0)?).solve(here.excess.map(|part| -part));
-            if !length(step).is_finite() {
-                return Err(NoStage::Diverged);
-            }
-            let mut part = 1.0;
-            loop {
-                let velocity = moved(here.velocity, part, step);
-                *films += 1;
-                let held = Held { storage: None, wall: here.film.problem.deflection() };
-                match self.trial(moving(velocity), held, Neighbour::Start(&here.film)) {
-                    Ok(next) if length(next.excess) < length(here.excess) => {
-                        here = next;
-                        break;
-                    }
-                    // A wall is bent step by step where it is not at once.
-                    Err(reason) if part < SHORTEST || here.film.problem.deflection().is_none() => {
-                        return Err(reason.into());
-                    }
-                    _ => part *= 0.5,
-                }
-                match part < SHORTEST {
-                    true if balance < NEARLY_BALANCED => return Ok(self.accepted(here)?),
-                    true => return Err(NoStage::Diverged),
-                    false => {}
-                }
-            }
-        }
-        Err(NoStage::Diverged)
+        let terms = TimeTerms { per_time, offset: known.offset, rate: known.rate, masses: self.masses() };
+        Search::in_stage(self.problem, (self.system, self.gap.clone()), (load, scale), terms)
     }
 }
 
 impl Known {
-    /// The rate of a journal at these coordinates.
-    pub(super) fn velocity(&self, at: Vector) -> Vector {
-        moved(at, -1.0, self.offset).map(|way| way * self.per_time)
+    /// An instant with the oil that its film holds at the end of the stage.
+    pub(super) fn with_oil(&self, here: Instant) -> Result<Instant, NoFilm> {
+        let Some(before) = &self.before else {
+            return Ok(here);
+        };
+        let oil = before.oil(&here.film).map_err(Failure::from)?;
+        Ok(Instant { oil: Some(Arc::new(oil)), ..here })
     }
 
     /// The wall with which the stage begins: where it is expected, or that of a film nearby; none where it is rigid.

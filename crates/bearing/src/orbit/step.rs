@@ -2,15 +2,21 @@
 
 use std::sync::Arc;
 
-use oilwedge_reynolds::quantities::contact_points::ContactPoints;
-use oilwedge_reynolds::{CentreVelocity, NoFilm};
+use oilwedge_reynolds::CentreVelocity;
 
-use super::motion::{Instant, Motion};
+use super::journals::Journals;
+use super::motion::Instant;
 use super::oil::Oil;
-use super::stage::{Accuracy, Known, NoStage};
+use super::scheme::Scheme;
+use super::stage::{Accuracy, Known, NoStage, Stage, of_journal};
 use super::wall::{WallStages, Way};
-use crate::coordinates::Vector;
-use crate::deflection::{Follower, Joint, contact_points};
+use crate::coordinates::{Vector, moved};
+use crate::deflection::{Left, contact_points};
+use crate::newton::Damping;
+use crate::search::Trial;
+use crate::shaft::joined::all_moved;
+use crate::stiffness::Stiffness;
+use crate::together::Response;
 
 /// Accuracy of the linear systems of the damped error.
 const FOLLOWED: f64 = 1e-3;
@@ -19,121 +25,171 @@ const FOLLOWED: f64 = 1e-3;
 #[derive(Debug)]
 pub(super) struct Made {
     /// Its end.
-    pub(super) end: Instant,
-    /// The acceleration of a rotor with mass there [m/s2].
-    pub(super) acceleration: Vector,
-    /// Estimate of the local error of the offsets [m], as the film damps it.
-    pub(super) error: Vector,
+    pub(super) end: Vec<Instant>,
+    /// The accelerations of rotors with mass there [m/s2].
+    pub(super) accelerations: Vec<Vector>,
+    /// Estimates of the local errors of the offsets [m], as films and shaft damp them.
+    pub(super) errors: Vec<Vector>,
+    /// How far the path passes the places of the first stage [m], over what the least gaps are there.
+    pub(super) off_path: f64,
 }
 
 /// Where a step begins.
+#[derive(Clone, Copy)]
 pub(super) struct Begin<'a> {
-    /// The journal there.
-    pub(super) instant: &'a Instant,
-    /// The acceleration of a rotor with mass [m/s2].
-    pub(super) acceleration: Vector,
-    /// The path before; none at the beginning.
-    pub(super) before: Option<&'a Way>,
+    /// The journals there.
+    pub(super) instants: &'a [Instant],
+    /// The accelerations of rotors with mass [m/s2].
+    pub(super) accelerations: &'a [Vector],
+    /// The paths before; none at the beginning.
+    pub(super) before: Option<&'a [Way]>,
 }
 
-impl Motion<'_> {
+/// What the stages of a step have found of one journal.
+pub(super) struct Course {
+    start: Vector,
+    velocity: Vector,
+    rates: Vec<Vector>,
+    accelerations: Vec<Vector>,
+    oils: Vec<Arc<Oil>>,
+    walls: Option<WallStages>,
+}
+
+impl Course {
+    pub(super) fn from(start: &Instant, acceleration: Vector) -> Self {
+        Self {
+            start: start.at,
+            velocity: start.velocity,
+            rates: vec![start.velocity],
+            accelerations: vec![acceleration],
+            oils: start.oil.iter().cloned().collect(),
+            walls: WallStages::from(start),
+        }
+    }
+
+    /// What it leaves to stage number `stage` of a step of the length `dt` [s], which ends at a `time` [s] on the way.
+    pub(super) fn known(&self, (scheme, stage): (&Scheme, usize), dt: f64, (way, time): (Option<&Way>, f64)) -> Known {
+        let so_far = |first: Vector, rates: &[Vector]| combined(first, dt, &scheme.coefficients[stage][..stage], rates);
+        Known {
+            offset: so_far(self.start, &self.rates),
+            rate: so_far(self.velocity, &self.accelerations),
+            before: self.oils.first().map(|oil| oil.before(scheme, stage, dt, &self.oils)),
+            wall: (self.walls.as_ref()).map(|walls| walls.stage((scheme, stage), dt, (way, time))),
+        }
+    }
+
+    /// Adds a stage that was found.
+    pub(super) fn add(&mut self, known: &Known, per_time: f64, found: &Instant) {
+        self.rates.push(found.velocity);
+        self.accelerations.push([0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time));
+        self.oils.extend(found.oil.clone());
+        if let Some(walls) = &mut self.walls {
+            walls.add(found);
+        }
+    }
+}
+
+impl Journals<'_> {
     /// A step of the length `dt` [s].
-    pub(super) fn step(&self, from: &Begin, dt: f64, accuracy: Accuracy, films: &mut usize) -> Result<Made, NoStage> {
-        let start = from.instant;
+    pub(super) fn step(&self, from: Begin, dt: f64, accuracy: Accuracy, films: &mut usize) -> Result<Made, NoStage> {
         let scheme = self.scheme();
         let per_time = 1.0 / (scheme.diagonal * dt);
-        let mut rates = vec![start.velocity];
-        let mut accelerations = vec![from.acceleration];
-        let mut oils: Vec<Arc<Oil>> = start.oil.iter().cloned().collect();
-        let mut walls = WallStages::from(start);
-        let mut latest: Option<Instant> = None;
-        let mut way = from.before.cloned();
+        let begun = from.instants[0].time;
+        let journals = from.instants.iter().zip(from.accelerations);
+        let mut courses: Vec<Course> =
+            journals.map(|(start, acceleration)| Course::from(start, *acceleration)).collect();
+        let mut latest: Option<Vec<Instant>> = None;
+        let mut first: Option<(f64, Vec<Vector>)> = None;
+        let mut ways: Option<Vec<Way>> = from.before.map(<[Way]>::to_vec);
+        let mut last: Option<Stage> = None;
         for stage in 1..scheme.stages() {
-            let so_far =
-                |first: Vector, rates: &[Vector]| combined(first, dt, &scheme.coefficients[stage][..stage], rates);
-            let time = start.time + dt * scheme.nodes[stage];
-            let known = Known {
-                time,
-                per_time,
-                offset: so_far(start.at, &rates),
-                rate: so_far(start.velocity, &accelerations),
-                before: (start.oil.as_ref()).map(|oil| oil.before(scheme, stage, dt, &oils)),
-                wall: (walls.as_ref()).map(|walls| walls.stage((scheme, stage), dt, (way.as_ref(), time))),
-            };
-            let guess = match &way {
+            let time = begun + dt * scheme.nodes[stage];
+            let way = |number: usize| ways.as_ref().map(|ways| &ways[number]);
+            let journals = courses.iter().enumerate();
+            let known = journals.map(|(number, course)| course.known((scheme, stage), dt, (way(number), time)));
+            let known = Stage { time, per_time, journals: known.collect() };
+            let guess = |(number, start): (usize, &Instant)| match way(number) {
                 Some(way) => way.span.at(time),
-                None => combined(start.at, dt * scheme.nodes[stage], &[1.0], &rates),
+                None => combined(start.at, dt * scheme.nodes[stage], &[1.0], &[start.velocity]),
             };
-            let is_nearer = |latest: &&Instant| (latest.time - known.time).abs() < (start.time - known.time).abs();
-            let near = latest.as_ref().filter(is_nearer).unwrap_or(start);
-            let found = self.stage(&known, guess, near, accuracy, films)?;
-            rates.push(found.velocity);
-            accelerations.push([0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time));
-            oils.extend(found.oil.clone());
-            if let Some(walls) = &mut walls {
-                walls.add(&found);
+            let guesses: Vec<Vector> = from.instants.iter().enumerate().map(guess).collect();
+            let is_nearer = |latest: &&Vec<Instant>| (latest[0].time - time).abs() < (begun - time).abs();
+            let near = latest.as_ref().filter(is_nearer).map_or(from.instants, |latest| latest);
+            let is_last = stage + 1 == scheme.stages();
+            let balanced = if is_last { accuracy.balanced.min(self.balanced_at_steps()) } else { accuracy.balanced };
+            let accuracy = Accuracy { balanced, ..accuracy };
+            let found = self.stage(&known, &guesses, (near, Damping::None), accuracy, films)?;
+            for ((course, known), found) in courses.iter_mut().zip(&known.journals).zip(&found) {
+                course.add(known, per_time, found);
             }
-            if latest.as_ref().is_none_or(|latest| latest.time < found.time) {
-                way = Some(Way::between(start, &found));
+            first.get_or_insert_with(|| (time, found.iter().map(|found| found.at).collect()));
+            if latest.as_ref().is_none_or(|latest| latest[0].time < time) {
+                ways = Some(ways_between(from.instants, &found));
             }
-            latest = Some(found);
+            (latest, last) = (Some(found), Some(known));
         }
         // The last stage is the end of the step.
-        let end = latest.ok_or(NoStage::Diverged)?;
-        let error = combined([0.0; 4], dt, &scheme.error_weights(), &rates);
-        let error = match walls {
-            Some(walls) => self.damped_with_wall(&end, error, &walls.error(scheme, dt), per_time)?,
-            None => self.damped_error(&end, error, dt)?,
-        };
-        Ok(Made { error, acceleration: accelerations.last().copied().unwrap_or_default(), end })
+        let ((end, last), (time, places)) = latest.zip(last).zip(first).ok_or(NoStage::Diverged)?;
+        let errors = self.damped(&end, &last, &courses, (scheme, dt))?;
+        let path = ways_between(from.instants, &end);
+        let off = path.iter().zip(&places).map(|(way, place)| moved(way.span.at(time), -1.0, *place));
+        let gaps: Vec<f64> = self.motions.iter().zip(&places).map(|(motion, place)| motion.least_gap(*place)).collect();
+        let off_path = Self::greatest_part(off, &gaps);
+        let accelerations = courses.iter().filter_map(|course| course.accelerations.last().copied()).collect();
+        Ok(Made { end, accelerations, errors, off_path })
     }
 
-    /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it.
-    fn damped_error(&self, end: &Instant, error: Vector, dt: f64) -> Result<Vector, NoFilm> {
-        let diagonal = self.scheme().diagonal;
-        let inertia = self.masses().map(|mass| mass / (diagonal * dt));
-        let damping = self.tangent(end, 0.0, 1.0)?.with_diagonal(inertia);
-        let with_stiffness = self.tangent(end, diagonal * dt, 1.0)?.with_diagonal(inertia);
-        Ok(with_stiffness.solve(damping.times(error)))
+    /// `(m/(gamma dt)^2 + C/(gamma dt) + K)^-1 (m/(gamma dt) + C)/(gamma dt)` times the errors of all journals: what
+    /// stiffness leaves of them. The error of a wall pushes the film as its rate in the stage does.
+    fn damped(
+        &self,
+        end: &[Instant],
+        stage: &Stage,
+        courses: &[Course],
+        (scheme, dt): (&Scheme, f64),
+    ) -> Result<Vec<Vector>, NoStage> {
+        // Forces are relative to nothing here.
+        let searches = self.searches(stage, Accuracy::of(1.0, 1.0));
+        let per_time = stage.per_time;
+        let (mut forces, mut responses) = (Vec::new(), Vec::new());
+        for (number, (search, here)) in searches.iter().zip(end).enumerate() {
+            let course = &courses[number];
+            let error = combined([0.0; 4], dt, &scheme.error_weights(), &course.rates);
+            let of_wall = course.walls.as_ref().map_or_else(Vec::new, |walls| walls.error(scheme, dt));
+            let answer = || {
+                let left = contact_points(&here.film.problem, search.system);
+                let left = Left::of(&here.film, left);
+                let trial = Trial::of(here.film.clone(), Default::default());
+                let tangents = search.tangents(&trial, &trial.film, &left, (FOLLOWED, 0.0))?;
+                let along =
+                    search.coordinates.change(&here.film.problem.journal, &CentreVelocity::default(), error).as_rate();
+                let (by_film, bent) = tangents.pushed(&along, &of_wall)?;
+                let masses = self.motions[number].masses();
+                let force: Vector = [0, 1, 2, 3].map(|k| per_time * (by_film[k] + masses[k] * per_time * error[k]));
+                let bent: Vec<f64> = bent.iter().map(|bent| -per_time * bent).collect();
+                match self.shaft {
+                    None => Ok((tangents.solve(force, Some(&bent))?.place, None)),
+                    Some(_) => Ok((force, Some(Response::of(&tangents, search.coordinates.order, &bent)?))),
+                }
+            };
+            let (force, response) = of_journal(number, answer())?;
+            forces.push(force);
+            responses.extend(response);
+        }
+        let Some(drive) = &self.shaft else {
+            return Ok(forces);
+        };
+        let balance = drive.balance(stage.time);
+        let slopes: Vec<Stiffness> = responses.iter().map(|response| response.stiffness).collect();
+        let closing: Vec<Vector> = responses.iter().map(|response| response.carried).collect();
+        let wanted = balance.by_films(&all_moved(&forces, -1.0, &closing));
+        balance.solve(&slopes, &wanted).ok_or(NoStage::Diverged)
     }
 }
 
-impl Motion<'_> {
-    /// What stiffness of film and wall leaves of an error of the place and of one of the wall, in the place: both push
-    /// the film as rates in the stage do.
-    pub(super) fn damped_with_wall(
-        &self,
-        end: &Instant,
-        error: Vector,
-        of_wall: &[f64],
-        per_time: f64,
-    ) -> Result<Vector, NoStage> {
-        let joint = self.joint(per_time, end, contact_points(&end.film.problem, self.system))?;
-        let along = (self.coordinates()).change(&end.film.problem.journal, &CentreVelocity::default(), error);
-        let (by_film, bent) = joint.pushed(&along.as_rate(), of_wall)?;
-        let masses = self.masses();
-        let force = [0, 1, 2, 3].map(|k| per_time * (by_film[k] + masses[k] * per_time * error[k]));
-        let bent: Vec<f64> = bent.iter().map(|bent| -per_time * bent).collect();
-        Ok(joint.solve(force, Some(&bent))?.place)
-    }
-
-    /// The tangent of journal and wall in a stage, by its points of contact; `per_time` is its `1/(gamma dt)` [1/s].
-    fn joint<'a>(
-        &'a self,
-        per_time: f64,
-        here: &'a Instant,
-        contact: Option<Arc<ContactPoints>>,
-    ) -> Result<Joint<'a>, NoStage> {
-        let follower = Follower::touching(&here.film, contact)?;
-        let follower = follower.ok_or(NoStage::Diverged)?;
-        let masses = self.masses();
-        let held = [0, 1, 2, 3].map(|k| {
-            let support = if k >= 2 { self.support_stiffness() } else { 0.0 };
-            support + masses[k] * per_time.powi(2)
-        });
-        let change = |k: usize| self.change(&here.film.problem.journal, k, [1.0, per_time]);
-        Ok(Joint::of(follower, self.coordinates(), change, held, FOLLOWED)?)
-    }
+/// The ways of all journals from one time to another.
+pub(super) fn ways_between(from: &[Instant], to: &[Instant]) -> Vec<Way> {
+    from.iter().zip(to).map(|(from, to)| Way::between(from, to)).collect()
 }
 
 /// `first + dt sum_j weight_j rate_j`.

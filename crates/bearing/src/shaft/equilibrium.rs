@@ -1,31 +1,26 @@
-//! A shaft at rest on its films under loads that do not change.
-//!
-//! The journals sink from near the middle of their bearings by implicit steps in time that grow, on the coarsest
-//! meshes; from there Newton's method leads on to the balance, from mesh to mesh. The damping of the last step stays in
-//! the tangent in proportion to what is unbalanced, so that a film that carries nothing leaves no journal free.
+//! A shaft at rest on its films under loads that do not change, by the one Newton's method ([`crate::newton`]): from the
+//! middle on the coarsest meshes, from mesh to mesh from there.
 
-use super::films::{Films, NoFilmAt, magnitude};
-use super::stage::{Accuracy, Known, NoStage, Staged};
-use crate::Deadline;
+use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::solve::Neighbour;
+use rayon::prelude::*;
+
+use super::films::{Film, Films};
+use super::joined::{ShaftBalance, magnitude};
 use crate::coordinates::{Vector, moved};
-use crate::orbit::Instant;
+use crate::coupled::FilmSolve;
+use crate::deflection::CLOSED;
+use crate::newton::{Damping, Goal};
+use crate::no_equilibrium::SearchEnd;
+use crate::orbit::{Instant, Moving};
+use crate::search::{Search, Trial};
+use crate::stiffness::Stiffness;
+use crate::together::Coupled;
+use crate::{Deadline, Load, SearchOptions, Tilting};
 
-/// The first step in time over 1/omega, and how steps grow.
-const FIRST: f64 = 0.5;
-const GROWTH: f64 = 2.5;
-/// A step without a solution is divided by this,
-const RETRY: f64 = 4.0;
-/// until it is this much shorter than the first one.
-const SHORTEST: f64 = 1e-6;
-/// Sinking ends where a step is this long, over 1/omega,
-const LONGEST: f64 = 1e6;
-/// or where the balance at rest is left by less than this part of the load.
-const AT_REST: f64 = 1e-2;
-/// Most steps.
-const MOST_STEPS: usize = 120;
-/// Residual over the load, and change over the least gap, of a step and of the balance.
-const ROUGHLY: [f64; 2] = [1e-3, 1e-2];
-const BALANCED: [f64; 2] = [1e-11, 1e-8];
+/// What a balance may leave.
+const GOAL: Goal = Goal { balanced: 1e-11, closed: CLOSED, moved: 1e-8, rounding: 1e-8 };
 
 /// A shaft in balance.
 #[derive(Debug)]
@@ -36,6 +31,16 @@ pub struct Balance {
     pub residual: f64,
     /// Films solved on the meshes of the bearings.
     pub films: usize,
+}
+
+/// A bearing, by its number from 0, that has no film, and why.
+#[derive(Debug, thiserror::Error)]
+#[error("{reason}")]
+pub struct NoFilmAt {
+    /// The bearing.
+    pub bearing: usize,
+    /// Why.
+    pub reason: NoFilm,
 }
 
 /// Why a shaft has no balance.
@@ -61,35 +66,78 @@ pub enum NoBalance {
     Ended,
 }
 
+impl From<NoFilmAt> for NoBalance {
+    fn from(reason: NoFilmAt) -> Self {
+        Self::Film(reason)
+    }
+}
+
+/// Where a journal and its film begin.
+struct Begin<'a> {
+    at: Vector,
+    wall: Option<&'a Deflection>,
+    near: Neighbour<'a>,
+}
+
+impl<'a> Begin<'a> {
+    /// At a journal and under its wall, with a film near to it.
+    fn of(here: &'a Instant, near: Neighbour<'a>) -> Self {
+        Self { at: here.at, wall: here.film.problem.deflection(), near }
+    }
+}
+
+impl Film<'_> {
+    /// The search for its journal under what the shaft gives it; residuals are relative to the force `scale` [N].
+    fn search<'s>(&'s self, options: SearchOptions<'s>, scale: f64) -> Search<'s> {
+        let free = Tilting { moment: [0.0; 2], stiffness: 0.0, support: [0.0; 2] };
+        let load = Load { force: [0.0; 2], tilting: (self.coordinates.order == 4).then_some(free) };
+        Search::new(&self.problem, self.system, load, options).relative_to(scale)
+    }
+}
+
 impl Films<'_> {
     /// The balance under loads on the journals [N], the shaft turned by `angle` [rad].
     ///
     /// # Errors
     /// [`NoBalance`]: why there is none.
     pub fn balance(&self, asked: &[Vector], angle: f64, deadline: Deadline) -> Result<Balance, NoBalance> {
+        let joined = self.joined(asked, angle);
         let coarser = self.coarser();
-        let start = coarser.and_then(|coarser| coarser.balance(asked, angle, deadline).ok());
-        let mut films = 0;
-        if let Some(start) = start.map(|start| places(&start.instants))
-            && let Ok(found) = self.settled(self.known(asked, angle, 0.0), start, None, &mut films)
-        {
-            return Ok(of(found, films));
+        let found = coarser.and_then(|coarser| coarser.balance(asked, angle, deadline).ok());
+        if let Some(found) = found {
+            let films = self.films.iter().zip(&found.instants);
+            let starts: Vec<_> = films
+                .map(|(film, here)| film.system.coarser.as_ref().map(|coarser| coarser.start_of(&here.film)))
+                .collect();
+            let near = starts.iter().map(|start| start.as_ref().map_or(Neighbour::None, Neighbour::Coarser));
+            let begun: Vec<Begin> = found.instants.iter().zip(near).map(|(here, near)| Begin::of(here, near)).collect();
+            if let Ok(found) = self.rested(&joined, &begun, Damping::None, deadline) {
+                return Ok(found);
+            }
         }
-        self.sunk(asked, angle, deadline, &mut films)
+        let begin = |at: Vector| Begin { at, wall: None, near: Neighbour::None };
+        let begun: Vec<Begin> = self.first_places(asked).into_iter().map(begin).collect();
+        self.rested(&joined, &begun, Damping::PseudoTime, deadline)
     }
 
-    /// The balance near another one, whose films carried somewhat more or less.
+    /// The balance near another one, where more accurate films carry so much `more` [N] in its places: it is that of
+    /// those films.
     ///
     /// # Errors
     /// [`NoBalance`]: why there is none.
-    pub fn rebalanced(&self, asked: &[Vector], angle: f64, near: &Balance) -> Result<Balance, NoBalance> {
-        let mut films = near.films;
-        let start = places(&near.instants);
-        match self.settled(self.known(asked, angle, 0.0), start, Some(&near.instants), &mut films) {
-            Ok(found) => Ok(of(found, films)),
-            Err(NoStage::Film(reason)) => Err(NoBalance::Film(reason)),
-            Err(NoStage::Diverged(residual, place)) => Err(self.stuck(residual, &place)),
-        }
+    pub fn rebalanced(
+        &self,
+        asked: &[Vector],
+        angle: f64,
+        near: &Balance,
+        more: &[Vector],
+    ) -> Result<Balance, NoBalance> {
+        let joined = self.joined(asked, angle);
+        let by_more = joined.by_films(more);
+        let asked: Vec<Vector> = asked.iter().zip(by_more).map(|(asked, more)| moved(*asked, -1.0, more)).collect();
+        let near = near.instants.iter();
+        let begun: Vec<Begin> = near.map(|here| Begin::of(here, Neighbour::Start(&here.film))).collect();
+        self.rested(&self.joined(&asked, angle), &begun, Damping::None, Deadline::default())
     }
 
     /// How all journals move [m] where one film carries somewhat more [N] in its place, for each such bearing, by its
@@ -103,107 +151,67 @@ impl Films<'_> {
         angle: f64,
         more: &[(usize, Vector)],
     ) -> Result<Vec<Vec<Vector>>, NoFilmAt> {
-        let slopes = self.slopes(instants, (1.0, 0.0))?;
+        let slope = |(bearing, (film, here)): (usize, (&Film, &Instant))| {
+            let slope = film.motion().tangent(here, 1.0, 0.0);
+            slope.map_err(|reason| NoFilmAt { bearing, reason })
+        };
+        let films = self.films.par_iter().zip(instants).enumerate();
+        let slopes = films.map(slope).collect::<Result<Vec<Stiffness>, NoFilmAt>>()?;
+        let joined = self.joined(&vec![[0.0; 4]; self.films.len()], angle);
         let moved_by = |&(bearing, force): &(usize, Vector)| {
-            let mut displaced = vec![[0.0; 4]; self.films.len()];
-            displaced[bearing] = self.films[bearing].yields(force);
-            let mut left = self.shaft.forces(&displaced, angle);
-            left[bearing] = moved(left[bearing], 1.0, force);
-            let step = self.newton_step(&slopes, &left, angle);
+            let mut carried = vec![[0.0; 4]; self.films.len()];
+            carried[bearing] = force.map(|part| -part);
+            let step = joined.solve(&slopes, &joined.by_films(&carried));
             step.unwrap_or_else(|| vec![[f64::NAN; 4]; self.films.len()])
         };
         Ok(more.iter().map(moved_by).collect())
     }
 
-    /// Where a search has got to that does not converge.
-    fn stuck(&self, residual: f64, place: &[Vector]) -> NoBalance {
-        let (bearing, gap) = self.thinnest(place);
-        NoBalance::Stuck { residual, bearing, gap }
-    }
-
-    fn scale(&self, asked: &[Vector]) -> f64 {
-        match magnitude(asked) {
+    /// The balance from this beginning.
+    fn rested(
+        &self,
+        joined: &ShaftBalance,
+        begun: &[Begin],
+        damping: Damping,
+        deadline: Deadline,
+    ) -> Result<Balance, NoBalance> {
+        let options = SearchOptions { deadline, ..SearchOptions::default() };
+        let scale = match magnitude(&joined.asked) {
             0.0 => self.films.iter().map(|film| film.motion().peak_load()).fold(f64::MIN_POSITIVE, f64::max),
             load => load,
+        };
+        let searches: Vec<Search> = self.films.iter().map(|film| film.search(options, scale)).collect();
+        let open = |(bearing, (search, begin)): (usize, (&Search, &Begin))| {
+            let bent = self.films[bearing].problem.clone().deflected(begin.wall);
+            let film = search.open(&bent, begin.at, FilmSolve::Settled(begin.near), GOAL.closed);
+            film.map_err(|reason| NoFilmAt { bearing, reason })
+        };
+        let films = searches.par_iter().zip(begun).enumerate();
+        let first = films.map(open).collect::<Result<Vec<Trial>, NoFilmAt>>()?;
+        let mut tried = first.len();
+        let coupled = Coupled { searches: &searches, shaft: Some(joined) };
+        let (trials, end) = coupled.newton(first, GOAL, damping, &mut tried);
+        let residual = coupled.residual(&trials);
+        match end {
+            None => {}
+            Some(SearchEnd::Ended) => return Err(NoBalance::Ended),
+            Some(_) => return Err(self.stuck(residual, &searches, &trials)),
         }
+        let instant = |(bearing, trial): (usize, Trial)| {
+            let (motion, at) = (self.films[bearing].motion(), searches[bearing].place(&trial));
+            let here = motion.instant(Moving { time: 0.0, at, velocity: [0.0; 4] }, trial.film, &trial.carried);
+            motion.accepted(here).map_err(|reason| NoFilmAt { bearing, reason })
+        };
+        let instants = trials.into_iter().enumerate().map(instant).collect::<Result<Vec<Instant>, NoFilmAt>>()?;
+        Ok(Balance { instants, residual, films: tried })
     }
 
-    fn known(&self, asked: &[Vector], angle: f64, shift: f64) -> Known {
-        Known {
-            time: 0.0,
-            angle,
-            per_time: 0.0,
-            offset: vec![[0.0; 4]; self.films.len()],
-            asked: asked.to_vec(),
-            shift,
-            slopes: None,
-        }
+    /// Where a search has got to that does not converge.
+    fn stuck(&self, residual: f64, searches: &[Search], trials: &[Trial]) -> NoBalance {
+        let gap = |(search, trial): (&Search, &Trial)| search.least_film(trial) / search.gap.bearing().clearance;
+        let gaps = searches.iter().zip(trials).map(gap).enumerate();
+        let first = (0, f64::INFINITY);
+        let (bearing, gap) = gaps.fold(first, |best, it| if it.1 < best.1 { it } else { best });
+        NoBalance::Stuck { residual, bearing, gap }
     }
-
-    /// The balance at rest from a place nearby.
-    fn settled(
-        &self,
-        known: Known,
-        start: Vec<Vector>,
-        near: Option<&[Instant]>,
-        films: &mut usize,
-    ) -> Result<Staged, NoStage> {
-        let accuracy =
-            Accuracy { balanced: BALANCED[0], settled: Some(BALANCED[1]), scale: self.scale(&known.asked), steep: 0.0 };
-        self.stage(&known, start, near, accuracy, films)
-    }
-
-    /// The balance, by sinking from the middle.
-    fn sunk(&self, asked: &[Vector], angle: f64, deadline: Deadline, films: &mut usize) -> Result<Balance, NoBalance> {
-        let speed = self.films.iter().map(|film| film.problem.journal.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let accuracy =
-            Accuracy { balanced: ROUGHLY[0], settled: Some(ROUGHLY[1]), scale: self.scale(asked), steep: 0.0 };
-        let mut at = self.first_places(asked);
-        let mut here: Option<Vec<Instant>> = None;
-        let mut dt = FIRST;
-        let mut stuck = (1.0, at.clone());
-        for _ in 0..MOST_STEPS {
-            if deadline.is_over() {
-                return Err(NoBalance::Ended);
-            }
-            let known = Known { per_time: speed / dt, offset: at.clone(), ..self.known(asked, angle, 0.0) };
-            match self.stage(&known, at.clone(), here.as_deref(), accuracy, films) {
-                Ok(found) => {
-                    at = places(&found.instants);
-                    here = Some(found.instants);
-                    let rate = here.iter().flatten().map(|here| here.velocity).collect::<Vec<_>>();
-                    // What the motion of the last step still carries, by its share of the gap in a turn.
-                    let is_slow = self.change(&at, &rate) / speed < AT_REST;
-                    dt *= GROWTH;
-                    if is_slow || dt > LONGEST {
-                        match self.settled(self.known(asked, angle, speed / dt), at.clone(), here.as_deref(), films) {
-                            Ok(found) => return Ok(of(found, *films)),
-                            Err(NoStage::Film(reason)) if dt > LONGEST => return Err(NoBalance::Film(reason)),
-                            // A slower journal may have one.
-                            Err(NoStage::Film(_)) => {}
-                            Err(NoStage::Diverged(residual, place)) => stuck = (residual, place),
-                        }
-                    }
-                    if dt > LONGEST {
-                        break;
-                    }
-                }
-                Err(NoStage::Film(reason)) if dt < SHORTEST => return Err(NoBalance::Film(reason)),
-                Err(NoStage::Diverged(residual, place)) if dt < SHORTEST => {
-                    stuck = (residual, place);
-                    break;
-                }
-                Err(_) => dt /= RETRY,
-            }
-        }
-        Err(self.stuck(stuck.0, &stuck.1))
-    }
-}
-
-fn places(instants: &[Instant]) -> Vec<Vector> {
-    instants.iter().map(|here| here.at).collect()
-}
-
-fn of(found: Staged, films: usize) -> Balance {
-    Balance { instants: found.instants, residual: found.residual, films }
 }

@@ -7,9 +7,9 @@
 //! | `frame.rs` | the beams as the journals see them: stiffness, and loads moved to them |
 //! | `centre_line.rs` | how the shaft bends between its journals |
 //! | `engine.rs`, `cut.rs` | loads of all throws by firing order; the shaft cut at its mains |
-//! | `films.rs`, `stage.rs` | the balance of shaft and films, and Newton's method for it |
-//! | `step.rs` | one step in time, and what it is off by |
-//! | `equilibrium.rs`, `march.rs`, `no_orbit.rs` | the shaft at rest, and over cycles; why it is not led on |
+//! | `joined.rs` | the balance of shaft and films |
+//! | `films.rs` | the films of all journals, which move over a cycle as those of [`crate::orbit`] |
+//! | `equilibrium.rs` | the shaft at rest |
 //! | `counterweights.rs` | where they serve the bearings best |
 //! | `matrix.rs` | dense matrices |
 //!
@@ -24,20 +24,15 @@ pub mod engine;
 mod equilibrium;
 pub mod films;
 pub mod frame;
-mod march;
+pub mod joined;
 pub mod matrix;
-mod no_orbit;
-mod stage;
-mod step;
 
 pub use beam::Material;
 pub use centre_line::LinePoint;
 pub use crankshaft::{CrankThrow, Crankshaft, Piece, Round};
 pub use cut::shares;
 pub use engine::Engine;
-pub use equilibrium::{Balance, NoBalance};
-pub use films::{Film, Films, NoFilmAt};
+pub use equilibrium::{Balance, NoBalance, NoFilmAt};
+pub use films::{Film, Films, compliance_of_shell};
 pub use frame::{Frame, NoShaft, NodeForce, Place, Shaft};
-pub use march::{MarchOptions, ShaftCycle, ShaftOrbit};
-pub use no_orbit::NoShaftOrbit;
-pub use step::{Drive, ShaftStep};
+pub use joined::ShaftBalance;

@@ -25,7 +25,7 @@ const WIDER: f64 = 4.0;
 
 /// Gives the numbers of an orbit their bars; none where an orbit of the comparison does not come to its end. Whether
 /// the deadline has ended one.
-pub(super) fn judge(
+pub(super) fn compare(
     motion: &Motion,
     (film, model): (&Film, &oilwedge_scene::Orbit),
     (begin, orbit): (Vector, OrbitOptions),
@@ -35,23 +35,36 @@ pub(super) fn judge(
     let film = Film { system: Arc::new(film.system.on_vertices()), ..film.clone() };
     let motion = Motion { system: &film.system, gap: film.gap(), ..*motion };
     let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
-    let numbers = |tolerance: f64| {
-        let options = OrbitOptions { tolerance, observer: None, ..orbit };
-        let orbit = motion.orbit(begin, &options).ok().filter(|orbit| orbit.end != OrbitEnd::Ended)?;
+    let [alike, wider] = compared(&orbit, |options| {
+        let orbit = motion.orbit(begin, options).ok().filter(|orbit| orbit.end != OrbitEnd::Ended)?;
         Some(measured(&film, &motion, model, orbit, &numbers_alone).ok()?.quantities)
-    };
-    let (alike, wider) = rayon::join(|| numbers(orbit.tolerance), || numbers(WIDER * orbit.tolerance));
-    let (Some(alike), Some(wider)) = (alike, wider) else {
-        return orbit.deadline.is_over();
-    };
+    });
+    let both = alike.as_deref().zip(wider.as_deref());
+    judge(both, quantities);
+    both.is_none() && orbit.deadline.is_over()
+}
+
+/// Numbers on the vertices alone by a tolerance and by a wider one.
+pub(crate) fn compared<T: Send>(
+    orbit: &OrbitOptions,
+    numbers: impl Fn(&OrbitOptions) -> Option<T> + Sync,
+) -> [Option<T>; 2] {
+    let with = |tolerance: f64| numbers(&OrbitOptions { tolerance, observer: None, ..*orbit });
+    let (alike, wider) = rayon::join(|| with(orbit.tolerance), || with(WIDER * orbit.tolerance));
+    [alike, wider]
+}
+
+/// Gives numbers their bars by those on the vertices alone, with the same tolerance and with a wider one; none where
+/// these are not known.
+pub(crate) fn judge(both: Option<(&[Quantity], &[Quantity])>, quantities: &mut [Quantity]) {
+    let (alike, wider) = both.unwrap_or_default();
     let find = |list: &[Quantity], name: &str| list.iter().find(|it| it.name == name).map(|it| it.value);
     for quantity in quantities {
-        let there = find(&alike, &quantity.name).zip(find(&wider, &quantity.name));
+        let there = find(alike, &quantity.name).zip(find(wider, &quantity.name));
         quantity.set_bar(there.map(|(alike, wider)| Bar {
             discretisation: quantity.row.difference(quantity.value, alike).abs(),
             time: quantity.row.difference(alike, wider).abs(),
             ..Bar::default()
         }));
     }
-    false
 }

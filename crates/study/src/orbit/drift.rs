@@ -70,7 +70,7 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
 
 /// Adds what the closure of the last cycle leaves of the distance to the limit of all cycles; an orbit that does not
 /// contract has no bars.
-pub(super) fn add_closure(cycles: &[Cycle], samples: &mut [Sampled], order: usize) {
+pub(super) fn add_closure((cycles, clearance): (&[Cycle], f64), samples: &mut [Sampled], order: usize) {
     let Some(last) = cycles.last() else { return };
     let mut deviations = Parts((0..order).map(unit).collect());
     let (mut before, mut sizes) = (None, Vec::with_capacity(samples.len()));
@@ -90,9 +90,8 @@ pub(super) fn add_closure(cycles: &[Cycle], samples: &mut [Sampled], order: usiz
     let left = 1.0 - by_cycles.unwrap_or(by_tangents);
     for (Sampled { sample, .. }, sizes) in samples.iter_mut().zip(sizes) {
         match left > 0.0 {
-            true => {
-                (sample.drift.iter_mut().zip(sizes)).for_each(|([_, time], size)| *time += last.closure / left * size)
-            }
+            true => (sample.drift.iter_mut().zip(sizes))
+                .for_each(|([_, time], size)| *time += clearance * last.closure / left * size),
             false => sample.drift.clear(),
         }
     }

@@ -23,8 +23,11 @@
 //! `tests/full/tests/shaft_cycle.rs`.
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::Instant;
-use oilwedge_bearing::shaft::{Engine, Films, NoFilmAt, NodeForce, ShaftStep};
+use oilwedge_bearing::orbit::{Instant, Orbits, Step};
+use oilwedge_bearing::shaft::{Engine, Film, Films, NoFilmAt, NodeForce};
+
+use oilwedge_reynolds::solve::Neighbour;
+use rayon::prelude::*;
 
 use super::compile::Compiled;
 use super::result::ShaftBalances;
@@ -34,24 +37,29 @@ use crate::measure::{Measured, measure};
 ///
 /// # Errors
 /// [`NoFilmAt`]: a film that the shaft had is not found again.
-pub(super) fn balances(engine: &Engine, compiled: &Compiled, steps: &[ShaftStep]) -> Result<ShaftBalances, NoFilmAt> {
+pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) -> Result<ShaftBalances, NoFilmAt> {
     let mut worst = ShaftBalances::default();
-    let angle = |step: &ShaftStep| engine.speed * step.time;
-    let magnitudes = |step: &ShaftStep| {
+    let angle = |step: &[Step]| engine.speed * step[0].time;
+    let magnitudes = |step: &Vec<Step>| {
         let loads = engine.loads(angle(step)).into_iter();
         loads.map(|load| load.force[0].hypot(load.force[1])).sum::<f64>()
     };
-    let scale = steps.iter().map(magnitudes).fold(f64::MIN_POSITIVE, f64::max);
+    let scale = orbits.steps.iter().map(magnitudes).fold(f64::MIN_POSITIVE, f64::max);
     let arm = compiled.loaded_at.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let mut powers = [0.0f64, f64::MIN_POSITIVE];
     let films = compiled.films();
     let mut before: Option<Vec<Instant>> = None;
-    for step in steps {
+    for step in &orbits.steps {
         let [force, moment] = left_of_loads(engine, compiled, step).map(|[x, y]| x.hypot(y));
         worst.force = worst.force.max(force / scale);
         worst.moment = worst.moment.max(moment / (arm * scale));
-        worst.journals = worst.journals.max(step.residual);
-        let instants = films.solved(step.time, &step.train, before.as_deref())?;
+        worst.journals = worst.journals.max(step[0].residual);
+        let again = |(bearing, (film, step)): (usize, (&Film, &Step))| {
+            let near = before.as_ref().map_or(Neighbour::None, |before| Neighbour::Start(&before[bearing].film));
+            film.motion().film_at(step, near).map_err(|reason| NoFilmAt { bearing, reason })
+        };
+        let journals = films.films.par_iter().zip(step).enumerate();
+        let instants = journals.map(again).collect::<Result<Vec<Instant>, NoFilmAt>>()?;
         let [left, dissipated] = left_of_power(&films, &instants, &engine.loads(angle(step)), angle(step));
         before = Some(instants);
         powers = [powers[0].max(left.abs()), powers[1].max(dissipated)];
@@ -61,15 +69,15 @@ pub(super) fn balances(engine: &Engine, compiled: &Compiled, steps: &[ShaftStep]
 }
 
 /// Loads less forces of all films [N], and their moments about z = 0 [N m].
-fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &ShaftStep) -> [[f64; 2]; 2] {
-    let loads = engine.loads(engine.speed * step.time);
+fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[Step]) -> [[f64; 2]; 2] {
+    let loads = engine.loads(engine.speed * step[0].time);
     let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
     for k in 0..2 {
         for load in &loads {
             force[k] += load.force[k];
             moment[k] += compiled.loaded_at[load.place] * load.force[k];
         }
-        for (carried, bearing) in step.carried.iter().zip(&compiled.bearings) {
+        for (Step { excess: carried, .. }, bearing) in step.iter().zip(&compiled.bearings) {
             force[k] -= carried[k];
             moment[k] -= bearing.at * carried[k] + bearing.coordinates().arm * carried[k + 2];
         }
@@ -82,7 +90,7 @@ fn left_of_power(films: &Films, instants: &[Instant], loads: &[NodeForce], angle
     let asked = films.shaft.loads(loads, angle);
     let [at, carried] = [|here: &Instant| here.at, |here: &Instant| here.excess]
         .map(|of: fn(&Instant) -> Vector| instants.iter().map(of).collect::<Vec<_>>());
-    let displaced = films.displaced(&at, &carried);
+    let displaced = films.joined(&asked, angle).displaced(&at, &carried);
     let by_shaft = films.shaft.forces(&displaced, angle);
     let [mut left, mut dissipated] = [0.0; 2];
     for (bearing, (here, film)) in instants.iter().zip(&films.films).enumerate() {

@@ -1,6 +1,7 @@
 //! The scene of a shaft and those of its bearings become films, a shaft and its loads.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::coordinates::Vector;
@@ -99,7 +100,28 @@ impl Bearing {
 impl Compiled {
     /// The films, as the balance of the shaft has them.
     pub fn films(&self) -> Films<'_> {
-        Films { shaft: &self.shaft, films: self.bearings.iter().map(film).collect() }
+        let compliance = |bearing: &Bearing| shaft::compliance_of_shell(bearing.coordinates(), bearing.support);
+        Films {
+            shaft: &self.shaft,
+            films: self.bearings.iter().map(film).collect(),
+            compliance: self.bearings.iter().map(compliance).collect(),
+        }
+    }
+
+    /// This shaft on films of the vertices of their meshes alone.
+    pub(super) fn on_vertices(&self) -> Self {
+        let coarse = |bearing: &Bearing| {
+            let film = &bearing.film;
+            let film = Film { system: Arc::new(film.system.on_vertices()), ..film.clone() };
+            Bearing { film, ..bearing.clone() }
+        };
+        Self {
+            bearings: self.bearings.iter().map(coarse).collect(),
+            shaft: self.shaft.clone(),
+            loads: self.loads.clone(),
+            loaded_at: self.loaded_at.clone(),
+            throws: self.throws.clone(),
+        }
     }
 
     /// Loads that do not change, as forces on the journals [N].
@@ -109,8 +131,7 @@ impl Compiled {
 }
 
 fn film(bearing: &Bearing) -> shaft::Film<'_> {
-    let film = &bearing.film;
-    shaft::Film::new(&film.problem, &film.system, bearing.coordinates(), bearing.support)
+    shaft::Film::new(&bearing.film.problem, &bearing.film.system, bearing.coordinates())
 }
 
 /// The bearings with their films; bearings of one scene share its mesh.
@@ -146,23 +167,11 @@ fn failed(path: &Path) -> impl Fn(CompileError) -> ShaftError {
 /// Refuses what is not solved on a shaft.
 fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
     let sockets = Sockets::of(own);
-    let refused = [
-        (
-            sockets.thermal.is_some(),
-            "heat: on a crankshaft the temperature of films is not found",
-            "remove [heat], and give oil.viscosity, or oil.temperature for an oil by its grade",
-        ),
-        (
-            sockets.liner.is_some(),
-            "liner: on a crankshaft the walls of films are rigid",
-            "remove [liner], and give the support of the bearing a stiffness where the housing yields as a whole",
-        ),
-        (
-            sockets.cavitation.conserves_oil(),
-            "cavitation.model: on a crankshaft films that conserve their oil are not solved",
-            "give model = \"reynolds\"",
-        ),
-    ];
+    let refused = [(
+        sockets.thermal.is_some(),
+        "heat: on a crankshaft the temperature of films is not found",
+        "remove [heat], and give oil.viscosity, or oil.temperature for an oil by its grade",
+    )];
     match refused.into_iter().find(|(is_asked, ..)| *is_asked) {
         Some((_, reason, help)) => Err(ShaftError::Refused { path: path.to_owned(), reason, help }),
         None => Ok(()),

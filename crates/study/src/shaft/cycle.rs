@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, LoadPoint, Turning};
-use oilwedge_bearing::orbit::{Between, Cycle, Orbit, OrbitEnd, Step};
-use oilwedge_bearing::shaft::{Drive, Engine, Films, MarchOptions, NoFilmAt, NoShaftOrbit, ShaftOrbit, ShaftStep};
+use oilwedge_bearing::orbit::{Journals, NoOrbit, NoOrbitAt, OrbitEnd, OrbitOptions, Orbits, Step};
+use oilwedge_bearing::shaft::{Engine, Films};
 use oilwedge_scene::{ShaftScene, Statics};
 
 use super::balances::balances;
@@ -14,10 +14,11 @@ use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
-use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
+use crate::orbit::{Followed, GREATEST, USUAL, compared, follow_under, judge, measured, motion, suits};
 use crate::reasons::{Cause, Limit};
 use crate::result::Status;
 use crate::run_options::RunOptions;
+use crate::solved::Errors;
 use crate::warning::Warning;
 use crate::warnings::all_warnings;
 
@@ -74,7 +75,7 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     let model = scene.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
     let mut compiled = compile_shaft(scene, USUAL)?;
     let mut run = ShaftRun::of(scene, options.bars);
-    let march = MarchOptions {
+    let march = OrbitOptions {
         tolerance: model.tolerance,
         closure: model.closure,
         cycles: model.cycles,
@@ -90,12 +91,12 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
             compiled = compile_shaft(scene, greatest)?;
         }
     }
-    let found = drive(scene, engine, &compiled, &compiled.films(), |drive| drive.follow(&start, &march));
+    let found = orbits(scene, engine, &compiled, &compiled.films(), (&start, &march));
     run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
     let outcome = found.map_err(|reason| (status(&reason), told(&reason, &compiled, options.cause())));
     let outcome = outcome.and_then(|orbit| {
         let clock = Instant::now();
-        let outcome = report(scene, engine, &compiled, &orbit, options, &mut run);
+        let outcome = report(scene, engine, &compiled, (&orbit, &start, &march), options, &mut run);
         run.result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
         outcome?;
         let last = orbit.cycles.last().map_or(0.0, |cycle| cycle.closure);
@@ -110,16 +111,17 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     Ok(run)
 }
 
-/// What drives films of a shaft, handed to `then`.
-fn drive<T>(
+/// The orbits of all journals on these films of a shaft, from some places [m] on.
+fn orbits(
     scene: &ShaftScene,
     engine: &Engine,
     compiled: &Compiled,
     films: &Films,
-    then: impl FnOnce(&Drive) -> T,
-) -> T {
+    (start, march): (&[Vector], &OrbitOptions),
+) -> Result<Orbits, NoOrbitAt> {
     let loads = |angle: f64| compiled.shaft.loads(&engine.loads(angle), angle);
-    then(&Drive { films, loads: &loads, period: scene.crankshaft.period, speed: scene.crankshaft.speed })
+    let drive = films.drive(&loads, [scene.crankshaft.period, scene.crankshaft.speed]);
+    Journals { motions: &films.motions(), shaft: Some(drive) }.orbits(start, march)
 }
 
 /// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1]; `None`
@@ -128,14 +130,14 @@ fn rough(
     scene: &ShaftScene,
     engine: &Engine,
     compiled: &Compiled,
-    (start, march): (&[Vector], &MarchOptions),
+    (start, march): (&[Vector], &OrbitOptions),
 ) -> Option<(Vec<Vector>, f64)> {
     let films = compiled.films();
     let coarser = films.coarser().unwrap_or_else(|| compiled.films());
-    let options = MarchOptions { tolerance: ROUGH, cycles: ROUGH_CYCLES, observer: None, ..*march };
-    let orbit = drive(scene, engine, compiled, &coarser, |drive| drive.follow(start, &options)).ok()?;
-    let end = orbit.steps.last()?.train.at.clone();
-    let gaps = orbit.steps.iter().map(|step| films.thinnest(&step.train.at).1);
+    let options = OrbitOptions { tolerance: ROUGH, cycles: ROUGH_CYCLES, observer: None, ..*march };
+    let orbit = orbits(scene, engine, compiled, &coarser, (start, &options)).ok()?;
+    let end = places(orbit.steps.last()?);
+    let gaps = orbit.steps.iter().map(|step| films.thinnest(&places(step)).1);
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min);
     Some((end, greatest.clamp(0.0, GREATEST)))
 }
@@ -145,28 +147,45 @@ fn report(
     scene: &ShaftScene,
     engine: &Engine,
     compiled: &Compiled,
-    orbit: &ShaftOrbit,
+    (orbit, start, march): (&Orbits, &[Vector], &OrbitOptions),
     options: &RunOptions,
     run: &mut ShaftRun,
 ) -> Result<(), (Status, String)> {
     let films = compiled.films();
-    for (number, bearing) in compiled.bearings.iter().enumerate() {
-        let cycle = own_load(scene, bearing, &orbit.steps, number);
-        let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;
-        let own = &*bearing.film.scene;
-        let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
-        let motion = motion(&bearing.film, own, &model, &cycle);
-        let mut followed = measured(&bearing.film, &motion, &model, own_orbit(orbit, number), options)
-            .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
+    // What films that conserve their oil are off by depends on what they have held all along.
+    let by_comparison = compiled.bearings.iter().any(|bearing| bearing.film.problem.cavitation.conserves_oil());
+    let of_films = RunOptions { bars: options.bars && !by_comparison, ..*options };
+    let mut found = measured_all(scene, compiled, orbit, &of_films)?;
+    if by_comparison && options.errors() == Errors::Estimated {
+        let on_vertices = compiled.on_vertices();
+        let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
+        let compared = compared(march, |march| {
+            let orbits = orbits(scene, engine, &on_vertices, &on_vertices.films(), (start, march)).ok()?;
+            let is_complete = orbits.end != OrbitEnd::Ended;
+            is_complete.then(|| measured_all(scene, &on_vertices, &orbits, &numbers_alone).ok()).flatten()
+        });
+        for (number, (followed, _)) in found.iter_mut().enumerate() {
+            let [alike, wider] = compared
+                .each_ref()
+                .map(|all| all.as_ref().map(|all: &Vec<(Followed, DutyCycle)>| &all[number].0.quantities[..]));
+            judge(alike.zip(wider), &mut followed.quantities);
+            followed.are_bars_ended = alike.is_none() && options.deadline().is_over();
+        }
+    }
+    for (number, (bearing, (mut followed, cycle))) in compiled.bearings.iter().zip(found).enumerate() {
         followed.quantities = found_with_shaft(followed.quantities);
-        let shells: Vec<Vector> =
-            orbit.steps.iter().map(|step| films.films[number].yields(step.carried[number])).collect();
+        let yields = |step: &Vec<Step>| {
+            let carried: Vec<Vector> = step.iter().map(|step| step.excess).collect();
+            films.joined(&[], 0.0).yields(&carried)[number]
+        };
+        let shells: Vec<Vector> = orbit.steps.iter().map(yields).collect();
         add(run, bearing, cycle, followed, &shells, options);
     }
     run.result.films = orbit.cycles.iter().map(|cycle| cycle.films).sum();
-    run.result.balances =
-        balances(engine, compiled, &orbit.steps).map_err(|reason| (Status::NoSolution, told_at(&reason, compiled)))?;
-    run.result.deflection = ShaftDeflection::of_cycle(compiled, engine, &orbit.steps);
+    run.result.balances = balances(engine, compiled, orbit).map_err(|reason| {
+        (Status::NoSolution, format!("bearing {}: {reason}", compiled.bearings[reason.bearing].name))
+    })?;
+    run.result.deflection = ShaftDeflection::of_cycle(compiled, engine, orbit);
     run.result.cycles = orbit
         .cycles
         .iter()
@@ -180,48 +199,50 @@ fn report(
     Ok(())
 }
 
+/// Each bearing along its orbit, with the load that its film carries.
+///
+/// # Errors
+/// Status and reason of a bearing whose films are not found again.
+fn measured_all(
+    scene: &ShaftScene,
+    compiled: &Compiled,
+    orbits: &Orbits,
+    options: &RunOptions,
+) -> Result<Vec<(Followed, DutyCycle)>, (Status, String)> {
+    let of_bearing = |(number, bearing): (usize, &Bearing)| {
+        let cycle = own_load(scene, bearing, &orbits.steps, number);
+        let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;
+        let own = &*bearing.film.scene;
+        let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let motion = motion(&bearing.film, own, &model, &cycle);
+        let followed = measured(&bearing.film, &motion, &model, orbits.of(number), options)
+            .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
+        Ok((followed, cycle))
+    };
+    compiled.bearings.iter().enumerate().map(of_bearing).collect()
+}
+
+/// Places of all journals [m].
+fn places(step: &[Step]) -> Vec<Vector> {
+    step.iter().map(|step| step.at).collect()
+}
+
 /// The load that the film of a bearing carries over the cycle, by a curve through its steps.
 fn own_load(
     scene: &ShaftScene,
     bearing: &Bearing,
-    steps: &[ShaftStep],
+    steps: &[Vec<Step>],
     number: usize,
 ) -> Result<DutyCycle, oilwedge_bearing::duty_cycle::NoSpline> {
     let speed = scene.crankshaft.speed;
     let arm = bearing.coordinates().arm;
-    let point = |step: &ShaftStep| {
-        let [x, y, z_x, z_y] = step.carried[number];
-        LoadPoint { angle: speed * step.time, force: [x, y], moment: [arm * z_x, arm * z_y] }
+    let point = |step: &Vec<Step>| {
+        let Step { time, excess: [x, y, z_x, z_y], .. } = step[number];
+        LoadPoint { angle: speed * time, force: [x, y], moment: [arm * z_x, arm * z_y] }
     };
     // The last step is the first one of the next cycle.
     let points: Vec<LoadPoint> = steps[..steps.len().saturating_sub(1)].iter().map(point).collect();
     DutyCycle::of_table(&points, scene.crankshaft.period, Frame::Shell, Turning { speed, rod: None })
-}
-
-/// The orbit of one journal.
-fn own_orbit(orbit: &ShaftOrbit, number: usize) -> Orbit {
-    let step = |step: &ShaftStep| Step {
-        time: step.time,
-        at: step.train.at[number],
-        velocity: step.train.velocity[number],
-        error: step.error[number],
-        residual: step.residual,
-        history: None,
-        wall: None,
-        until_next: Between::Path,
-    };
-    let cycle = |cycle: &oilwedge_bearing::shaft::ShaftCycle| Cycle {
-        closure: cycle.closure,
-        steps: cycle.steps,
-        rejected: cycle.rejected,
-        films: cycle.films,
-        oil: None,
-    };
-    Orbit {
-        steps: orbit.steps.iter().map(step).collect(),
-        cycles: orbit.cycles.iter().map(cycle).collect(),
-        end: orbit.end,
-    }
 }
 
 /// Adds the report of a bearing, its path, and the warnings about its thinnest film.
@@ -265,33 +286,25 @@ fn ended(run: &mut ShaftRun, end: OrbitEnd, (cycles, closure): (usize, f64), opt
     run.result.head.end(Status::NotConverged, limit);
 }
 
-fn status(reason: &NoShaftOrbit) -> Status {
-    match reason {
-        NoShaftOrbit::Film { reason, .. } if reason.is_unreached() => Status::NotConverged,
-        NoShaftOrbit::Film { .. } | NoShaftOrbit::SqueezedOut { .. } => Status::NoSolution,
-        NoShaftOrbit::Stuck { .. } | NoShaftOrbit::Ended { .. } => Status::NotConverged,
+fn status(at: &NoOrbitAt) -> Status {
+    match at.reason.is_unreached() {
+        true => Status::NotConverged,
+        false => Status::NoSolution,
     }
 }
 
-/// Why a bearing has no film.
-fn told_at(reason: &NoFilmAt, compiled: &Compiled) -> String {
-    format!("bearing {}: {reason}", compiled.bearings[reason.bearing].name)
-}
-
 /// Why the journals cannot be followed, with the name of the bearing that is meant, and the way out.
-fn told(reason: &NoShaftOrbit, compiled: &Compiled, cause: Cause) -> String {
-    let name = |bearing: usize| compiled.bearings.get(bearing).map_or("", |bearing| &bearing.name);
+fn told(NoOrbitAt { bearing, reason }: &NoOrbitAt, compiled: &Compiled, cause: Cause) -> String {
+    let name = compiled.bearings.get(*bearing).map_or("", |bearing| &bearing.name);
     match reason {
-        NoShaftOrbit::Film { bearing, .. } => format!("bearing {}: {reason}", name(*bearing)),
-        NoShaftOrbit::SqueezedOut { bearing, .. } => format!(
-            "bearing {}: {reason}; give its scene a finer mesh ([mesh] size), for a coarse one carries less where the film is thin; else lower the loads, raise speed or viscosity, or give a stiffer shaft \
-             where its slope takes the film",
-            name(*bearing)
+        NoOrbit::SqueezedOutOnShaft { .. } => format!(
+            "bearing {name}: {reason}; give its scene a finer mesh ([mesh] size), for a coarse one carries less where the film is thin; else lower the loads, raise speed or viscosity, or give a stiffer shaft \
+             where its slope takes the film"
         ),
-        NoShaftOrbit::Stuck { bearing, .. } => format!(
-            "bearing {}: {reason}; lower the loads, or give the bearing more length or its shell less stiffness",
-            name(*bearing)
+        NoOrbit::Stuck { .. } => format!(
+            "bearing {name}: {reason}; lower the loads, or give the bearing more length or its shell less stiffness"
         ),
-        NoShaftOrbit::Ended { .. } => cause.ends(&reason.to_string()),
+        NoOrbit::Ended { .. } => cause.ends(&reason.to_string()),
+        _ => format!("bearing {name}: {reason}"),
     }
 }

@@ -1,7 +1,8 @@
 //! The shaft as it is bent: its centre line in the housing, and the shells in which its journals lie.
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::shaft::{Engine, Films, NodeForce, ShaftStep};
+use oilwedge_bearing::orbit::Orbits;
+use oilwedge_bearing::shaft::{Engine, Films, NodeForce};
 use serde::{Deserialize, Serialize};
 
 use super::compile::Compiled;
@@ -34,12 +35,16 @@ impl ShaftDeflection {
     }
 
     /// The line at the step with the least film of all bearings.
-    pub(super) fn of_cycle(compiled: &Compiled, engine: &Engine, steps: &[ShaftStep]) -> Option<Self> {
+    pub(super) fn of_cycle(compiled: &Compiled, engine: &Engine, orbits: &Orbits) -> Option<Self> {
         let films = compiled.films();
-        let gaps = steps.iter().map(|step| (least(&films, &step.train.at), step));
-        let (_, step) = gaps.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b))?;
-        let angle = engine.speed * step.time;
-        let line = Self::turned(compiled, (&step.train.at, &step.carried), &engine.loads(angle), angle)?;
+        let steps = orbits.steps.iter().map(|step| {
+            let at: Vec<Vector> = step.iter().map(|step| step.at).collect();
+            (step[0].time, at, step.iter().map(|step| step.excess).collect::<Vec<_>>())
+        });
+        let gaps = steps.map(|(time, at, carried)| (least(&films, &at), (time, at, carried)));
+        let (_, (time, at, carried)) = gaps.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b))?;
+        let angle = engine.speed * time;
+        let line = Self::turned(compiled, (&at, &carried), &engine.loads(angle), angle)?;
         Some(Self { crank_angle_deg: Some(angle.to_degrees()), ..line })
     }
 
@@ -50,10 +55,10 @@ impl ShaftDeflection {
         angle: f64,
     ) -> Option<Self> {
         let films = compiled.films();
-        let line = films.shaft.bent(&films.displaced(at, carried), loads, angle)?;
+        let joined = films.joined(&[], angle);
+        let line = films.shaft.bent(&joined.displaced(at, carried), loads, angle)?;
         let (_, bearing) = least(&films, at);
         let [x, y, ..] = carried[bearing];
-        let yields = films.films.iter().zip(carried).map(|(film, carried)| film.yields(*carried));
         Some(Self {
             crank_angle_deg: None,
             bearing: compiled.bearings[bearing].name.clone(),
@@ -61,7 +66,7 @@ impl ShaftDeflection {
             z: line.iter().map(|point| point.z).collect(),
             x: line.iter().map(|point| point.by[0]).collect(),
             y: line.iter().map(|point| point.by[1]).collect(),
-            shells: yields.map(|[x, y, ..]| [x, y]).collect(),
+            shells: joined.yields(carried).iter().map(|[x, y, ..]| [*x, *y]).collect(),
         })
     }
 }

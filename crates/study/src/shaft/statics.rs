@@ -97,19 +97,22 @@ struct Reported {
     solved: Vec<Solved>,
     /// What they carry [N].
     carried: Vec<Resultant>,
+    /// What they carry more than the films of the balance [N].
+    more: Vec<Vector>,
 }
 
 /// The films that are reported, and their balance: the more accurate films carry somewhat else than those by which the
 /// balance was `found`, so that the shaft is balanced again, until what they carry balances its loads.
 fn reported(
     compiled: &Compiled,
-    films: &mut Films,
+    films: &Films,
     found: Balance,
     options: &RunOptions,
 ) -> Result<Reported, (Status, String)> {
     let asked = compiled.steady_load();
     let size = asked.iter().map(|&load| length(load)).sum::<f64>();
     let mut balance = found;
+    let mut more = vec![[0.0; 4]; films.films.len()];
     let mut left = f64::INFINITY;
     for _ in 0..MOST_BALANCES {
         let solve = |(bearing, here): (&Bearing, &Instant)| {
@@ -121,18 +124,17 @@ fn reported(
         let solved = solved.map_err(|reason| (Status::without(&reason), reason.to_string()))?;
         let carried: Vec<Resultant> = solved.iter().map(|solved| load(solved.reported()).total.resultant()).collect();
         left = 0.0;
-        for ((film, here), carried) in films.films.iter_mut().zip(&balance.instants).zip(&carried) {
-            let more = match options.errors() {
-                Errors::Estimated => moved(film.coordinates.forces(carried), -1.0, here.excess),
-                Errors::Omitted => film.more,
-            };
-            left += length(moved(more, -1.0, film.more));
-            film.more = more;
+        for (((film, here), carried), more) in films.films.iter().zip(&balance.instants).zip(&carried).zip(&mut more) {
+            let before = *more;
+            if options.errors() == Errors::Estimated {
+                *more = moved(film.coordinates.forces(carried), -1.0, here.excess);
+            }
+            left += length(moved(*more, -1.0, before));
         }
         if left <= BALANCED * size {
-            return Ok(Reported { balance, solved, carried });
+            return Ok(Reported { balance, solved, carried, more });
         }
-        let next = films.rebalanced(&asked, 0.0, &balance);
+        let next = films.rebalanced(&asked, 0.0, &balance, &more);
         balance = next.map_err(|reason| without(&reason, compiled, options.cause()))?;
     }
     let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
@@ -148,16 +150,15 @@ fn report(
     options: &RunOptions,
     result: &mut ShaftResult,
 ) -> Result<(), (Status, String)> {
-    let mut films = compiled.films();
-    let Reported { balance, solved, carried } = reported(compiled, &mut films, found, options)?;
+    let films = compiled.films();
+    let Reported { balance, solved, carried, more } = reported(compiled, &films, found, options)?;
     let estimated: Vec<Estimated> = solved.par_iter().map(estimate_errors).collect();
     let displacements = displacements(&films, &balance, &estimated);
     let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled, options.cause()))?;
-    let balanced = films.films.iter().zip(&balance.instants);
-    let [at, forces]: [Vec<Vector>; 2] = [
-        balanced.clone().map(|(_, here)| here.at).collect(),
-        balanced.map(|(film, here)| film.carried(here)).collect(),
-    ];
+    let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
+    let balanced = balance.instants.iter().zip(&more);
+    let forces: Vec<Vector> = balanced.map(|(here, more)| moved(here.excess, 1.0, *more)).collect();
+    let shells = films.joined(&[], 0.0).yields(&forces);
     let measure = |number: usize| {
         let (bearing, solved, of_film) = (&compiled.bearings[number], &solved[number], &films.films[number]);
         (number, bearing, solved, of_film)
@@ -170,7 +171,7 @@ fn report(
             Errors::Omitted => estimated,
         };
         let warnings = all_warnings(&solved.film.scene, solved, &estimated, options.errors());
-        let shell = of_film.yields(forces[number]);
+        let shell = shells[number];
         let [tilt_x, tilt_y] = solved.film.problem.journal.tilt;
         let report = BearingReport {
             shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / of_film.coordinates.arm],
