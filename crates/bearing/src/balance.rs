@@ -23,7 +23,7 @@ impl Search<'_> {
     pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
         let Balance { trial, tried, is_ended } = balance;
         let tangent = self.tangent(&trial)?;
-        let warming = self.found_heat(&trial)?;
+        let warming = self.found_warmth(&trial)?;
         let residual = self.residual(&trial);
         Ok(Equilibrium {
             residual,

@@ -69,5 +69,5 @@ pub use search_options::{Carrier, InitialGuess, Purpose, SearchOptions};
 pub use stiffness::Stiffness;
 pub use tangent::WallByPlace;
 pub use thermal_balance::{Balanced, Housing, NoBalance, ThermalBalance, ThermalFlows};
-pub use warming::{FoundHeat, Heated};
+pub use warming::{FoundWarmth, Heated};
 pub use work::Work;

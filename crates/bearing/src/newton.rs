@@ -142,8 +142,8 @@ impl Coupled<'_, '_> {
             let (now, is_settled) = (self.left(&here), here.iter().all(|trial| trial.film.solution.wrong.is_empty()));
             let is_at_rounding = now > STALLED * last && force.max(wall) < goal.rounding;
             let is_balanced = force < goal.balanced && wall < goal.closed && ahead <= goal.moved;
-            let is_heat_balanced = self.unbalanced_heat(&here) < warming::BALANCED.max(goal.balanced);
-            if is_settled && is_heat_balanced && (is_balanced || is_at_rounding) {
+            let is_warmth_balanced = self.part_left_over(&here) < warming::BALANCED.max(goal.balanced);
+            if is_settled && is_warmth_balanced && (is_balanced || is_at_rounding) {
                 return (here, None);
             }
             if self.searches.iter().any(|search| search.options.deadline.is_over()) {

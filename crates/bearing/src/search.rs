@@ -58,7 +58,7 @@ pub(crate) struct Record {
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: Vec<f64>,
     /// How the heat that is left over changes, as far as the steps have shown it.
-    pub(crate) row: Option<HeatRow>,
+    pub(crate) row: Option<WarmthRow>,
     /// What they have cost.
     pub(crate) work: Work,
 }
@@ -73,7 +73,7 @@ pub(crate) struct Nearest {
 
 /// How the heat that a film leaves over changes ([`crate::warming`]).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct HeatRow {
+pub(crate) struct WarmthRow {
     /// With the coordinates [W/m].
     pub(crate) by_place: Vector,
     /// With the temperature [W/K].

@@ -12,7 +12,7 @@
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | E | W | `surplus` |
-//! | c, b | W/m, W/K | `HeatRow` |
+//! | c, b | W/m, W/K | `WarmthRow` |
 //! | y_1 | m/K | `Tangents::thicker` |
 //!
 //! **Source.** Broyden, Math. Comp. 19 (1965) 577. **Range.** Steady films, each of one temperature. **Verified by**
@@ -28,7 +28,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmChange, FilmProblem, NoFilm, SolvedF
 use crate::coordinates::{Coordinates, Vector, dot, moved};
 use crate::coupled::Tangents;
 use crate::deflection::Moves;
-use crate::search::{HeatRow, Search, Trial};
+use crate::search::{Search, Trial, WarmthRow};
 use crate::{ThermalBalance, ThermalFlows};
 
 /// The heat is balanced when what is left over is this part of the friction.
@@ -71,7 +71,7 @@ pub(crate) struct Warmth {
 
 /// The heat of a film whose temperature was found, and how its journal and wall follow that under the same load.
 #[derive(Debug, Clone)]
-pub struct FoundHeat {
+pub struct FoundWarmth {
     /// Temperature of the film [K].
     pub temperature: f64,
     /// What heats and cools it.
@@ -85,7 +85,7 @@ pub struct FoundHeat {
     wall: Vec<f64>,
 }
 
-impl FoundHeat {
+impl FoundWarmth {
     /// A problem whose journal and wall have followed so many kelvin.
     pub fn followed(&self, problem: &FilmProblem, kelvin: f64) -> FilmProblem {
         let place = self.place.map(|x| kelvin * x);
@@ -107,7 +107,7 @@ impl Search<'_> {
     }
 
     /// Heat that a trial leaves over, as a part of its friction [1]; zero where its temperature is given.
-    pub(crate) fn unbalanced_heat(&self, trial: &Trial) -> f64 {
+    pub(crate) fn part_left_over(&self, trial: &Trial) -> f64 {
         let of = |warmth: Warmth| (warmth.surplus / warmth.flows.power).abs();
         self.warmth(trial).map_or(0.0, |warmth| if warmth.surplus == 0.0 { 0.0 } else { of(warmth) })
     }
@@ -116,7 +116,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn with_heat(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Moves, NoFilm> {
+    pub(crate) fn with_warming(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Moves, NoFilm> {
         let (Some(warmth), Some(warming)) = (self.warmth(here), self.options.warming) else {
             return Ok(moves);
         };
@@ -133,15 +133,15 @@ impl Search<'_> {
     }
 
     /// The row of the surplus, as the steps before have shown it or, where that is not to be believed, as it usually is.
-    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> HeatRow {
+    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> WarmthRow {
         let Warmth { temperature, flows, .. } = warmth;
         let surplus = |t: f64| self.options.warming.map_or(0.0, |warming| warming.balance().surplus(t, flows));
         let by_temperature = flows.power * thinning + surplus(temperature + 1.0) - surplus(*temperature);
         let square = dot(per_kelvin, per_kelvin);
         let by_load = if square > 0.0 { (FRICTION_EXPONENT - 1.0) * flows.power * thinning / square } else { 0.0 };
-        let usual = HeatRow { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
-        let slope = |row: &HeatRow| row.by_temperature + dot(row.by_place, per_kelvin);
-        let is_believed = |row: &HeatRow| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
+        let usual = WarmthRow { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
+        let slope = |row: &WarmthRow| row.by_temperature + dot(row.by_place, per_kelvin);
+        let is_believed = |row: &WarmthRow| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
         let mut record = self.record();
         let row = record.row.filter(is_believed).unwrap_or(usual);
         record.row = Some(row);
@@ -164,7 +164,7 @@ impl Search<'_> {
         let per_kelvin = self.options.warming.map_or(0.0, |warming| thinning(warming, from.temperature).powi(2));
         let square = per_metre * dot(place, place) + per_kelvin * kelvin * kelvin;
         if square > 0.0 {
-            self.record().row = Some(HeatRow {
+            self.record().row = Some(WarmthRow {
                 by_place: moved(row.by_place, missed * per_metre / square, place),
                 by_temperature: row.by_temperature + missed * per_kelvin * kelvin / square,
             });
@@ -191,7 +191,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn found_heat(&self, trial: &Trial) -> Result<Option<FoundHeat>, NoFilm> {
+    pub(crate) fn found_warmth(&self, trial: &Trial) -> Result<Option<FoundWarmth>, NoFilm> {
         let (Some(warming), Some(Warmth { temperature, flows, .. })) = (self.options.warming, self.warmth(trial))
         else {
             return Ok(None);
@@ -200,7 +200,7 @@ impl Search<'_> {
         let tangents = self.tangents(trial, &trial.film, &left, (FOLLOWED, 0.0))?;
         let Moves { place, wall, .. } = tangents.thicker(self, trial)?.over(1.0 / thinning(warming, temperature));
         let (coordinates, velocity) = (self.coordinates, self.options.centre_velocity);
-        Ok(Some(FoundHeat { temperature, flows, coordinates, velocity, place, wall }))
+        Ok(Some(FoundWarmth { temperature, flows, coordinates, velocity, place, wall }))
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
-use oilwedge_bearing::{Balanced, FoundHeat, InitialGuess, NoBalance, Work};
+use oilwedge_bearing::{Balanced, FoundWarmth, InitialGuess, NoBalance, Work};
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
@@ -55,12 +55,12 @@ pub(crate) enum Left {
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
 pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    let with_heat = |film: &Film, options: &SolveOptions| {
+    let with_warming = |film: &Film, options: &SolveOptions| {
         let warming = Heating::of(film);
         warming.map_or_else(|| isothermal(film, options), |warming| heated(film, &warming, options))
     };
-    let mut solved = with_heat(film, options)
-        .or_else(|_| bracketed(film, model, options).and_then(|film| with_heat(&film, options)))?;
+    let mut solved = with_warming(film, options)
+        .or_else(|_| bracketed(film, model, options).and_then(|film| with_warming(&film, options)))?;
     let (Some(warming), Some(balance)) = (solved.warming.take(), solved.balance) else {
         return Ok(solved);
     };
@@ -90,7 +90,7 @@ pub(crate) fn work_of(solved: &Solved) -> Work {
 
 /// How numbers change with temperature: by a film beside the one found, where journal and wall have followed under the
 /// same load. None where there is no such film.
-fn slopes(solved: &Solved, model: &ThermalModel, warming: &FoundHeat) -> Option<Slopes> {
+fn slopes(solved: &Solved, model: &ThermalModel, warming: &FoundWarmth) -> Option<Slopes> {
     let numbers = |film: &Film, solution: &SolvedFilm| {
         let measured = measure(solution).with_dynamics(film, solution, None);
         let surplus = model.balance.surplus(film.oil.temperature?, &thermal_flows(model, film, &measured));
