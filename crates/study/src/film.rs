@@ -127,15 +127,13 @@ impl Film {
         }
     }
 
-    /// This film on the next coarser mesh, if it has one and shares its system with no other film.
-    pub(crate) fn on_coarser(self) -> Self {
-        let mut system = match Arc::try_unwrap(self.system) {
-            Ok(system) => system,
-            Err(system) => return Self { system, ..self },
-        };
-        match system.coarser.take() {
-            None => Self { system: Arc::new(system), ..self },
-            Some(coarser) => Self { problem: coarser.problem(&self.problem), system: coarser.system, ..self },
+    /// This film on the next coarser mesh, if it has one.
+    pub(crate) fn on_coarser(&self) -> Self {
+        match &self.system.coarser {
+            None => self.clone(),
+            Some(coarser) => {
+                Self { problem: coarser.problem(&self.problem), system: coarser.system.clone(), ..self.clone() }
+            }
         }
     }
 

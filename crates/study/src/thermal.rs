@@ -9,11 +9,13 @@ use oilwedge_bearing::{NoBalance, ThermalBalance, ThermalFlows};
 use crate::no_answer::{NoAnswer, NoTemperature, PowersAt};
 
 mod bars;
+mod between_runs;
 mod curve;
 pub mod flows;
 pub(crate) mod heating;
 mod search;
 
+pub(crate) use between_runs::FilmTemperature;
 pub use curve::{cycle_temperature_report, temperature_report};
 pub(crate) use search::Left;
 pub use search::solve;

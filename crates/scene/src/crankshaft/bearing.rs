@@ -9,7 +9,7 @@ keys! {
     "crankshaft.bearing" = Tables; "", "required", "along the axis, at straight pieces",
         "the bearings of the shaft";
     "crankshaft.bearing.scene" = Text; "engine/main.toml", "required", "a scene of one bearing",
-        "path of the scene of the bearing, counted from the folder of this scene; its position, load, speed and tilt, `mesh.tolerance`, `[dynamics]` and `[sweep]` are not used; `[heat]` is refused";
+        "path of the scene of the bearing, counted from the folder of this scene; its position, load, speed and tilt, `mesh.tolerance`, `[dynamics]` and `[sweep]` are not used";
     "crankshaft.bearing.name" = Text; "main 1", "its number, counted from 1", "each once",
         "how results call the bearing";
     "crankshaft.bearing.at" = Quantity(Length); "20 mm", "required", "on a straight piece",

@@ -13,7 +13,6 @@ use oilwedge_scene::{self as scene, Journal, Orbit, Scene, ShaftPiece, ShaftScen
 use super::error::ShaftError;
 use crate::compile_error::CompileError;
 use crate::duty::{NoDuty, crank_of};
-use crate::effects::Sockets;
 use crate::film::Film;
 use crate::orbit::on_mesh_for;
 
@@ -110,13 +109,16 @@ impl Compiled {
 
     /// This shaft on films of the vertices of their meshes alone.
     pub(super) fn on_vertices(&self) -> Self {
-        let coarse = |bearing: &Bearing| {
-            let film = &bearing.film;
-            let film = Film { system: Arc::new(film.system.on_vertices()), ..film.clone() };
-            Bearing { film, ..bearing.clone() }
-        };
+        self.with_films(|_, Bearing { film, .. }| Film { system: Arc::new(film.system.on_vertices()), ..film.clone() })
+    }
+
+    /// This shaft with another film of each bearing, by its number.
+    pub(super) fn with_films(&self, film: impl Fn(usize, &Bearing) -> Film) -> Self {
+        let bearings = self.bearings.iter().enumerate();
         Self {
-            bearings: self.bearings.iter().map(coarse).collect(),
+            bearings: bearings
+                .map(|(number, bearing)| Bearing { film: film(number, bearing), ..bearing.clone() })
+                .collect(),
             shaft: self.shaft.clone(),
             loads: self.loads.clone(),
             loaded_at: self.loaded_at.clone(),
@@ -164,20 +166,6 @@ fn failed(path: &Path) -> impl Fn(CompileError) -> ShaftError {
     move |source| ShaftError::Film { path: path.clone(), source }
 }
 
-/// Refuses what is not solved on a shaft.
-fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
-    let sockets = Sockets::of(own);
-    let refused = [(
-        sockets.thermal.is_some(),
-        "heat: on a crankshaft the temperature of films is not found",
-        "remove [heat], and give oil.viscosity, or oil.temperature for an oil by its grade",
-    )];
-    match refused.into_iter().find(|(is_asked, ..)| *is_asked) {
-        Some((_, reason, help)) => Err(ShaftError::Refused { path: path.to_owned(), reason, help }),
-        None => Ok(()),
-    }
-}
-
 /// The scenes of all bearings of a shaft as far as the numbers of each film depend on them: with what the shaft gives
 /// it.
 ///
@@ -202,7 +190,6 @@ fn on_shaft(path: &Path, scene: &ShaftScene) -> Result<Scene, ShaftError> {
     let shaft = &scene.crankshaft;
     let resists_tilt = shaft.tilt == ShaftTilt::Free && shaft.statics == Statics::Elastic;
     let mut changed = crate::read(path)?;
-    refuse(path, &changed)?;
     // No load: that of the shaft acts.
     changed.journal = Journal::without_load(shaft.speed);
     (changed.load_at, changed.load_moment, changed.load_cycle, changed.crank) = (None, None, None, None);

@@ -12,9 +12,12 @@ use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
+use super::heat::{NoShaftAnswer, Shown, Temperatures};
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
-use crate::orbit::{Followed, GREATEST, USUAL, compared, follow_under, judge, measured, motion, suits};
+use crate::orbit::{
+    BALANCED, Followed, GREATEST, USUAL, add_heat, compared, follow_under, judge, measured, motion, suits,
+};
 use crate::reasons::{Cause, Limit};
 use crate::result::Status;
 use crate::run_options::RunOptions;
@@ -82,21 +85,24 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
         deadline: options.deadline(),
         observer: options.observer.map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
+    let mut temperatures = Temperatures::of(&compiled);
     let first = compiled.shaft.loads(&engine.loads(0.0), 0.0);
     let mut start = compiled.films().first_places(&first);
-    if let Some((end, greatest)) = rough(scene, engine, &compiled, (&start, &march)) {
+    if let Some((end, greatest)) = rough(scene, engine, &compiled, (&start, &march), (&mut temperatures, options)) {
         start = end;
         let is_graded = compiled.bearings.iter().any(|bearing| bearing.film.scene.mesh.is_graded());
         if is_graded && !suits(USUAL, greatest) {
             compiled = compile_shaft(scene, greatest)?;
         }
     }
-    let found = orbits(scene, engine, &compiled, &compiled.films(), (&start, &march));
+    temperatures.begin_again();
+    let found = at_temperatures(scene, engine, (&compiled, &mut temperatures), (&mut start, &march), options);
     run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
-    let outcome = found.map_err(|reason| (status(&reason), told(&reason, &compiled, options.cause())));
-    let outcome = outcome.and_then(|orbit| {
+    let compiled = temperatures.applied(&compiled);
+    let outcome = found.and_then(|orbit| {
         let clock = Instant::now();
-        let outcome = report(scene, engine, &compiled, (&orbit, &start, &march), options, &mut run);
+        let found = (&orbit, &*start, &march);
+        let outcome = report(scene, engine, (&compiled, &temperatures), found, options, &mut run);
         run.result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
         outcome?;
         let last = orbit.cycles.last().map_or(0.0, |cycle| cycle.closure);
@@ -109,6 +115,49 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
         run.paths.clear();
     }
     Ok(run)
+}
+
+/// The orbits of all journals from some places [m] on, at the temperatures that balance the heat of their films; the
+/// places become those where they end.
+fn at_temperatures(
+    scene: &ShaftScene,
+    engine: &Engine,
+    (compiled, temperatures): (&Compiled, &mut Temperatures),
+    (start, march): (&mut Vec<Vector>, &OrbitOptions),
+    options: &RunOptions,
+) -> Result<Orbits, NoShaftAnswer> {
+    let followed = |at: &Compiled, start: &[Vector]| {
+        let found = orbits(scene, engine, at, &at.films(), (start, march));
+        found.map_err(|reason| (status(&reason), told(&reason, at, options.cause())))
+    };
+    if temperatures.are_given() {
+        return followed(compiled, start);
+    }
+    let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
+    let shown = |at: &Compiled, orbits: &Orbits| {
+        let found = measured_all(scene, at, orbits, &numbers_alone)?;
+        Ok(found.into_iter().map(|(followed, _)| (followed.flows, followed.quantities)).collect::<Vec<Shown>>())
+    };
+    let mut last: Option<Orbits> = None;
+    temperatures.balance(
+        compiled,
+        BALANCED * march.tolerance,
+        || march.deadline.is_over(),
+        |at| {
+            let orbits = followed(at, start)?;
+            *start = orbits.steps.last().map_or_else(|| start.clone(), |step| places(step));
+            let shown = shown(at, &orbits)?;
+            last = Some(orbits);
+            Ok(shown)
+        },
+    )?;
+    if options.bars {
+        temperatures.show_slopes(compiled, |at| shown(at, &followed(at, start)?));
+    }
+    match last {
+        Some(orbits) => Ok(orbits),
+        None => followed(&temperatures.applied(compiled), start),
+    }
 }
 
 /// The orbits of all journals on these films of a shaft, from some places [m] on.
@@ -124,18 +173,27 @@ fn orbits(
     Journals { motions: &films.motions(), shaft: Some(drive) }.orbits(start, march)
 }
 
-/// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1]; `None`
-/// where there is none.
+/// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1], with the
+/// temperatures of their films found as roughly; `None` where there is none.
 fn rough(
     scene: &ShaftScene,
     engine: &Engine,
     compiled: &Compiled,
     (start, march): (&[Vector], &OrbitOptions),
+    (temperatures, options): (&mut Temperatures, &RunOptions),
 ) -> Option<(Vec<Vector>, f64)> {
     let films = compiled.films();
-    let coarser = films.coarser().unwrap_or_else(|| compiled.films());
-    let options = OrbitOptions { tolerance: ROUGH, cycles: ROUGH_CYCLES, observer: None, ..*march };
-    let orbit = orbits(scene, engine, compiled, &coarser, (start, &options)).ok()?;
+    let coarser = compiled.with_films(|_, bearing| bearing.film.on_coarser());
+    let march = OrbitOptions { tolerance: ROUGH, cycles: ROUGH_CYCLES, observer: None, ..*march };
+    let mut start = start.to_vec();
+    let orbit = at_temperatures(
+        scene,
+        engine,
+        (&coarser, temperatures),
+        (&mut start, &march),
+        &RunOptions { bars: false, ..*options },
+    )
+    .ok()?;
     let end = places(orbit.steps.last()?);
     let gaps = orbit.steps.iter().map(|step| films.thinnest(&places(step)).1);
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min);
@@ -146,11 +204,11 @@ fn rough(
 fn report(
     scene: &ShaftScene,
     engine: &Engine,
-    compiled: &Compiled,
+    (compiled, temperatures): (&Compiled, &Temperatures),
     (orbit, start, march): (&Orbits, &[Vector], &OrbitOptions),
     options: &RunOptions,
     run: &mut ShaftRun,
-) -> Result<(), (Status, String)> {
+) -> Result<(), NoShaftAnswer> {
     let films = compiled.films();
     // What films that conserve their oil are off by depends on what they have held all along.
     let by_comparison = compiled.bearings.iter().any(|bearing| bearing.film.problem.cavitation.conserves_oil());
@@ -173,6 +231,9 @@ fn report(
         }
     }
     for (number, (bearing, (mut followed, cycle))) in compiled.bearings.iter().zip(found).enumerate() {
+        if let Some((heat, flows)) = temperatures.of_bearing(number).zip(followed.flows) {
+            add_heat(heat, flows, options.bars, &mut followed);
+        }
         followed.quantities = found_with_shaft(followed.quantities);
         let yields = |step: &Vec<Step>| {
             let carried: Vec<Vector> = step.iter().map(|step| step.excess).collect();
@@ -208,7 +269,7 @@ fn measured_all(
     compiled: &Compiled,
     orbits: &Orbits,
     options: &RunOptions,
-) -> Result<Vec<(Followed, DutyCycle)>, (Status, String)> {
+) -> Result<Vec<(Followed, DutyCycle)>, NoShaftAnswer> {
     let of_bearing = |(number, bearing): (usize, &Bearing)| {
         let cycle = own_load(scene, bearing, &orbits.steps, number);
         let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;

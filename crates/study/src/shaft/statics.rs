@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant as Clock;
 
+use oilwedge_bearing::Work;
 use oilwedge_bearing::coordinates::{Vector, length, moved};
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::shaft::{Balance, Films, NoBalance, NoFilmAt};
@@ -13,22 +14,28 @@ use rayon::prelude::*;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
+use super::heat::{NoShaftAnswer, Shown, Temperatures};
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
 use crate::estimate::{Displacement, Estimated, estimate_errors};
 use crate::film::Film;
 use crate::isothermal::isothermal;
+use crate::measure::measure;
 use crate::no_answer::NoAnswer;
 use crate::orbit::{GREATEST, USUAL, suits};
+use crate::quantities::{self, View};
 use crate::reasons::Cause;
 use crate::result::Status;
 use crate::run_options::RunOptions;
-use crate::solved::{Errors, SolveOptions, Solved};
+use crate::solved::{Errors, SolveOptions, Solved, TemperatureFound};
+use crate::thermal::flows::{thermal_flows, thermal_flows_of};
 use crate::warnings::all_warnings;
 
 /// Meshes are drawn anew for the films that were found at most so many times.
 const MESHES: usize = 3;
 /// Greatest difference of loads and of what the films that are reported carry, over the loads.
 const BALANCED: f64 = 1e-9;
+/// Heat that a film leaves over at the temperature found, as a part of its power.
+const HEAT_BALANCED: f64 = 1e-8;
 /// Most balances of the shaft until that difference is met.
 const MOST_BALANCES: usize = 20;
 
@@ -58,11 +65,13 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
         (eccentricity, meshes) = (greatest, meshes + 1);
         compiled = compile_shaft(scene, eccentricity)?;
     };
+    let mut temperatures = Temperatures::of(&compiled);
+    let found = found.map_err(|reason| without(&reason, &compiled, options.cause()));
+    let found = found.and_then(|found| at_temperatures(&compiled, &mut temperatures, found, options));
     result.timing_s.push(("balance".to_owned(), clock.elapsed().as_secs_f64()));
     let clock = Clock::now();
-    let outcome = found
-        .map_err(|reason| without(&reason, &compiled, options.cause()))
-        .and_then(|balance| report(&compiled, balance, options, result));
+    let compiled = temperatures.applied(&compiled);
+    let outcome = found.and_then(|balance| report((&compiled, &temperatures), balance, options, result));
     if let Err((status, reason)) = outcome {
         result.head.end(status, reason);
     }
@@ -70,8 +79,51 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
     Ok(run)
 }
 
+/// The balance at the temperatures that balance the heat of all films, from one that was found at other temperatures.
+fn at_temperatures(
+    compiled: &Compiled,
+    temperatures: &mut Temperatures,
+    found: Balance,
+    options: &RunOptions,
+) -> Result<Balance, NoShaftAnswer> {
+    if temperatures.are_given() {
+        return Ok(found);
+    }
+    let deadline = options.deadline();
+    let asked = compiled.steady_load();
+    let none = vec![[0.0; 4]; asked.len()];
+    let mut balance = found;
+    let mut films = balance.films;
+    let mut balanced = |at: &Compiled, near: &Balance| {
+        let next = at.films().rebalanced(&asked, 0.0, near, &none);
+        let next = next.map_err(|reason| without(&reason, at, options.cause()))?;
+        films += next.films;
+        Ok::<_, NoShaftAnswer>(next)
+    };
+    let is_over = || deadline.is_over();
+    temperatures.balance(compiled, HEAT_BALANCED, is_over, |at| {
+        balance = balanced(at, &balance)?;
+        Ok(shown(at, &balance))
+    })?;
+    if options.bars {
+        temperatures.show_slopes(compiled, |at| Ok(shown(at, &balanced(at, &balance)?)));
+    }
+    Ok(Balance { films, ..balance })
+}
+
+/// What the quadratic films of a balance show.
+fn shown(at: &Compiled, balance: &Balance) -> Vec<Shown> {
+    let of_film = |(bearing, here): (&Bearing, &Instant)| {
+        let film = at_rest(bearing.film.with_journal(here.film.problem.journal));
+        let measured = measure(&here.film);
+        let flows = film.thermal.map(|model| thermal_flows(&model, &film, &measured));
+        (flows, quantities::measured(&View::new(&film, &here.film.problem, &measured)))
+    };
+    at.bearings.iter().zip(&balance.instants).map(of_film).collect()
+}
+
 /// Why there is no answer.
-fn without(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> (Status, String) {
+fn without(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> NoShaftAnswer {
     let status = match reason {
         NoBalance::Film(at) if !at.reason.is_unreached() => Status::NoSolution,
         NoBalance::Film(_) | NoBalance::Stuck { .. } | NoBalance::Ended => Status::NotConverged,
@@ -108,7 +160,7 @@ fn reported(
     films: &Films,
     found: Balance,
     options: &RunOptions,
-) -> Result<Reported, (Status, String)> {
+) -> Result<Reported, NoShaftAnswer> {
     let asked = compiled.steady_load();
     let size = asked.iter().map(|&load| length(load)).sum::<f64>();
     let mut balance = found;
@@ -145,13 +197,25 @@ fn reported(
 
 /// Fills in the numbers of a balance.
 fn report(
-    compiled: &Compiled,
+    (compiled, temperatures): (&Compiled, &Temperatures),
     found: Balance,
     options: &RunOptions,
     result: &mut ShaftResult,
-) -> Result<(), (Status, String)> {
+) -> Result<(), NoShaftAnswer> {
     let films = compiled.films();
-    let Reported { balance, solved, carried, more } = reported(compiled, &films, found, options)?;
+    let Reported { balance, mut solved, carried, more } = reported(compiled, &films, found, options)?;
+    for (number, solved) in solved.iter_mut().enumerate() {
+        let Some((heat, model)) = temperatures.of_bearing(number).zip(solved.film.thermal) else { continue };
+        let flows = thermal_flows_of(&model, solved.reported());
+        solved.temperature = Some(TemperatureFound {
+            balanced: heat.balanced(flows),
+            is_ended: false,
+            slopes: heat.slopes(),
+            positions: 0,
+            work: Work::default(),
+            seconds: 0.0,
+        });
+    }
     let estimated: Vec<Estimated> = solved.par_iter().map(estimate_errors).collect();
     let displacements = displacements(&films, &balance, &estimated);
     let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled, options.cause()))?;

@@ -1,0 +1,120 @@
+//! The temperatures of the films of a shaft, each by its own heat: found from run to run of the whole shaft.
+
+use oilwedge_bearing::ThermalFlows;
+
+use super::compile::{Bearing, Compiled};
+use crate::compile::at_temperature;
+use crate::quantities::Quantity;
+use crate::result::Status;
+use crate::thermal::FilmTemperature;
+
+/// Distance [K] of a further run where the others are too near to show how numbers change.
+const FURTHER: f64 = 1.0;
+
+/// Why there is no answer: status and reason.
+pub(super) type NoShaftAnswer = (Status, String);
+
+/// What a run has shown of a bearing: what heats and what cools its film, and its numbers.
+pub(super) type Shown = (Option<ThermalFlows>, Vec<Quantity>);
+
+/// The temperatures of the films of a shaft, by bearing; none of a film whose temperature is given.
+pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
+
+impl Temperatures {
+    /// Those of the bearings of a shaft.
+    pub(super) fn of(compiled: &Compiled) -> Self {
+        Self(compiled.bearings.iter().map(|bearing| FilmTemperature::of(&bearing.film)).collect())
+    }
+
+    /// Whether all temperatures are given.
+    pub(super) fn are_given(&self) -> bool {
+        self.0.iter().all(Option::is_none)
+    }
+
+    /// The temperature of a bearing; none where it is given.
+    pub(super) fn of_bearing(&self, number: usize) -> Option<&FilmTemperature> {
+        self.0[number].as_ref()
+    }
+
+    /// Begins anew on other meshes.
+    pub(super) fn begin_again(&mut self) {
+        self.0.iter_mut().flatten().for_each(FilmTemperature::begun_again);
+    }
+
+    /// The shaft on films at these temperatures.
+    pub(super) fn applied(&self, compiled: &Compiled) -> Compiled {
+        compiled.with_films(|number, bearing| match &self.0[number] {
+            Some(heat) => at_temperature(&bearing.film, heat.temperature),
+            None => bearing.film.clone(),
+        })
+    }
+
+    /// Finds the temperatures at which no film leaves more than the part `accuracy` of its heat over, by a `run` of the
+    /// shaft at one set of temperatures after the other; `is_over` tells that the time is.
+    ///
+    /// # Errors
+    /// Status and reason where a run has no answer, or a film is too hot everywhere.
+    pub(super) fn balance(
+        &mut self,
+        compiled: &Compiled,
+        accuracy: f64,
+        is_over: impl Fn() -> bool,
+        mut run: impl FnMut(&Compiled) -> Result<Vec<Shown>, NoShaftAnswer>,
+    ) -> Result<(), NoShaftAnswer> {
+        while !self.are_given() {
+            match run(&self.applied(compiled)) {
+                Ok(shown) => match self.add(shown) < accuracy {
+                    true => return Ok(()),
+                    false => self.turn(&compiled.bearings)?,
+                },
+                Err(reason) if is_over() => return Err(reason),
+                // Beyond these temperatures there may be no film.
+                Err(reason) => {
+                    let turned = self.0.iter_mut().flatten().map(FilmTemperature::retreat);
+                    if !turned.fold(true, |all, it| all && it) {
+                        return Err(reason);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds a run somewhat warmer, where those before do not show how numbers change with temperature.
+    pub(super) fn show_slopes(
+        &mut self,
+        compiled: &Compiled,
+        run: impl FnOnce(&Compiled) -> Result<Vec<Shown>, NoShaftAnswer>,
+    ) {
+        if self.0.iter().flatten().all(FilmTemperature::has_slopes) {
+            return;
+        }
+        let warmed = |by: f64, all: &mut Self| all.0.iter_mut().flatten().for_each(|heat| heat.temperature += by);
+        warmed(FURTHER, self);
+        if let Ok(shown) = run(&self.applied(compiled)) {
+            self.add(shown);
+        }
+        warmed(-FURTHER, self);
+    }
+
+    /// Adds what a run has shown; the greatest heat that is left over, as a part of the power [1].
+    fn add(&mut self, shown: Vec<Shown>) -> f64 {
+        let films = self.0.iter_mut().zip(shown);
+        let left = films.map(|(heat, (flows, quantities))| match heat.as_mut().zip(flows) {
+            Some((heat, flows)) => heat.add(flows, quantities),
+            None => 0.0,
+        });
+        left.fold(0.0, f64::max)
+    }
+
+    /// Turns to the temperatures of the next run.
+    fn turn(&mut self, bearings: &[Bearing]) -> Result<(), NoShaftAnswer> {
+        for (heat, bearing) in self.0.iter_mut().zip(bearings) {
+            if let Some(heat) = heat {
+                let told = |reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name));
+                heat.turn().map_err(told)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,173 @@
+//! The temperature of a film that is found from run to run: of a cycle, and of the films of a shaft.
+//!
+//! Each run, at one temperature, shows what heats and what cools the film. The next temperature follows by the secant
+//! of the last two or, where that is not to be believed, by the slope that friction usually has.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use oilwedge_bearing::{Balanced, NoBalance, ThermalFlows};
+
+use super::{Left, none};
+use crate::film::Film;
+use crate::no_answer::NoAnswer;
+use crate::oil::{Oil, first_temperature};
+use crate::quantities::Quantity;
+use crate::thermal_model::ThermalModel;
+
+/// Friction under a load falls with temperature like this power of the viscosity.
+const FRICTION_EXPONENT: f64 = 0.6;
+/// A secant further from the usual slope than this factor, in either sense, is not believed.
+const UNUSUAL: f64 = 4.0;
+/// Longest step of the logarithm of the viscosity.
+const LONGEST: f64 = 0.7;
+/// Temperatures [K] nearer to one another than this do not show how numbers change.
+const APART: f64 = 0.02;
+/// A temperature without a film is approached so often at most, by half of the way each time.
+const MOST_RETREATS: usize = 4;
+/// Most runs.
+const MOST_RUNS: usize = 40;
+
+/// The temperature of a film from run to run.
+pub(crate) struct FilmTemperature {
+    /// How its heat is balanced.
+    pub(crate) model: ThermalModel,
+    /// The temperature of the next run [K].
+    pub(crate) temperature: f64,
+    oil: Oil,
+    runs: Vec<Run>,
+    retreats: usize,
+}
+
+/// What a run at one temperature has shown.
+struct Run {
+    temperature: f64,
+    flows: ThermalFlows,
+    surplus: f64,
+    quantities: Vec<Quantity>,
+}
+
+impl FilmTemperature {
+    /// Of a film at the temperature that its oil has, or at a usual one; none of a film whose temperature is given.
+    pub(crate) fn of(film: &Film) -> Option<Self> {
+        let model = film.thermal?;
+        let temperature = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
+        Some(Self { model, temperature, oil: film.oil.clone(), runs: Vec::new(), retreats: 0 })
+    }
+
+    /// Begins anew on another mesh near a temperature that was found: what other meshes have shown does not count.
+    pub(crate) fn begun_again(&mut self) {
+        self.runs.clear();
+    }
+
+    /// How many runs it took.
+    pub(crate) fn runs(&self) -> usize {
+        self.runs.len()
+    }
+
+    /// Adds what a run at the temperature asked for has shown; the heat that is left over, as a part of the power [1].
+    pub(crate) fn add(&mut self, flows: ThermalFlows, quantities: Vec<Quantity>) -> f64 {
+        let temperature = self.temperature;
+        let surplus = self.model.balance.surplus(temperature, &flows);
+        self.runs.push(Run { temperature, flows, surplus, quantities });
+        self.retreats = 0;
+        if surplus == 0.0 { 0.0 } else { (surplus / flows.power).abs() }
+    }
+
+    /// Turns to the temperature of the next run.
+    ///
+    /// # Errors
+    /// [`NoAnswer`]: the film is too hot everywhere, or no balance is found.
+    pub(crate) fn turn(&mut self) -> Result<(), NoAnswer> {
+        let Some(here) = self.runs.last() else { return Ok(()) };
+        let balance = &self.model.balance;
+        let [coldest, hottest] = balance.range();
+        let end = if here.surplus > 0.0 { hottest } else { coldest };
+        let (temperature, film) = (here.temperature, here.flows);
+        if temperature == end {
+            return Err(none(balance, NoBalance::TooHot { temperature, film }));
+        }
+        if self.runs.len() > MOST_RUNS {
+            return Err(none(balance, NoBalance::Ends { temperature, film, reason: Left::Ended }));
+        }
+        let most = LONGEST / self.thinning(temperature).abs();
+        let step = (-here.surplus / self.slope(here)).clamp(-most, most);
+        self.temperature = (temperature + step).clamp(coldest, hottest);
+        Ok(())
+    }
+
+    /// Turns back half of the way to the last run, where there is no film at the temperature asked for; false where
+    /// there was no run, or it has turned back so often that there is none on the way.
+    pub(crate) fn retreat(&mut self) -> bool {
+        let Some(last) = self.runs.last().filter(|_| self.retreats < MOST_RETREATS) else {
+            return false;
+        };
+        self.retreats += 1;
+        self.temperature = 0.5 * (self.temperature + last.temperature);
+        true
+    }
+
+    /// Why there is no balance, where there is no film at the temperature asked for, for this `reason`.
+    pub(crate) fn without_film(&self, reason: NoAnswer) -> NoAnswer {
+        let reason = Left::NoAnswer(reason);
+        let why = match self.runs.last() {
+            None => NoBalance::NoFilm(reason),
+            Some(last) => NoBalance::Ends { temperature: last.temperature, film: last.flows, reason },
+        };
+        none(&self.model.balance, why)
+    }
+
+    /// The balance of a film that is reported with these flows, at the temperature of the last run.
+    pub(crate) fn balanced(&self, flows: ThermalFlows) -> Balanced {
+        let surplus = self.model.balance.surplus(self.temperature, &flows);
+        let slope = self.nearest().map_or(f64::NAN, |[here, there]| secant(here, there));
+        Balanced { temperature: self.temperature, film: flows, surplus, slope, films: self.runs.len() }
+    }
+
+    /// Whether its runs show how numbers change with temperature.
+    pub(crate) fn has_slopes(&self) -> bool {
+        self.nearest().is_some()
+    }
+
+    /// How each number changes with temperature [1/K], by name; none where the runs do not show it.
+    pub(crate) fn slopes(&self) -> HashMap<Cow<'static, str>, f64> {
+        let Some([here, there]) = self.nearest() else { return HashMap::new() };
+        let apart = there.temperature - here.temperature;
+        let slope = |quantity: &Quantity| {
+            let other = there.quantities.iter().find(|other| other.name == quantity.name)?;
+            Some((quantity.name.clone(), quantity.row.difference(other.value, quantity.value) / apart))
+        };
+        here.quantities.iter().filter_map(slope).collect()
+    }
+
+    /// The two runs nearest to the temperature found that are far enough from one another.
+    fn nearest(&self) -> Option<[&Run; 2]> {
+        let mut by_distance: Vec<&Run> = self.runs.iter().collect();
+        let distance = |run: &Run| (run.temperature - self.temperature).abs();
+        by_distance.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let first = *by_distance.first()?;
+        let second = by_distance.iter().find(|other| (other.temperature - first.temperature).abs() > APART)?;
+        Some([first, second])
+    }
+
+    /// How the surplus changes with temperature near a run [W/K], negative.
+    fn slope(&self, here: &Run) -> f64 {
+        let balance = &self.model.balance;
+        let by_oil = balance.surplus(here.temperature + 1.0, &here.flows) - here.surplus;
+        let usual = FRICTION_EXPONENT * here.flows.power * self.thinning(here.temperature) + by_oil;
+        let before = self.runs.iter().rev().find(|run| run.temperature != here.temperature);
+        let is_believed = |slope: &f64| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope / usual));
+        before.map(|before| secant(before, here)).filter(is_believed).unwrap_or(usual)
+    }
+
+    /// How the logarithm of the viscosity changes with temperature [1/K].
+    fn thinning(&self, temperature: f64) -> f64 {
+        let [low, high] = [-0.5, 0.5].map(|part| self.oil.at(temperature + part).viscosity.ln());
+        high - low
+    }
+}
+
+/// How the surplus changes with temperature between two runs [W/K].
+fn secant(from: &Run, to: &Run) -> f64 {
+    (to.surplus - from.surplus) / (to.temperature - from.temperature)
+}
