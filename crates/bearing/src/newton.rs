@@ -183,7 +183,7 @@ impl Coupled<'_, '_> {
             |(trial, moves): (&Trial, &Moves)| LONGEST * trial.film.problem.bearing.clearance / length(moves.place);
         let mut part = here.iter().zip(&moves).map(longest).fold(1.0, f64::min);
         for _ in 0..MOST_SHORTENINGS {
-            if !(part > 0.0) {
+            if part.is_nan() || part <= 0.0 {
                 return Ok(None);
             }
             let Some(led) = self.led_on(here, &moves, part, LEAST_SHRINK) else {

@@ -183,8 +183,8 @@ impl Search<'_> {
 
     /// The viscosity law of the oil of a problem which may be only tried.
     pub(crate) fn law_at(&self, problem: &FilmProblem) -> PressureLaw {
-        let of_heat = self.options.warming.zip(problem.lubricant.temperature);
-        of_heat.map_or_else(|| self.law.clone(), |(warming, temperature)| warming.lubricant(temperature).pressure_law)
+        let of_film = self.options.warming.zip(problem.lubricant.temperature);
+        of_film.map_or_else(|| self.law.clone(), |(warming, temperature)| warming.lubricant(temperature).pressure_law)
     }
 
     /// The heat of a balanced film; none where its temperature is given.

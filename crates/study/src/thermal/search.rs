@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::time::Instant;
 
-use oilwedge_bearing::thermal_balance::{Start, find};
+use oilwedge_bearing::thermal_balance::find;
 use oilwedge_bearing::{Balanced, FoundWarmth, InitialGuess, NoBalance, Work};
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
@@ -132,7 +132,7 @@ fn bracketed(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         if is_ended { Err(Left::Ended) } else { Ok(flows) }
     };
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
-    let found = find(&model.balance, Start::at(first), ROUGHLY, at);
+    let found = find(&model.balance, first, ROUGHLY, at);
     match (found, last) {
         (Ok(_), Some(last)) => Ok(last.film),
         (Err(NoBalance::NoFilm(Left::Ended) | NoBalance::Ends { reason: Left::Ended, .. }), Some(last)) => {
