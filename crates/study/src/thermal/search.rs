@@ -59,25 +59,27 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         let warming = Heating::of(film);
         warming.map_or_else(|| isothermal(film, options), |warming| heated(film, &warming, options))
     };
-    let mut solved = with_warming(film, options)
-        .or_else(|_| bracketed(film, model, options).and_then(|film| with_warming(&film, options)))?;
-    let (Some(warming), Some(balance)) = (solved.warming.take(), solved.balance) else {
-        return Ok(solved);
-    };
-    let (temperature, surplus) = (warming.temperature, model.balance.surplus(warming.temperature, &warming.flows));
-    let (clock, is_estimated) = (Instant::now(), options.errors == Errors::Estimated && !balance.is_ended);
-    let slopes = is_estimated.then(|| slopes(&solved, model, &warming)).flatten().unwrap_or_default();
-    let mut work = balance.work;
+    // A film that jumps as its temperature changes leaves heat over at the end of the bracket.
+    let in_bracket = |film: Film| with_warming(&film, options).or_else(|_| isothermal(&film, options));
+    let mut solved = with_warming(film, options).or_else(|_| bracketed(film, model, options).and_then(in_bracket))?;
+    let (clock, balance, warming) = (Instant::now(), solved.balance, solved.warming.take());
+    let is_ended = balance.is_some_and(|balance| balance.is_ended);
+    let asked = warming.as_ref().filter(|_| options.errors == Errors::Estimated && !is_ended);
+    let slopes = asked.and_then(|warming| slopes(&solved, model, warming)).unwrap_or_default();
+    let temperature = solved.film.oil.temperature.unwrap_or(model.balance.inlet);
+    let flows = warming.map_or_else(|| thermal_flows_of(model, solved.reported()), |warming| warming.flows);
+    let surplus = model.balance.surplus(temperature, &flows);
+    let (steps, mut work) = (balance.map_or(0, |balance| balance.steps), work_of(&solved));
     work += slopes.work;
     solved.temperature = Some(TemperatureFound {
-        balanced: Balanced { temperature, film: warming.flows, surplus, slope: slopes.surplus, films: balance.steps },
-        is_ended: balance.is_ended,
-        positions: balance.steps,
+        balanced: Balanced { temperature, film: flows, surplus, slope: slopes.surplus, films: steps },
+        is_ended,
+        positions: steps,
         work,
         slopes: slopes.numbers,
         seconds: clock.elapsed().as_secs_f64(),
     });
-    solved.balance = film.load.map(|_| balance);
+    solved.balance = film.load.and(balance);
     Ok(solved)
 }
 
