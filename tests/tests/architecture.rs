@@ -23,8 +23,8 @@ const TOP_TO_BOTTOM: [&str; 12] = [
     "oilwedge-mesh",
 ];
 
-/// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 12] = [
+/// The sockets whose entries are a list, and the contracts between crates. Another one needs a reason in writing.
+const PUBLIC_TRAITS: [&str; 13] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
@@ -37,6 +37,7 @@ const PUBLIC_TRAITS: [&str; 12] = [
     "OrbitObserver",
     "RunObserver",
     "FilmMap",
+    "Heated",
 ];
 
 /// Longest source file [lines], tests within it included.
@@ -45,7 +46,7 @@ const LONGEST: usize = 420;
 /// Folders of `crates/reynolds` whose files are physics, but for `mod.rs`.
 const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities", "analytical"];
 /// Physics that has another place.
-const PHYSICS_FILES: [&str; 9] = [
+const PHYSICS_FILES: [&str; 10] = [
     "crates/reynolds/src/cavitation/jfo/mod.rs",
     "crates/bearing/src/cap_bolts.rs",
     "crates/bearing/src/duty_cycle/crank.rs",
@@ -55,6 +56,7 @@ const PHYSICS_FILES: [&str; 9] = [
     "crates/bearing/src/shaft/engine.rs",
     "crates/bearing/src/shaft/joined.rs",
     "crates/bearing/src/thermal_balance.rs",
+    "crates/bearing/src/warming.rs",
 ];
 
 #[test]

@@ -23,7 +23,7 @@ impl Search<'_> {
     pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
         let Balance { trial, tried, is_ended } = balance;
         let tangent = self.tangent(&trial)?;
-        let heat = self.found_heat(&trial)?;
+        let warming = self.found_warmth(&trial)?;
         let residual = self.residual(&trial);
         Ok(Equilibrium {
             residual,
@@ -35,7 +35,7 @@ impl Search<'_> {
             is_ended,
             stiffness: tangent.stiffness,
             wall: tangent.wall,
-            heat,
+            warming,
             film: trial.film,
             cubic: trial.cubic,
         })

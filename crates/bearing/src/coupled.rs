@@ -186,7 +186,7 @@ impl Search<'_> {
     fn rigid<'t>(&self, film: &'t SolvedFilm, rate: f64) -> Result<Rigid<'t>, NoFilm> {
         let changes: Vec<FilmChange> = (0..self.coordinates.order)
             .map(|k| FilmChange::Journal(self.change_at(&film.problem.journal, unit(k), rate)))
-            .chain(self.options.heat.map(|_| FilmChange::Viscosity(1.0)))
+            .chain(self.options.warming.map(|_| FilmChange::Viscosity(1.0)))
             .collect();
         let columns = film.mixed_changes(&changes).map_err(Failure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {

@@ -22,7 +22,7 @@
 
 use oilwedge_reynolds::SolvedFilm;
 
-use crate::{Coordinates, FoundHeat, Stiffness, WallByPlace, Work};
+use crate::{Coordinates, FoundWarmth, Stiffness, WallByPlace, Work};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -60,5 +60,5 @@ pub struct Equilibrium {
     /// How the wall follows in that tangent.
     pub wall: WallByPlace,
     /// The heat of the film, where its temperature was found.
-    pub heat: Option<FoundHeat>,
+    pub warming: Option<FoundWarmth>,
 }

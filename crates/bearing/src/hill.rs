@@ -52,7 +52,7 @@ pub fn balance_hill(
                 stiffness: tangent,
                 // Films in walls that give way have no hill.
                 wall: WallByPlace::default(),
-                heat: None,
+                warming: None,
                 film: trial.film,
                 cubic: None,
                 work: search.record().work,

@@ -5,7 +5,7 @@
 //! | load = force of the film | position of the journal | [`equilibrium`] |
 //! | moment of the load and of the support = moment of the film | tilt of the journal | [`equilibrium`] |
 //! | deflection of the wall = that by the pressure of the film | deflection | [`deflection`] |
-//! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
+//! | friction = heat carried off | temperature of the film | [`thermal_balance`], [`Heated`] |
 //!
 //! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
 //! [`duty_cycle`]: the load of a journal over a cycle, by crank angle.
@@ -27,7 +27,6 @@ pub mod dynamics;
 pub mod equilibrium;
 pub mod estimate;
 mod find;
-mod heat;
 mod hill;
 mod load;
 mod load_capacity;
@@ -49,6 +48,7 @@ pub mod thermal_balance;
 mod tilting;
 mod time_terms;
 mod together;
+mod warming;
 mod work;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
@@ -59,7 +59,6 @@ pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 pub use estimate::{GREATEST_ECCENTRICITY, first_contact, first_position, is_contact};
 pub use find::{find, find_after, find_held};
-pub use heat::{FoundHeat, Heated};
 pub use hill::balance_hill;
 pub use load::{Load, Tilting};
 pub use no_equilibrium::{NoEquilibrium, SearchEnd, Waypoint};
@@ -70,4 +69,5 @@ pub use search_options::{Carrier, InitialGuess, Purpose, SearchOptions};
 pub use stiffness::Stiffness;
 pub use tangent::WallByPlace;
 pub use thermal_balance::{Balanced, Housing, NoBalance, ThermalBalance, ThermalFlows};
+pub use warming::{FoundWarmth, Heated};
 pub use work::Work;

@@ -31,10 +31,10 @@ use oilwedge_reynolds::NoFilm;
 use crate::coordinates::length;
 use crate::deflection::{Left, Moves};
 use crate::equilibrium::NEAR;
-use crate::heat;
 use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
 use crate::together::{Coupled, greatest};
+use crate::warming;
 
 /// Most films from a start that is near.
 const MOST_UNDAMPED: usize = 14;
@@ -142,8 +142,8 @@ impl Coupled<'_, '_> {
             let (now, is_settled) = (self.left(&here), here.iter().all(|trial| trial.film.solution.wrong.is_empty()));
             let is_at_rounding = now > STALLED * last && force.max(wall) < goal.rounding;
             let is_balanced = force < goal.balanced && wall < goal.closed && ahead <= goal.moved;
-            let is_heat_balanced = self.unbalanced_heat(&here) < heat::BALANCED.max(goal.balanced);
-            if is_settled && is_heat_balanced && (is_balanced || is_at_rounding) {
+            let is_warmth_balanced = self.part_left_over(&here) < warming::BALANCED.max(goal.balanced);
+            if is_settled && is_warmth_balanced && (is_balanced || is_at_rounding) {
                 return (here, None);
             }
             if self.searches.iter().any(|search| search.options.deadline.is_over()) {
@@ -183,7 +183,7 @@ impl Coupled<'_, '_> {
             |(trial, moves): (&Trial, &Moves)| LONGEST * trial.film.problem.bearing.clearance / length(moves.place);
         let mut part = here.iter().zip(&moves).map(longest).fold(1.0, f64::min);
         for _ in 0..MOST_SHORTENINGS {
-            if !(part > 0.0) {
+            if part.is_nan() || part <= 0.0 {
                 return Ok(None);
             }
             let Some(led) = self.led_on(here, &moves, part, LEAST_SHRINK) else {

@@ -14,7 +14,6 @@ use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Left, closed_within};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
-use crate::heat::Row;
 use crate::time_terms::TimeTerms;
 use crate::work::Work;
 use crate::{Load, SearchOptions, ThermalFlows};
@@ -59,7 +58,7 @@ pub(crate) struct Record {
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: Vec<f64>,
     /// How the heat that is left over changes, as far as the steps have shown it.
-    pub(crate) row: Option<Row>,
+    pub(crate) row: Option<WarmthRow>,
     /// What they have cost.
     pub(crate) work: Work,
 }
@@ -70,6 +69,15 @@ pub(crate) struct Nearest {
     pub(crate) distance: f64,
     pub(crate) force: [f64; 2],
     pub(crate) journal: JournalState,
+}
+
+/// How the heat that a film leaves over changes ([`crate::warming`]).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WarmthRow {
+    /// With the coordinates [W/m].
+    pub(crate) by_place: Vector,
+    /// With the temperature [W/K].
+    pub(crate) by_temperature: f64,
 }
 
 /// A position, its film and its force.
@@ -86,14 +94,14 @@ pub(crate) struct Trial {
     /// Least film [m], once it was asked for.
     pub(crate) least_film: OnceLock<f64>,
     /// What heats and cools it, once it was asked for.
-    pub(crate) heat: OnceLock<ThermalFlows>,
+    pub(crate) warming: OnceLock<ThermalFlows>,
 }
 
 impl Trial {
     /// A trial by what is `carried`.
     pub(crate) fn of(film: SolvedFilm, carried: Resultant) -> Self {
-        let (least_film, heat) = (OnceLock::new(), OnceLock::new());
-        Self { film, cubic: None, carried, contact: None, left: None, least_film, heat }
+        let (least_film, warming) = (OnceLock::new(), OnceLock::new());
+        Self { film, cubic: None, carried, contact: None, left: None, least_film, warming }
     }
 }
 

@@ -30,7 +30,7 @@ pub struct SearchOptions<'a> {
     /// What the balance is for.
     pub purpose: Purpose,
     /// How the temperature of the film is found beside the position; `None`: it is given.
-    pub heat: Option<&'a dyn Heated>,
+    pub warming: Option<&'a dyn Heated>,
     /// Notified of each position tried.
     pub observer: Option<&'static dyn SearchObserver>,
 }

@@ -170,30 +170,14 @@ impl Point {
     }
 }
 
-/// Where the search for a temperature begins.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Start {
-    /// A temperature [K].
-    pub temperature: f64,
-    /// How the surplus changes with temperature there [W/K], where that is known.
-    pub slope: Option<f64>,
-}
-
-impl Start {
-    /// At a temperature [K] where the slope is not known.
-    pub fn at(temperature: f64) -> Self {
-        Self { temperature, slope: None }
-    }
-}
-
-/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power. `evaluate` gives what heats
-/// and cools the film at a temperature [K].
+/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power, from a `start` [K] on.
+/// `evaluate` gives what heats and cools the film at a temperature [K].
 ///
 /// # Errors
 /// [`NoBalance`]: the reason why there is none.
 pub fn find<E>(
     balance: &ThermalBalance,
-    start: Start,
+    start: f64,
     accuracy: f64,
     mut evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
 ) -> Result<Balanced, NoBalance<E>> {
@@ -204,12 +188,12 @@ pub fn find<E>(
         evaluate(temperature)
             .map(|film| (films, Point { temperature, film, surplus: balance.surplus(temperature, &film) }))
     };
-    let first = at(start.temperature.clamp(coldest, hottest));
+    let first = at(start.clamp(coldest, hottest));
     let first = first.or_else(|reason| STARTS.into_iter().find_map(|above| at(coldest + above).ok()).ok_or(reason));
     let (mut films, mut here) = first.map_err(NoBalance::NoFilm)?;
     // A film on the other side of the root, and the nearest temperature beyond which there is none.
     let (mut other, mut edge): (Option<Point>, Option<(f64, E)>) = (None, None);
-    let mut secant = start.slope.unwrap_or(f64::NAN);
+    let mut secant = f64::NAN;
     let (mut slope, mut is_quick, mut width) = (secant, true, f64::INFINITY);
     while !here.is_balanced(accuracy) {
         let by_secant = Some(here.temperature - here.surplus / secant).filter(|_| secant < 0.0);

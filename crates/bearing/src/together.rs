@@ -62,12 +62,12 @@ impl Coupled<'_, '_> {
     /// What trials leave of load and deflections, as parts of them [1].
     pub(crate) fn left(&self, trials: &[Trial]) -> f64 {
         let walls = trials.iter().filter_map(|trial| trial.left.as_ref().map(|left| left.residual));
-        self.residual(trials).hypot(greatest(walls)).hypot(self.unbalanced_heat(trials))
+        self.residual(trials).hypot(greatest(walls)).hypot(self.part_left_over(trials))
     }
 
     /// Heat that trials leave over, as a part of their friction [1]; zero where temperatures are given.
-    pub(crate) fn unbalanced_heat(&self, trials: &[Trial]) -> f64 {
-        greatest(self.searches.iter().zip(trials).map(|(search, trial)| search.unbalanced_heat(trial)))
+    pub(crate) fn part_left_over(&self, trials: &[Trial]) -> f64 {
+        greatest(self.searches.iter().zip(trials).map(|(search, trial)| search.part_left_over(trial)))
     }
 
     /// Corrects the rows of the heat by what they missed in the step from trials to others.
@@ -117,7 +117,7 @@ impl Coupled<'_, '_> {
             let film = resting(&trial.film, rate);
             let tangents = search.tangents(trial, &film, &walls[0], (accuracy, rate))?;
             let moves = tangents.solve(excess[0].map(|excess| -excess), Some(&walls[0].wall))?;
-            let moves = search.with_heat(trial, &tangents, moves)?;
+            let moves = search.with_warming(trial, &tangents, moves)?;
             search.count(moves.products);
             return Ok(length(moves.place).is_finite().then(|| vec![moves]));
         };
@@ -184,7 +184,7 @@ impl Coupled<'_, '_> {
 impl Search<'_> {
     /// Counts what moves have cost that took so many products with the tangent.
     fn count(&self, products: usize) {
-        let by_temperature = usize::from(self.options.heat.is_some());
+        let by_temperature = usize::from(self.options.warming.is_some());
         let linear_solves = self.coordinates.order + by_temperature + products;
         self.spend(Work { linear_solves, ..Work::default() });
     }

@@ -254,10 +254,10 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be
 /// out of reach only because the mesh is too coarse there.
 fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, NoEquilibrium> {
-    let heat = Heating::of(film);
+    let warming = Heating::of(film);
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
-        heat: heat.as_ref().map(|heat| heat as &dyn Heated),
+        warming: warming.as_ref().map(|warming| warming as &dyn Heated),
         // The way into contact under a wall that gives way takes long: what it leads to may be certain on this mesh.
         purpose: match is_judged(film) {
             true => Purpose::Answer,

@@ -30,8 +30,8 @@ pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswe
 ///
 /// # Errors
 /// [`NoAnswer`]: the reason why none was found.
-pub fn heated(film: &Film, heat: &dyn Heated, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    sought(film, film.load, Some(heat), options)
+pub fn heated(film: &Film, warming: &dyn Heated, options: &SolveOptions) -> Result<Solved, NoAnswer> {
+    sought(film, film.load, Some(warming), options)
 }
 
 fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
@@ -69,7 +69,7 @@ fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoA
 fn sought(
     film: &Film,
     load: Option<Load>,
-    heat: Option<&dyn Heated>,
+    warming: Option<&dyn Heated>,
     options: &SolveOptions,
 ) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
@@ -77,7 +77,7 @@ fn sought(
     let search = SearchOptions {
         accuracy: options.accuracy,
         carrier: if by_cubic { Carrier::Cubic } else { Carrier::Quadratic },
-        heat,
+        warming,
         ..film.search_options(options.watch())
     };
     let search = match options.guess {
@@ -98,7 +98,7 @@ fn sought(
             Solved { reference: Some(ReferenceFilm::Cubic(SolvedFilm { problem, ..cubic })), ..solved }
         }
     };
-    let solved = Solved { balance: Some(by_film), wall: found.wall, heat: found.heat, ..solved };
+    let solved = Solved { balance: Some(by_film), wall: found.wall, warming: found.warming, ..solved };
     Ok(balanced_by_hill(solved, load, &search, clock))
 }
 
@@ -193,7 +193,7 @@ fn with_reference(film: &Film, found: SolvedFilm, errors: Errors) -> Result<Solv
         reference,
         balance: None,
         wall: WallByPlace::default(),
-        heat: None,
+        warming: None,
         temperature: None,
         reference_seconds: clock.elapsed().as_secs_f64(),
     })

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, Coordinates, Deadline, FoundHeat, InitialGuess, Stiffness, WallByPlace, Work};
+use oilwedge_bearing::{Balanced, Coordinates, Deadline, FoundWarmth, InitialGuess, Stiffness, WallByPlace, Work};
 use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use crate::film::Film;
@@ -55,7 +55,7 @@ pub struct Solved {
     /// How the wall follows where the journal moves along the coordinates of the balance.
     pub wall: WallByPlace,
     /// The heat of the film, where its temperature was found.
-    pub heat: Option<FoundHeat>,
+    pub warming: Option<FoundWarmth>,
     /// How the temperature was found, where it was sought.
     pub temperature: Option<TemperatureFound>,
     /// Seconds that the reference film took at the position of the film.

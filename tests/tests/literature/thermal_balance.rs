@@ -8,7 +8,7 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_bearing::thermal_balance::{Start, find};
+use oilwedge_bearing::thermal_balance::find;
 use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::analytical::iso7902::{
     self, Feed, attitude, eccentricity, feed_flow_number, friction, side_flow_number,
@@ -84,8 +84,7 @@ fn three_speeds() {
         (1900.0, 1557.1, [78.40, 81.81, 11.899, 0.5238, 0.7143, 13.14, 37.6, 8.787, 125.23, 0.3655, 0.2477]),
         (3200.0, 2622.6, [81.20, 87.40, 10.996, 0.5669, 0.7255, 12.63, 36.6, 8.268, 334.27, 0.6253, 0.2733]),
     ] {
-        let found =
-            find(&BALANCE, Start::at(300.0), 1e-12, |t| Ok::<_, ()>(heat(&film(t, turns, force)))).expect("a balance");
+        let found = find(&BALANCE, 300.0, 1e-12, |t| Ok::<_, ()>(heat(&film(t, turns, force)))).expect("a balance");
         let t = found.temperature;
         prints("t", t - ZERO_CELSIUS, effective, 0.01);
         prints("t_out", BALANCE.ends(t, 0.0)[1] - ZERO_CELSIUS, outlet, 0.01);
@@ -117,8 +116,7 @@ fn the_crossing_of_both_curves() {
         assert!((found / carried - 1.0).abs() < 1e-3, "{t}: {found} {carried}");
     }
     for start in [0.0, 350.0, 380.0, 600.0] {
-        let found = find(&BALANCE, Start::at(start), 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6))))
-            .expect("a balance");
+        let found = find(&BALANCE, start, 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))).expect("a balance");
         prints("root", found.temperature - ZERO_CELSIUS, 81.20, 0.01);
     }
 }
@@ -142,8 +140,7 @@ fn the_table_by_the_standards_twin() {
 /// take.
 #[test]
 fn the_film_beside_the_fits() {
-    let by_fits =
-        find(&BALANCE, Start::at(350.0), 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))).expect("a balance");
+    let by_fits = find(&BALANCE, 350.0, 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))).expect("a balance");
     let numbers = |model: &str| {
         let scene = variant("20_heat_balance", |scene| {
             table(scene, "mesh").insert("size".into(), "5 mm".into());

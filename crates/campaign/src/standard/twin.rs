@@ -1,7 +1,7 @@
 //! The bearing of a scene by the standard, at one viscosity and at the temperature of its own balance of heat.
 
 use oilwedge_bearing::ThermalFlows;
-use oilwedge_bearing::thermal_balance::{Start, find};
+use oilwedge_bearing::thermal_balance::find;
 use oilwedge_reynolds::analytical::iso7902;
 pub(super) use oilwedge_reynolds::analytical::iso7902::Feed;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
@@ -153,7 +153,7 @@ fn balanced(scene: &Scene, given: Given, feed: &Fed) -> Option<Vec<Quantity>> {
         Ok::<_, ()>(ThermalFlows { power: twin.power, flow: twin.flow.ok_or(())?, carried_over })
     };
     let balance = model.balance;
-    let found = find(&balance, Start::at(first_temperature(balance.inlet)), BALANCED, film).ok()?;
+    let found = find(&balance, first_temperature(balance.inlet), BALANCED, film).ok()?;
     let (twin, viscosity) = at(found.temperature)?;
     let [_, outlet] = balance.ends(found.temperature, carried_over);
     Some(vec![

@@ -26,7 +26,8 @@ pub trait Term: Send + Sync + std::fmt::Debug {
         }
     }
 
-    /// Adds what its flow changes, to first order, where thickness, slope, rate and viscosity change by those of `change`.
+    /// Adds what its flow changes, to first order, where thickness, slope, rate and viscosity change by
+    /// those of `change`.
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow);
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn thermal_flows(model: &ThermalModel, film: &Film, measured: &Measur
     of_parts(model, (power, flow), || measured.inlet_flow)
 }
 
-/// As [`thermal_flows`], of a film on which nothing else is measured.
+/// What heats and what cools a film on which nothing else is measured.
 pub(crate) fn thermal_flows_of(model: &ThermalModel, film: &SolvedFilm) -> ThermalFlows {
     let load = load(film);
     let power = powers(film, &load).friction() + motion_power(&film.problem.journal, &load);

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::time::Instant;
 
-use oilwedge_bearing::thermal_balance::{Start, find};
-use oilwedge_bearing::{Balanced, FoundHeat, InitialGuess, NoBalance, Work};
+use oilwedge_bearing::thermal_balance::find;
+use oilwedge_bearing::{Balanced, FoundWarmth, InitialGuess, NoBalance, Work};
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
@@ -55,29 +55,31 @@ pub(crate) enum Left {
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
 pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    let with_heat = |film: &Film, options: &SolveOptions| {
-        let heat = Heating::of(film);
-        heat.map_or_else(|| isothermal(film, options), |heat| heated(film, &heat, options))
+    let with_warming = |film: &Film, options: &SolveOptions| {
+        let warming = Heating::of(film);
+        warming.map_or_else(|| isothermal(film, options), |warming| heated(film, &warming, options))
     };
-    let mut solved = with_heat(film, options)
-        .or_else(|_| bracketed(film, model, options).and_then(|film| with_heat(&film, options)))?;
-    let (Some(heat), Some(balance)) = (solved.heat.take(), solved.balance) else {
-        return Ok(solved);
-    };
-    let (temperature, surplus) = (heat.temperature, model.balance.surplus(heat.temperature, &heat.flows));
-    let (clock, is_estimated) = (Instant::now(), options.errors == Errors::Estimated && !balance.is_ended);
-    let slopes = is_estimated.then(|| slopes(&solved, model, &heat)).flatten().unwrap_or_default();
-    let mut work = balance.work;
+    // A film that jumps as its temperature changes leaves heat over at the end of the bracket.
+    let in_bracket = |film: Film| with_warming(&film, options).or_else(|_| isothermal(&film, options));
+    let mut solved = with_warming(film, options).or_else(|_| bracketed(film, model, options).and_then(in_bracket))?;
+    let (clock, balance, warming) = (Instant::now(), solved.balance, solved.warming.take());
+    let is_ended = balance.is_some_and(|balance| balance.is_ended);
+    let asked = warming.as_ref().filter(|_| options.errors == Errors::Estimated && !is_ended);
+    let slopes = asked.and_then(|warming| slopes(&solved, model, warming)).unwrap_or_default();
+    let temperature = solved.film.oil.temperature.unwrap_or(model.balance.inlet);
+    let flows = warming.map_or_else(|| thermal_flows_of(model, solved.reported()), |warming| warming.flows);
+    let surplus = model.balance.surplus(temperature, &flows);
+    let (steps, mut work) = (balance.map_or(0, |balance| balance.steps), work_of(&solved));
     work += slopes.work;
     solved.temperature = Some(TemperatureFound {
-        balanced: Balanced { temperature, film: heat.flows, surplus, slope: slopes.surplus, films: balance.steps },
-        is_ended: balance.is_ended,
-        positions: balance.steps,
+        balanced: Balanced { temperature, film: flows, surplus, slope: slopes.surplus, films: steps },
+        is_ended,
+        positions: steps,
         work,
         slopes: slopes.numbers,
         seconds: clock.elapsed().as_secs_f64(),
     });
-    solved.balance = film.load.map(|_| balance);
+    solved.balance = film.load.and(balance);
     Ok(solved)
 }
 
@@ -90,14 +92,14 @@ pub(crate) fn work_of(solved: &Solved) -> Work {
 
 /// How numbers change with temperature: by a film beside the one found, where journal and wall have followed under the
 /// same load. None where there is no such film.
-fn slopes(solved: &Solved, model: &ThermalModel, heat: &FoundHeat) -> Option<Slopes> {
+fn slopes(solved: &Solved, model: &ThermalModel, warming: &FoundWarmth) -> Option<Slopes> {
     let numbers = |film: &Film, solution: &SolvedFilm| {
         let measured = measure(solution).with_dynamics(film, solution, None);
         let surplus = model.balance.surplus(film.oil.temperature?, &thermal_flows(model, film, &measured));
         Some((quantities::measured(&View::new(film, &film.problem, &measured)), surplus))
     };
-    let film = at_temperature(&solved.film, heat.temperature + BESIDE);
-    let film = film.as_found(&heat.followed(&film.problem, BESIDE));
+    let film = at_temperature(&solved.film, warming.temperature + BESIDE);
+    let film = film.as_found(&warming.followed(&film.problem, BESIDE));
     let beside = film.problem.solve_from(&film.system, Neighbour::Start(&solved.primary)).ok()?;
     let ((here, less), (there, more)) = (numbers(&solved.film, &solved.primary)?, numbers(&film, &beside)?);
     let slope = |quantity: &Quantity| {
@@ -132,7 +134,7 @@ fn bracketed(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         if is_ended { Err(Left::Ended) } else { Ok(flows) }
     };
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
-    let found = find(&model.balance, Start::at(first), ROUGHLY, at);
+    let found = find(&model.balance, first, ROUGHLY, at);
     match (found, last) {
         (Ok(_), Some(last)) => Ok(last.film),
         (Err(NoBalance::NoFilm(Left::Ended) | NoBalance::Ends { reason: Left::Ended, .. }), Some(last)) => {

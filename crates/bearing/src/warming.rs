@@ -12,11 +12,11 @@
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | E | W | `surplus` |
-//! | c, b | W/m, W/K | `Row` |
+//! | c, b | W/m, W/K | `WarmthRow` |
 //! | y_1 | m/K | `Tangents::thicker` |
 //!
-//! **Source.** Broyden, Math. Comp. 19 (1965) 577. **Verified by** `tests/tests/cli/heat.rs`,
-//! `tests/tests/literature/thermal_balance.rs`: the heat of the film found is balanced.
+//! **Source.** Broyden, Math. Comp. 19 (1965) 577. **Range.** Steady films, each of one temperature. **Verified by**
+//! `tests/tests/cli/heat.rs`, `tests/tests/literature/thermal_balance.rs`: the heat of the film found is balanced.
 
 use std::fmt::Debug;
 
@@ -28,7 +28,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmChange, FilmProblem, NoFilm, SolvedF
 use crate::coordinates::{Coordinates, Vector, dot, moved};
 use crate::coupled::Tangents;
 use crate::deflection::Moves;
-use crate::search::{Search, Trial};
+use crate::search::{Search, Trial, WarmthRow};
 use crate::{ThermalBalance, ThermalFlows};
 
 /// The heat is balanced when what is left over is this part of the friction.
@@ -71,7 +71,7 @@ pub(crate) struct Warmth {
 
 /// The heat of a film whose temperature was found, and how its journal and wall follow that under the same load.
 #[derive(Debug, Clone)]
-pub struct FoundHeat {
+pub struct FoundWarmth {
     /// Temperature of the film [K].
     pub temperature: f64,
     /// What heats and cools it.
@@ -85,7 +85,7 @@ pub struct FoundHeat {
     wall: Vec<f64>,
 }
 
-impl FoundHeat {
+impl FoundWarmth {
     /// A problem whose journal and wall have followed so many kelvin.
     pub fn followed(&self, problem: &FilmProblem, kelvin: f64) -> FilmProblem {
         let place = self.place.map(|x| kelvin * x);
@@ -96,25 +96,18 @@ impl FoundHeat {
     }
 }
 
-/// How the surplus changes with the coordinates [W/m] and with the temperature [W/K].
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Row {
-    by_place: Vector,
-    by_temperature: f64,
-}
-
 impl Search<'_> {
     /// The heat of a trial; none where its temperature is given.
     fn warmth(&self, trial: &Trial) -> Option<Warmth> {
-        let heat = self.options.heat?;
+        let warming = self.options.warming?;
         let temperature = trial.film.problem.lubricant.temperature?;
-        let flows = || heat.flows(trial.cubic.as_ref().unwrap_or(&trial.film));
-        let flows = *trial.heat.get_or_init(flows);
-        Some(Warmth { temperature, flows, surplus: heat.balance().surplus(temperature, &flows) })
+        let flows = || warming.flows(trial.cubic.as_ref().unwrap_or(&trial.film));
+        let flows = *trial.warming.get_or_init(flows);
+        Some(Warmth { temperature, flows, surplus: warming.balance().surplus(temperature, &flows) })
     }
 
     /// Heat that a trial leaves over, as a part of its friction [1]; zero where its temperature is given.
-    pub(crate) fn unbalanced_heat(&self, trial: &Trial) -> f64 {
+    pub(crate) fn part_left_over(&self, trial: &Trial) -> f64 {
         let of = |warmth: Warmth| (warmth.surplus / warmth.flows.power).abs();
         self.warmth(trial).map_or(0.0, |warmth| if warmth.surplus == 0.0 { 0.0 } else { of(warmth) })
     }
@@ -123,35 +116,32 @@ impl Search<'_> {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn with_heat(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Moves, NoFilm> {
-        let (Some(warmth), Some(heat)) = (self.warmth(here), self.options.heat) else {
+    pub(crate) fn with_warming(&self, here: &Trial, tangents: &Tangents, moves: Moves) -> Result<Moves, NoFilm> {
+        let (Some(warmth), Some(warming)) = (self.warmth(here), self.options.warming) else {
             return Ok(moves);
         };
         let Warmth { temperature, surplus, .. } = warmth;
-        let thinning = thinning(heat, temperature);
+        let thinning = thinning(warming, temperature);
         let per_kelvin = Moves { kelvin: 1.0, ..tangents.thicker(self, here)?.over(1.0 / thinning) };
         let row = self.row_at(&warmth, thinning, per_kelvin.place);
         let slope = row.by_temperature + dot(row.by_place, per_kelvin.place);
         let most = LONGEST / thinning.abs();
-        let [coldest, hottest] = heat.balance().range();
-        let kelvin = (-(surplus + dot(row.by_place, moves.place)) / slope).clamp(-most, most);
-        let kelvin = (temperature + kelvin).clamp(coldest, hottest) - temperature;
+        let [coldest, hottest] = warming.balance().range();
+        let kelvin = (-(surplus + dot(row.by_place, moves.place)) / slope).max(-most).min(most);
+        let kelvin = kelvin.max(coldest - temperature).min(hottest - temperature);
         Ok(moves.plus(kelvin, &per_kelvin))
     }
 
     /// The row of the surplus, as the steps before have shown it or, where that is not to be believed, as it usually is.
-    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> Row {
+    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> WarmthRow {
         let Warmth { temperature, flows, .. } = warmth;
-        let taken = |t: f64| {
-            -self.options.heat.map_or(0.0, |heat| heat.balance().surplus(t, &ThermalFlows { power: 0.0, ..*flows }))
-        };
-        let by_cooling = taken(temperature + 1.0) - taken(*temperature);
-        let by_temperature = flows.power * thinning - by_cooling;
+        let surplus = |t: f64| self.options.warming.map_or(0.0, |warming| warming.balance().surplus(t, flows));
+        let by_temperature = flows.power * thinning + surplus(temperature + 1.0) - surplus(*temperature);
         let square = dot(per_kelvin, per_kelvin);
         let by_load = if square > 0.0 { (FRICTION_EXPONENT - 1.0) * flows.power * thinning / square } else { 0.0 };
-        let usual = Row { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
-        let slope = |row: &Row| row.by_temperature + dot(row.by_place, per_kelvin);
-        let is_believed = |row: &Row| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
+        let usual = WarmthRow { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
+        let slope = |row: &WarmthRow| row.by_temperature + dot(row.by_place, per_kelvin);
+        let is_believed = |row: &WarmthRow| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
         let mut record = self.record();
         let row = record.row.filter(is_believed).unwrap_or(usual);
         record.row = Some(row);
@@ -171,10 +161,10 @@ impl Search<'_> {
         let missed = to.surplus - from.surplus - dot(row.by_place, place) - row.by_temperature * kelvin;
         // A film that is half as thick, or oil that is e times as thick, count alike.
         let per_metre = self.least_film(before).powi(-2);
-        let per_kelvin = self.options.heat.map_or(0.0, |heat| thinning(heat, from.temperature).powi(2));
+        let per_kelvin = self.options.warming.map_or(0.0, |warming| thinning(warming, from.temperature).powi(2));
         let square = per_metre * dot(place, place) + per_kelvin * kelvin * kelvin;
         if square > 0.0 {
-            self.record().row = Some(Row {
+            self.record().row = Some(WarmthRow {
                 by_place: moved(row.by_place, missed * per_metre / square, place),
                 by_temperature: row.by_temperature + missed * per_kelvin * kelvin / square,
             });
@@ -183,9 +173,9 @@ impl Search<'_> {
 
     /// A problem whose film is warmer by some kelvin; one whose temperature is given stays as it is.
     pub(crate) fn warmed(&self, problem: FilmProblem, kelvin: f64) -> FilmProblem {
-        match (self.options.heat, problem.lubricant.temperature) {
-            (Some(heat), Some(temperature)) if kelvin != 0.0 => {
-                FilmProblem { lubricant: heat.lubricant(temperature + kelvin), ..problem }
+        match (self.options.warming, problem.lubricant.temperature) {
+            (Some(warming), Some(temperature)) if kelvin != 0.0 => {
+                FilmProblem { lubricant: warming.lubricant(temperature + kelvin), ..problem }
             }
             _ => problem,
         }
@@ -193,23 +183,24 @@ impl Search<'_> {
 
     /// The viscosity law of the oil of a problem which may be only tried.
     pub(crate) fn law_at(&self, problem: &FilmProblem) -> PressureLaw {
-        let of_heat = self.options.heat.zip(problem.lubricant.temperature);
-        of_heat.map_or_else(|| self.law.clone(), |(heat, temperature)| heat.lubricant(temperature).pressure_law)
+        let of_film = self.options.warming.zip(problem.lubricant.temperature);
+        of_film.map_or_else(|| self.law.clone(), |(warming, temperature)| warming.lubricant(temperature).pressure_law)
     }
 
     /// The heat of a balanced film; none where its temperature is given.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn found_heat(&self, trial: &Trial) -> Result<Option<FoundHeat>, NoFilm> {
-        let (Some(heat), Some(Warmth { temperature, flows, .. })) = (self.options.heat, self.warmth(trial)) else {
+    pub(crate) fn found_warmth(&self, trial: &Trial) -> Result<Option<FoundWarmth>, NoFilm> {
+        let (Some(warming), Some(Warmth { temperature, flows, .. })) = (self.options.warming, self.warmth(trial))
+        else {
             return Ok(None);
         };
         let left = self.left_of_wall(trial);
         let tangents = self.tangents(trial, &trial.film, &left, (FOLLOWED, 0.0))?;
-        let Moves { place, wall, .. } = tangents.thicker(self, trial)?.over(1.0 / thinning(heat, temperature));
+        let Moves { place, wall, .. } = tangents.thicker(self, trial)?.over(1.0 / thinning(warming, temperature));
         let (coordinates, velocity) = (self.coordinates, self.options.centre_velocity);
-        Ok(Some(FoundHeat { temperature, flows, coordinates, velocity, place, wall }))
+        Ok(Some(FoundWarmth { temperature, flows, coordinates, velocity, place, wall }))
     }
 }
 
@@ -232,7 +223,7 @@ impl Tangents<'_> {
 }
 
 /// How the logarithm of the viscosity changes with temperature [1/K].
-fn thinning(heat: &dyn Heated, temperature: f64) -> f64 {
-    let [low, high] = [-0.5, 0.5].map(|part| heat.lubricant(temperature + part * APART).viscosity.ln());
+fn thinning(warming: &dyn Heated, temperature: f64) -> f64 {
+    let [low, high] = [-0.5, 0.5].map(|part| warming.lubricant(temperature + part * APART).viscosity.ln());
     (high - low) / APART
 }
