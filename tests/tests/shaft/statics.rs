@@ -98,25 +98,6 @@ fn two_films_bear_what_statics_gives_them() {
     }
 }
 
-#[test]
-fn bearings_of_what_is_not_solved_are_refused() {
-    let refused = |change: (&str, &str)| {
-        let folder = tempfile::tempdir().expect("a folder");
-        let scene = with_bearing(folder.path(), "small_ring", change, &text("three_films.toml"));
-        let scene = oilwedge_scene::ShaftScene::parse(&scene, &engines("scene.toml")).expect("a scene");
-        let error = oilwedge_study::shaft::run_shaft(&scene, &oilwedge_study::RunOptions::default());
-        error.expect_err("refused").to_string()
-    };
-    let liner = "[liner]\nwinkler = \"0.02 um/MPa\"\n\n[journal]";
-    for (change, key, way_out) in [
-        (("\"reynolds\"", "\"jfo\""), "cavitation.model", "reynolds"),
-        (("[journal]", liner), "liner", "remove [liner]"),
-    ] {
-        let told = refused(change);
-        assert!(told.contains("bearing.toml") && told.contains(key) && told.contains(way_out), "{told}");
-    }
-}
-
 /// What the peaks of rough surfaces carry is a part of the force of the film that statics asks for.
 #[test]
 fn peaks_that_touch_carry_a_part_of_the_shaft() {
