@@ -1,7 +1,6 @@
 //! `[dynamics]`: stiffness and damping of the film, and the stability of a rotor on it.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "dynamics" = Table; "", "stiffness and damping are not computed", "",
@@ -28,7 +27,7 @@ pub struct Dynamics {
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
     let is_in_range = |ratio: &f64| (0.0..=GREATEST).contains(ratio);
-    let ratios = table.numbers("whirl", "0.5");
+    let ratios = table.numbers("whirl");
     if let Some(wrong) = ratios.iter().flatten().find(|ratio| !is_in_range(ratio)) {
         table.complain(
             "whirl",
@@ -38,10 +37,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
     }
     let number = ratios.as_ref().map_or(1, Vec::len);
     table.refuse_if(number > MOST, "whirl", format!("has {number} ratios, more than {MOST}"), "give fewer");
-    Dynamics {
-        whirl: ratios.unwrap_or_else(|| vec![0.0]),
-        mass: table.positive_if_given("mass", Dimension::Mass, "200 kg"),
-    }
+    Dynamics { whirl: ratios.unwrap_or_else(|| vec![0.0]), mass: table.given("mass") }
 }
 
 #[cfg(test)]

@@ -312,7 +312,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let feeds = root.tables("feed").into_iter();
     let bores = root.tables("bore").into_iter();
     Scene {
-        title: wording::title(&root.text_if_given("title", "Plain journal bearing").unwrap_or_else(stem)),
+        title: wording::title(&root.text_if_given("title").unwrap_or_else(stem)),
         bearing: bearing::read(root.table("bearing", "[bearing] with diameter, length and clearance"), usual_ratio),
         bores: bores.map(|table| bore::read(table, path)).collect(),
         shaft: root.table_if_given("shaft").map(|table| shaft::read(table, path)),

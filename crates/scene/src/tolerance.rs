@@ -2,7 +2,6 @@
 
 use crate::Scene;
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::percent;
 
 /// Round-off hides smaller errors [1].
@@ -60,14 +59,14 @@ pub(crate) fn read(mesh: &mut TableReader<'_>) -> Option<Tolerance> {
 }
 
 fn ratio<'a>(table: &mut TableReader<'a>, key: &'a str) -> Option<f64> {
-    let ratio = table.quantity(key, Dimension::Ratio, "0.1 %");
+    let ratio = table.number(key);
     let help = "give a tolerance within 1e-8 % and 50 %, for example \"0.1 %\"";
-    let ratio = ratio.within_or(
+    let ratio = ratio.which_or(
         |ratio| ratio >= LEAST,
         |ratio| format!("is {}, but round-off hides errors below {}", percent(ratio), percent(LEAST)),
         help,
     );
-    let ratio = ratio.within_or(
+    let ratio = ratio.which_or(
         |ratio| ratio <= GREATEST,
         |ratio| format!("is {}, and a number with such an error tells nothing", percent(ratio)),
         help,

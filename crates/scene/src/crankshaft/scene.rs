@@ -105,7 +105,7 @@ impl ShaftScene {
 /// The scene as far as it can be read.
 pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> ShaftScene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let title = root.text_if_given("title", "Plain journal bearing").unwrap_or_else(stem);
+    let title = root.text_if_given("title").unwrap_or_else(stem);
     let title = wording::title(&title);
     let crankshaft = super::read(root.table("crankshaft", "[crankshaft] with speed and youngs_modulus"), path);
     let of_pins =

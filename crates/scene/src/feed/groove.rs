@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::millimetres;
 use crate::{Arc, Bearing, Complaints};
 
@@ -37,8 +36,8 @@ pub struct Groove {
 
 /// A groove from 0 to 360 degrees is one all around.
 pub(super) fn read(mut table: TableReader<'_>) -> Groove {
-    let from = table.given("from", Dimension::Angle, "80 deg");
-    let to = table.given("to", Dimension::Angle, "100 deg");
+    let from = table.given("from");
+    let to = table.given("to");
     if from.is_some() != to.is_some() {
         let (has, lacks) = if from.is_some() { ("from", "to") } else { ("to", "from") };
         let help = format!("give {lacks} too, or remove {has} for a groove all around");
@@ -61,12 +60,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> Groove {
             "give 360 deg at most, or remove from and to for a groove all around",
         );
     }
-    Groove {
-        arc,
-        width: table.positive("width", Dimension::Length, "20 mm"),
-        z: table.quantity("z", Dimension::Length, "0 mm").or(0.0),
-        corner: table.quantity("corner", Dimension::Length, "2 mm").or(0.0),
-    }
+    Groove { arc, width: table.required("width"), z: table.number("z").or(0.0), corner: table.number("corner").or(0.0) }
 }
 
 impl Groove {

@@ -80,7 +80,8 @@ fn axes(text: &str) -> Result<Vec<Axis>, Vec<Complaint>> {
         }
         return Err(complaints.into_list());
     }
-    let (axes, columns) = read::read(TableReader::root(&complaints, document.get_ref()), &read::OF_BEARING);
+    let (axes, columns) =
+        read::read(TableReader::of_table("sweep", &complaints, document.get_ref()), &read::OF_BEARING);
     let mut complaints = complaints.into_inner();
     if columns.is_some() {
         complaints.add(column::KEY, "is no key of a scene but one of [sweep]", "remove it");
