@@ -74,7 +74,14 @@ impl Bounds {
     }
 }
 
-/// A number of a range in SI; `None` where it is none.
+/// The number in SI that counts where a key is not written, as its row says: `0`, `196.2 MPa`; `None` where that is no
+/// number.
+pub(crate) fn usual(key: &Key) -> Option<f64> {
+    let (number, unit) = key.absent.split_once(' ').unwrap_or((key.absent, ""));
+    in_si(key, number, unit)
+}
+
+/// A number with this unit in SI; `None` where it is none.
 fn in_si(key: &Key, number: &str, unit: &str) -> Option<f64> {
     match key.dimension().filter(|_| !unit.is_empty()) {
         Some(dimension) => unit::parse(&format!("{number} {unit}"), dimension).ok(),

@@ -81,7 +81,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Cavitation> {
         table.complain("model", "is missing", help);
     }
     let model = table.word("model", &CavitationModel::ALL.map(|model| (model.name(), model)));
-    let pressure = table.number("pressure").or(0.0);
+    let pressure = table.number("pressure").or_usual();
     model.map(|model| Cavitation { model, pressure })
 }
 

@@ -175,7 +175,7 @@ fn throw(mut table: TableReader<'_>) -> Throw {
         "give the share of the load of the throw that the bearing takes, 0.5 midway between two",
     );
     let share = share.required();
-    Throw { angle: table.number("angle").or(0.0), share, web_mass: table.number("web_mass").or(0.0) }
+    Throw { angle: table.number("angle").or_usual(), share, web_mass: table.number("web_mass").or_usual() }
 }
 
 fn gas(mut table: TableReader<'_>, scene: &Path) -> Gas {

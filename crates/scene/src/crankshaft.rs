@@ -135,7 +135,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Crankshaft {
         "is neither one turn nor two",
         "give 360 deg for a two-stroke engine, 720 deg for a four-stroke engine",
     );
-    let period = period.or(2.0 * std::f64::consts::TAU);
+    let period = period.or_usual();
     for (key, example) in [
         ("piece", "[[crankshaft.piece]] with length and diameter, or with fires_at"),
         ("bearing", "[[crankshaft.bearing]] with scene and at"),

@@ -13,8 +13,6 @@ keys! {
 
 /// Most whirl ratios of a list.
 const MOST: usize = 16;
-/// Greatest whirl ratio.
-const GREATEST: f64 = 10.0;
 
 /// What is asked about small motions of the journal.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,12 +24,13 @@ pub struct Dynamics {
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
-    let is_in_range = |ratio: &f64| (0.0..=GREATEST).contains(ratio);
     let ratios = table.numbers("whirl");
-    if let Some(wrong) = ratios.iter().flatten().find(|ratio| !is_in_range(ratio)) {
+    let bounds = table.bounds("whirl");
+    if let Some(wrong) = ratios.iter().flatten().find(|ratio| !bounds.hold(**ratio)) {
+        let [least, most] = bounds.ends;
         table.complain(
             "whirl",
-            format!("{wrong} lies outside of 0 to {GREATEST}"),
+            format!("{wrong} lies outside of {least} to {most}"),
             "write frequencies over the speed of the journal, for example whirl = [0, 0.5, 1]",
         );
     }

@@ -37,9 +37,6 @@ keys! {
         "a crankshaft bearing of such an engine: fills `inlet`, `bearing.clearance` and the `pressure` of feeds where the scene leaves them out, and values outside the usual ranges are reported";
 }
 
-/// Heat capacity per volume of mineral oil [J/(m3 K)].
-const HEAT_CAPACITY: f64 = 1.8e6;
-
 /// The heat balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Heat {
@@ -157,7 +154,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
         |_, [least, most]| format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
         "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
     );
-    let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
+    let heat_capacity = heat_capacity.or_usual();
     let limits = read_shared(&mut table);
     let heat = Heat {
         heat_capacity,

@@ -60,7 +60,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
         .or(f64::from(CYCLES));
     let closure =
         (table.number("closure")).within("is not between 1e-12 and 0.1", "give 1e-4, or less").or(CLOSURE * tolerance);
-    let mass = (table.number("mass")).within("is negative", "give mass >= 0").or(0.0);
+    let mass = (table.number("mass")).within("is negative", "give mass >= 0").or_usual();
     Orbit {
         tolerance,
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above; NaN becomes 0")]

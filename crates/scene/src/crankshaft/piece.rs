@@ -97,7 +97,7 @@ fn bore(table: &mut TableReader<'_>, key: &'static str, diameter: Option<f64>) -
         "is not between 0 and the diameter",
         "give the diameter of the bore, less than that of the piece",
     );
-    bore.or(0.0)
+    bore.or_usual()
 }
 
 pub(super) fn throw(mut table: TableReader<'_>) -> ThrowShape {
@@ -108,6 +108,6 @@ pub(super) fn throw(mut table: TableReader<'_>) -> ThrowShape {
         pin_bore: bore(&mut table, "pin_bore", Some(pin_diameter)),
         web_thickness: table.required("web_thickness"),
         web_width: table.given("web_width"),
-        web_mass: table.number("web_mass").or(0.0),
+        web_mass: table.number("web_mass").or_usual(),
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> Counterweight {
         moment: mass * radius.required(),
         throw: from_one(throw),
         web: from_one(web),
-        angle: table.number("angle").or(std::f64::consts::PI),
+        angle: table.number("angle").or_usual(),
     }
 }
 

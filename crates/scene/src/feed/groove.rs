@@ -60,7 +60,12 @@ pub(super) fn read(mut table: TableReader<'_>) -> Groove {
             "give 360 deg at most, or remove from and to for a groove all around",
         );
     }
-    Groove { arc, width: table.required("width"), z: table.number("z").or(0.0), corner: table.number("corner").or(0.0) }
+    Groove {
+        arc,
+        width: table.required("width"),
+        z: table.number("z").or_usual(),
+        corner: table.number("corner").or_usual(),
+    }
 }
 
 impl Groove {

@@ -29,7 +29,7 @@ pub struct Hole {
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Hole {
-    Hole { diameter: table.required("diameter"), angle: table.required("angle"), z: table.number("z").or(0.0) }
+    Hole { diameter: table.required("diameter"), angle: table.required("angle"), z: table.number("z").or_usual() }
 }
 
 impl Hole {

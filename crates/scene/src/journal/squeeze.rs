@@ -34,7 +34,7 @@ impl Journal {
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
-    let mut velocity = |key| table.number(key).or(0.0);
+    let mut velocity = |key| table.number(key).or_usual();
     Squeeze { radial: velocity("radial"), tangential: velocity("tangential") }
 }
 

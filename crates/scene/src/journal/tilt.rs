@@ -33,7 +33,7 @@ impl Journal {
 
 /// The parts towards x and y of a slope [rad] or its rate [rad/s]; a part that is not written is zero.
 pub(crate) fn read(mut table: TableReader<'_>) -> [f64; 2] {
-    ["x", "y"].map(|key| table.number(key).or(0.0))
+    ["x", "y"].map(|key| table.number(key).or_usual())
 }
 
 /// A tilted journal must not touch the liner at an end, and a long bearing knows no axial position.

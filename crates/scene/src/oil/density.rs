@@ -27,10 +27,9 @@ pub struct Density {
 }
 
 pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
-    let at_20 = ZERO_CELSIUS + 20.0;
     if !oil.holds_table("density") {
         let value = of_liquid(oil.number("density")).given()?;
-        return Some(Density { value, at: at_20, expansion: None });
+        return Some(Density { value, at: ZERO_CELSIUS + 20.0, expansion: None });
     }
     let mut table = oil.table_if_given("density")?;
     let expansion = table.number("expansion").within_or(
@@ -40,7 +39,7 @@ pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
     Some(Density {
         expansion: expansion.given(),
         value: of_liquid(table.number("value")).required(),
-        at: table.oil_temperature("at").or(at_20),
+        at: table.oil_temperature("at").or_usual(),
     })
 }
 

@@ -14,9 +14,6 @@ keys! {
         "pressure p_r in Roelands' law";
 }
 
-/// Roelands' reference pressure where the scene gives none [Pa].
-const REFERENCE_PRESSURE: f64 = 196.2e6;
-
 /// Roelands' law: mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roelands {
@@ -52,7 +49,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
     }
     let reference = table.number("reference_pressure");
     PressureLaw::Roelands(Roelands {
-        reference_pressure: reference.or(REFERENCE_PRESSURE),
+        reference_pressure: reference.or_usual(),
         exponent: match (z, alpha) {
             (None, Some(alpha)) => RoelandsExponent::Alpha(alpha),
             (z, _) => RoelandsExponent::Z(z.unwrap_or(f64::NAN)),

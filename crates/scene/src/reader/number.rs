@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use toml::de::DeValue;
 
 use super::{TableReader, kind};
-use crate::bounds::Bounds;
+use crate::bounds::{Bounds, usual};
 use crate::keys::Key;
 use crate::unit::{self, Dimension};
 
@@ -40,6 +40,11 @@ impl<'a> TableReader<'a> {
             None => self.plain(key, value, example),
         });
         Number { key, value, table: self, is_checked: false }
+    }
+
+    /// The numbers that the row of a key accepts.
+    pub(crate) fn bounds(&self, key: &str) -> Bounds {
+        self.row(key).map_or(Bounds::ALL, Bounds::of)
     }
 
     /// A number that must be written.
@@ -113,11 +118,6 @@ impl<'a> TableReader<'a> {
 }
 
 impl Number<'_, '_> {
-    /// The numbers that the row of the key accepts.
-    pub(crate) fn bounds(&self) -> Bounds {
-        self.table.row(self.key).map_or(Bounds::ALL, Bounds::of)
-    }
-
     /// The number if the row of its key accepts it; else a complaint.
     pub(crate) fn within(self, message: &str, help: &str) -> Self {
         self.within_or(|_, _| message.to_owned(), help)
@@ -126,7 +126,7 @@ impl Number<'_, '_> {
     /// The number if the row of its key accepts it; else a complaint with a `message` about the value and the least and
     /// the greatest that are accepted.
     pub(crate) fn within_or(self, message: impl FnOnce(f64, [f64; 2]) -> String, help: &str) -> Self {
-        let bounds = self.bounds();
+        let bounds = self.table.bounds(self.key);
         self.which_or(|value| bounds.hold(value), |value| message(value, bounds.ends), help)
     }
 
@@ -161,6 +161,12 @@ impl Number<'_, '_> {
         self.or(f64::NAN)
     }
 
+    /// The number, or that which counts by its row where it is not written.
+    pub(crate) fn or_usual(self) -> f64 {
+        let usual = self.table.row(self.key).and_then(usual);
+        self.or(usual.unwrap_or(f64::NAN))
+    }
+
     /// The number, or this one where it is not written.
     pub(crate) fn or(self, default: f64) -> f64 {
         self.given().unwrap_or(default)
@@ -168,7 +174,7 @@ impl Number<'_, '_> {
 
     /// The number, if it is written.
     pub(crate) fn given(self) -> Option<f64> {
-        match !self.is_checked && self.bounds().are_positive() {
+        match !self.is_checked && self.table.bounds(self.key).are_positive() {
             true => self.positive().value,
             false => self.value,
         }
