@@ -1,14 +1,19 @@
 //! The catalogue of the keys of a scene: one row each, in the source file of its table.
 //!
-//! The rows stand beside the code that reads the keys and drive it: a reader asks for a key, and takes its form, example
-//! and range from the row. The schema, `oilwedge explain` and `docs/reference/scene.md` are made of them, too.
+//! The rows stand beside the code that reads the keys and drive it: a reader asks for a key, and takes form, example and
+//! range from its row. The schema, `oilwedge explain` and `docs/reference/scene.md` are made of the rows, too.
 
 use crate::keys::Key;
+
+keys! {
+    "title" = Text; "Plain journal bearing", "the name of the file", "",
+        "title of the study in reports";
+}
 
 /// The keys of each table, in the order of the reference page.
 #[rustfmt::skip]
 static TABLES: &[&[Key]] = &[
-    crate::scene::KEYS,
+    KEYS,
     crate::bearing::KEYS,
     crate::bore::KEYS,
     crate::shaft::KEYS,
@@ -56,6 +61,11 @@ pub fn keys() -> impl Iterator<Item = &'static Key> {
 /// may be one of several parts.
 pub(crate) fn row(path: &str) -> Option<&'static Key> {
     keys().find(|key| is_row(key.path, path))
+}
+
+/// The row of the key at a path below `[sweep]`.
+pub(crate) fn row_of_axis(path: &str) -> Option<&'static Key> {
+    row(&format!("sweep.{path}"))
 }
 
 fn is_row(row: &str, path: &str) -> bool {

@@ -78,7 +78,7 @@ impl Key {
         self.forms.contains(&Form::Number)
     }
 
-    /// Its example as one would write it.
+    /// An example of its value as one would write it.
     pub(crate) fn written_example(&self) -> String {
         let is_text = |form: &Form<'_>| matches!(form, Form::Quantity(_) | Form::Text | Form::Choice(_));
         match self.forms.iter().any(is_text) {

@@ -15,12 +15,14 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::Complaints;
-use crate::catalogue;
 use crate::keys::Key;
 use crate::spelling::nearest;
 
 /// Most tables of one list.
 const MOST_TABLES: usize = 1000;
+
+/// The row of the key at a path.
+pub(crate) type Rows = fn(&str) -> Option<&'static Key>;
 
 /// Reads one table.
 #[derive(Debug)]
@@ -29,34 +31,22 @@ pub(crate) struct TableReader<'a> {
     /// `None`: the table is not there or not a table, which is a complaint already.
     table: Option<&'a DeTable<'a>>,
     path: String,
-    /// Path of the rows of the keys of the text; empty for a whole scene.
-    above: &'static str,
+    rows: Rows,
     known: Vec<&'a str>,
     /// Keys that must be there and are not, with an example.
     missing: Vec<(&'a str, String)>,
 }
 
 impl<'a> TableReader<'a> {
-    /// Reads the table of the whole text.
-    pub(crate) fn root(complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>) -> Self {
-        Self::of_table("", complaints, table)
-    }
-
-    /// Reads a text that is the table of a scene of this name.
-    pub(crate) fn of_table(name: &'static str, complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>) -> Self {
-        Self {
-            complaints,
-            table: Some(table),
-            path: String::new(),
-            above: name,
-            known: Vec::new(),
-            missing: Vec::new(),
-        }
+    /// Reads the table of the whole text, whose keys have these rows.
+    pub(crate) fn root(complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>, rows: Rows) -> Self {
+        Self { complaints, table: Some(table), path: String::new(), rows, known: Vec::new(), missing: Vec::new() }
     }
 
     /// Reads a table at a path below that of this one; `None`: it is none.
     fn inner(&self, table: Option<&'a DeTable<'a>>, path: String) -> Self {
-        Self { complaints: self.complaints, table, path, above: self.above, known: Vec::new(), missing: Vec::new() }
+        let Self { complaints, rows, .. } = *self;
+        Self { complaints, table, path, rows, known: Vec::new(), missing: Vec::new() }
     }
 
     /// Path of a key of this table.
@@ -110,10 +100,7 @@ impl<'a> TableReader<'a> {
 
     /// The row of a key of this table.
     fn row(&self, key: &str) -> Option<&'static Key> {
-        match self.above.is_empty() {
-            true => catalogue::row(&self.key(key)),
-            false => catalogue::row(&format!("{}.{}", self.above, self.key(key))),
-        }
+        (self.rows)(&self.key(key))
     }
 
     /// An example of the value of a key.

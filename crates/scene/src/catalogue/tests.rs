@@ -41,7 +41,7 @@ fn text(key: &Key, value: &str) -> String {
 fn complaints(key: &Key, text: &str) -> Vec<Complaint> {
     let document = DeTable::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     let complaints = RefCell::new(Complaints::new(text));
-    let root = TableReader::root(&complaints, document.get_ref());
+    let root = TableReader::root(&complaints, document.get_ref(), row);
     match key.path.starts_with("crankshaft") {
         true => drop(crate::crankshaft::read_scene(root, text, Path::new("scene.toml"))),
         false => drop(crate::scene::read(root, text, Path::new("scene.toml"))),

@@ -7,6 +7,7 @@ use toml::de::DeTable;
 
 use super::variant::sum_of;
 use super::{Crankshaft, check};
+use crate::catalogue;
 use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
 use crate::sweep::{self, Plan};
@@ -86,7 +87,7 @@ impl ShaftScene {
         no_file: impl Fn(&Path) -> Option<String>,
     ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
-        let scene = read(TableReader::root(&complaints, document), text, path);
+        let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
         check::check(&scene, &mut complaints);
         for (key, path, help) in scene.files() {

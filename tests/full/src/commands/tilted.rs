@@ -1,8 +1,8 @@
 //! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, one on each processor at a time, and prints each
 //! that has not converged, with its reason and time, and the slowest; `tilted --scene N` prints the scene of one,
 //! `tilted --outcome N` how it ends, as JSON; `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt
-//! hold. With `--walls` surfaces are rough and touch, walls give way, and bores are out of round. `tilted --page` solves
-//! every fifth of 300 bearings of both kinds and writes `docs/validation/random_bearings.md` anew.
+//! hold. With `--walls` surfaces are rough and touch, walls give way, and bores are out of round. `tilted --page`
+//! solves every fifth of 300 bearings of both kinds and writes `docs/validation/random_bearings.md` anew.
 
 use std::io;
 use std::process::Command;
