@@ -1,7 +1,7 @@
 //! The catalogue of the keys of a scene: one row each, in the source file of its table.
 //!
-//! The rows stand beside the code that reads the keys and drive it: a reader asks for a key, and takes form, example and
-//! range from its row. The schema, `oilwedge explain` and `docs/reference/scene.md` are made of the rows, too.
+//! The rows stand beside the code that reads the keys and drive it: a reader asks for a key, and takes form, example
+//! and range from its row. The schema, `oilwedge explain` and `docs/reference/scene.md` are made of the rows, too.
 
 use crate::keys::Key;
 
@@ -60,7 +60,7 @@ pub fn keys() -> impl Iterator<Item = &'static Key> {
 /// The row of the key at a path, whose lists of tables may have numbers, `feed[0].group`; a name that the user chooses
 /// may be one of several parts.
 pub(crate) fn row(path: &str) -> Option<&'static Key> {
-    keys().find(|key| is_row(key.path, path))
+    keys().filter(|key| is_row(key.path, path)).max_by_key(|key| key.path.len())
 }
 
 /// The row of the key at a path below `[sweep]`.

@@ -70,7 +70,10 @@ fn each_row_is_read_in_all_its_forms() {
 
 #[test]
 fn a_key_without_a_row_is_not_read() {
-    assert!(row("feed[3].hole.diameter").is_some() && row("sweep.bearing.clearance.steps").is_some());
+    let path = |path: &str| row(path).map(|row| row.path);
+    assert_eq!(path("feed[3].hole.diameter"), Some("feed.hole.diameter"));
+    assert_eq!(path("sweep.bearing.clearance"), Some("sweep.KEY"));
+    assert_eq!(path("sweep.bearing.clearance.steps"), Some("sweep.KEY.steps"));
     assert!(
         row("feed.hole").is_some() && row("feed.hole.depth").is_none() && row("mesh.tolerance.feed_flow.a").is_some()
     );

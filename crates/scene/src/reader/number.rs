@@ -32,12 +32,11 @@ impl<'a> TableReader<'a> {
     /// The number of a key, with a unit where its row has a dimension.
     pub(crate) fn number(&mut self, key: &'a str) -> Number<'_, 'a> {
         let row = self.row(key);
-        let dimension =
-            row.and_then(Key::dimension).filter(|_| self.holds_text(key) || !row.is_some_and(Key::is_plain));
-        let example = self.example(key);
+        let is_bare = self.peek(key).is_some_and(|it| matches!(it.get_ref(), DeValue::Integer(_) | DeValue::Float(_)));
+        let dimension = row.and_then(Key::dimension).filter(|_| !(is_bare && row.is_some_and(Key::is_plain)));
         let value = self.take(key).map(|value| match dimension {
-            Some(dimension) => self.in_si(key, value, dimension, example),
-            None => self.plain(key, value, example),
+            Some(dimension) => self.in_si(key, value, dimension, self.example(key)),
+            None => self.plain(key, value, &row.map(Key::written_example).unwrap_or_default()),
         });
         Number { key, value, table: self, is_checked: false }
     }
