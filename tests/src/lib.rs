@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod big_end;
+pub mod capabilities;
 pub mod crankshafts;
 pub mod elastic_liner;
 pub mod engine_bearings;

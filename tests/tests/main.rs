@@ -1,6 +1,7 @@
 //! All tests that cross crates, as one program; `cargo test -p oilwedge-tests cli::sweep` runs some of them.
 
 mod architecture;
+mod capabilities;
 mod catalogue;
 mod cavitation;
 mod cli;

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::{degrees, millimetres};
 use crate::{Complaints, Scene};
 
@@ -102,16 +101,16 @@ impl Theory {
 
 /// Reads the table; `usual_ratio` is the clearance over the radius where none is written.
 pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bearing {
-    let diameter = table.positive("diameter", Dimension::Length, "75 mm");
-    let length = table.positive("length", Dimension::Length, "75 mm");
-    let diametral = table.positive_if_given("diametral_clearance", Dimension::Length, "75 um");
+    let diameter = table.required("diameter");
+    let length = table.required("length");
+    let diametral = table.given("diametral_clearance");
     table.refuse_if(
         diametral.is_some() && table.has("clearance"),
         "diametral_clearance",
         "stands beside clearance, which is half of it",
         "keep one: clearance is radial, diametral_clearance is D - d of bore and journal",
     );
-    let clearance = table.quantity("clearance", Dimension::Length, "37.5 um").positive();
+    let clearance = table.number("clearance");
     let clearance = match (diametral, usual_ratio) {
         (Some(diametral), _) => clearance.or(0.5 * diametral),
         (None, Some(ratio)) => clearance.or(0.5 * diameter * ratio),
@@ -125,7 +124,7 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
         "give the radial clearance, about a thousandth of half the bearing.diameter; is it in um?",
     );
     let (arc, inlet_fraction) = table.table_if_given("arc").map_or((None, None), arc);
-    let film_start = table.given("film_start", Dimension::Angle, "180 deg");
+    let film_start = table.given("film_start");
     table.refuse_if(
         arc.is_some() && film_start.is_some(),
         "film_start",
@@ -140,15 +139,15 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
         arc,
         inlet_fraction,
         film_start,
-        roughness: table.positive_if_given("roughness", Dimension::Length, "0.4 um"),
-        elastic_modulus: table.positive_if_given("elastic_modulus", Dimension::Pressure, "210 GPa"),
+        roughness: table.given("roughness"),
+        elastic_modulus: table.given("elastic_modulus"),
         theory: table.word("theory", &theories).unwrap_or_default(),
     }
 }
 
 fn arc(mut table: TableReader<'_>) -> (Option<Arc>, Option<f64>) {
-    let from = table.required("from", Dimension::Angle, "40 deg");
-    let to = table.required("to", Dimension::Angle, "220 deg");
+    let from = table.required("from");
+    let to = table.required("to");
     table.refuse_if(
         to <= from,
         "to",
@@ -161,9 +160,8 @@ fn arc(mut table: TableReader<'_>) -> (Option<Arc>, Option<f64>) {
         format!("makes the arc {} wide from {} on, but an arc is less than 360 deg", degrees(to - from), degrees(from)),
         "for a full ring remove arc; bearing.film_start then holds a line at the end pressure",
     );
-    let fraction = table.number("inlet_fraction", "0.6").within_or(
-        |fraction| fraction > 0.0 && fraction <= 1.0,
-        |fraction| format!("is {fraction}, outside 0 < inlet_fraction <= 1"),
+    let fraction = table.number("inlet_fraction").within_or(
+        |fraction, _| format!("is {fraction}, outside 0 < inlet_fraction <= 1"),
         "give the part of the gap that the oil brought in fills, or remove it: the edge is flooded then",
     );
     let inlet_fraction = fraction.given();

@@ -1,10 +1,8 @@
 //! `[[bore]]`: what the bore is beside a circle. The depths of all tables add up.
 
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene, Theory};
 
 keys! {
@@ -83,20 +81,19 @@ const SHAPES: [&str; 5] = ["crown", "oval", "worn", "envelope", "file"];
 
 /// Reads one table; a file counts from the folder of the `scene`.
 pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Bore {
-    let crown = table.given("crown", Dimension::Length, "5 um");
-    let oval = table.table_if_given("oval").map(|mut oval| Bore::Oval {
-        depth: oval.required("depth", Dimension::Length, "5 um"),
-        angle: oval.required("angle", Dimension::Angle, "90 deg"),
-    });
+    let crown = table.given("crown");
+    let oval = table
+        .table_if_given("oval")
+        .map(|mut oval| Bore::Oval { depth: oval.required("depth"), angle: oval.required("angle") });
     let worn = table.table_if_given("worn").map(worn);
     let in_folder = |file: String| scene.parent().unwrap_or(Path::new("")).join(file);
     let envelope = table.table_if_given("envelope").map(|mut envelope| Bore::Envelope {
-        path: in_folder(envelope.text("file", "bores/positions.csv")),
-        film: (envelope.quantity("film", Dimension::Length, "2 um"))
-            .within(|film| film >= 0.0, "is negative", "give the film that is left in every position")
+        path: in_folder(envelope.text("file")),
+        film: (envelope.number("film"))
+            .within("is negative", "give the film that is left in every position")
             .required(),
     });
-    let file = table.text_if_given("file", "bores/measured.csv");
+    let file = table.text_if_given("file");
     let given: Vec<&str> = SHAPES.into_iter().filter(|key| table.has(key)).collect();
     let measured = file.map(|file| Bore::Measured(in_folder(file)));
     if given.is_empty() && table.is_readable() {
@@ -114,18 +111,13 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Bore {
 }
 
 fn worn(mut table: TableReader<'_>) -> Bore {
-    let depth = table.quantity("depth", Dimension::Length, "10 um").within(
-        |depth| depth >= 0.0,
-        "is negative",
-        "give how deep the pit is, counted from the circle",
-    );
+    let depth = table.number("depth").within("is negative", "give how deep the pit is, counted from the circle");
     let depth = depth.required();
-    let half_width = table.quantity("half_width", Dimension::Angle, "40 deg").within(
-        |half_width| half_width > 0.0 && half_width < PI,
+    let half_width = table.number("half_width").within(
         "is no half of a pit",
         "give the angle from the middle of the pit to one of its edges, more than 0 and less than 180 deg",
     );
-    Bore::Worn { depth, half_width: half_width.required(), angle: table.required("angle", Dimension::Angle, "250 deg") }
+    Bore::Worn { depth, half_width: half_width.required(), angle: table.required("angle") }
 }
 
 impl Scene {
@@ -153,6 +145,8 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use crate::scene::tests::{STUDY, read, told};
 

@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "cap" = Table; "", "no cap", "",
@@ -103,12 +102,12 @@ pub struct Shell {
 pub(crate) fn read(mut table: TableReader<'_>) -> Cap {
     let example = "bolts = { count = 2, diameter = \"10 mm\", stress_area = \"58 mm2\", load_share = 0.2, tightness = 2.5, torque_coefficient = 0.15 }";
     let cap = Cap {
-        reciprocating_mass: table.positive("reciprocating_mass", Dimension::Mass, "0.7 kg"),
-        rotating_mass: table.positive("rotating_mass", Dimension::Mass, "0.5 kg"),
-        cap_mass: table.positive("cap_mass", Dimension::Mass, "0.15 kg"),
-        crank_radius: table.positive("crank_radius", Dimension::Length, "45 mm"),
-        rod_length: table.positive("rod_length", Dimension::Length, "145 mm"),
-        angle: table.required("angle", Dimension::Angle, "270 deg"),
+        reciprocating_mass: table.required("reciprocating_mass"),
+        rotating_mass: table.required("rotating_mass"),
+        cap_mass: table.required("cap_mass"),
+        crank_radius: table.required("crank_radius"),
+        rod_length: table.required("rod_length"),
+        angle: table.required("angle"),
         bolts: bolts(table.table("bolts", example)),
         shell: table.table_if_given("shell").map(shell),
     };
@@ -128,15 +127,15 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Cap {
 }
 
 fn bolts(mut table: TableReader<'_>) -> Bolts {
-    let count = table.number("count", "2").within(
+    let count = table.number("count").which(
         |count| count % 2.0 == 0.0 && (2.0..=MOST_BOLTS).contains(&count),
         "is no even number of bolts",
         "give 2, 4 or so, 16 at most: the bolts of both sides together",
     );
     // One that was refused is NaN, which becomes zero.
     let count = count.required() as u32;
-    let diameter = table.positive("diameter", Dimension::Length, "10 mm");
-    let stress_area = table.positive("stress_area", Dimension::Area, "58 mm2");
+    let diameter = table.required("diameter");
+    let stress_area = table.required("stress_area");
     let section = 0.25 * PI * diameter * diameter;
     table.refuse_if(
         stress_area > section,
@@ -144,33 +143,30 @@ fn bolts(mut table: TableReader<'_>) -> Bolts {
         format!("is more than the whole section of the bolt, {:.4} mm2", 1e6 * section),
         "give the section at the core of the thread, some 0.75 of the whole",
     );
-    let load_share = table.number("load_share", "0.2").within(
-        |share| share > 0.0 && share < 1.0,
+    let load_share = table.number("load_share").within(
         "is not between 0 and 1",
         "give the share of a pull at the joint that the bolts bear, about 0.15 to 0.25",
     );
     let load_share = load_share.required();
-    let tightness = table.number("tightness", "2.5").within(
-        |tightness| tightness >= 1.0,
-        "is below 1, so the joint would open",
-        "give the safety against opening, about 2 to 4",
-    );
+    let tightness = table
+        .number("tightness")
+        .within("is below 1, so the joint would open", "give the safety against opening, about 2 to 4");
     Bolts {
         count,
         diameter,
         stress_area,
         load_share,
         tightness: tightness.required(),
-        torque_coefficient: table.number("torque_coefficient", "0.15").positive().required(),
+        torque_coefficient: table.number("torque_coefficient").required(),
     }
 }
 
 fn shell(mut table: TableReader<'_>) -> Shell {
     Shell {
-        protrusion: table.positive("protrusion", Dimension::Length, "25 um"),
-        modulus: table.positive("modulus", Dimension::Pressure, "200 GPa"),
-        section: table.positive("section", Dimension::Area, "60 mm2"),
-        radius: table.positive("radius", Dimension::Length, "26 mm"),
+        protrusion: table.required("protrusion"),
+        modulus: table.required("modulus"),
+        section: table.required("section"),
+        radius: table.required("radius"),
     }
 }
 

@@ -1,14 +1,19 @@
 //! The catalogue of the keys of a scene: one row each, in the source file of its table.
 //!
-//! The rows stand beside the code that reads the keys; a test keeps them equal to what the readers ask for. The schema,
-//! `oilwedge explain` and `docs/reference/scene.md` are made of them.
+//! The rows stand beside the code that reads the keys and drive it: a reader asks for a key, and takes form, example
+//! and range from its row. The schema, `oilwedge explain` and `docs/reference/scene.md` are made of the rows, too.
 
 use crate::keys::Key;
+
+keys! {
+    "title" = Text; "Plain journal bearing", "the name of the file", "",
+        "title of the study in reports";
+}
 
 /// The keys of each table, in the order of the reference page.
 #[rustfmt::skip]
 static TABLES: &[&[Key]] = &[
-    crate::scene::KEYS,
+    KEYS,
     crate::bearing::KEYS,
     crate::bore::KEYS,
     crate::shaft::KEYS,
@@ -50,6 +55,30 @@ static TABLES: &[&[Key]] = &[
 /// All keys of scenes, in the order of the reference page.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
     TABLES.iter().copied().flatten()
+}
+
+/// The row of the key at a path, whose lists of tables may have numbers, `feed[0].group`; a name that the user chooses
+/// may be one of several parts.
+pub(crate) fn row(path: &str) -> Option<&'static Key> {
+    keys().filter(|key| is_row(key.path, path)).max_by_key(|key| key.path.len())
+}
+
+/// The row of the key at a path below `[sweep]`.
+pub(crate) fn row_of_axis(path: &str) -> Option<&'static Key> {
+    row(&format!("sweep.{path}"))
+}
+
+fn is_row(row: &str, path: &str) -> bool {
+    let (first, rest) = row.split_once('.').map_or((row, None), |(first, rest)| (first, Some(rest)));
+    let (own, further) = path.split_once('.').map_or((path, None), |(own, further)| (own, Some(further)));
+    let is_chosen = first.chars().all(|letter| letter.is_ascii_uppercase());
+    let is_same = is_chosen || own.split('[').next() == Some(first);
+    let ends = match (rest, further) {
+        (None, None) => true,
+        (Some(rest), Some(further)) => is_row(rest, further),
+        _ => false,
+    };
+    is_same && (ends || is_chosen && further.is_some_and(|further| is_row(row, further)))
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! `[cavitation]`: what happens where the film would break.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::bars;
 use crate::{Complaints, Scene, Theory};
 
@@ -82,7 +81,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Cavitation> {
         table.complain("model", "is missing", help);
     }
     let model = table.word("model", &CavitationModel::ALL.map(|model| (model.name(), model)));
-    let pressure = table.quantity("pressure", Dimension::Pressure, "0 bar").or(0.0);
+    let pressure = table.number("pressure").or_usual();
     model.map(|model| Cavitation { model, pressure })
 }
 

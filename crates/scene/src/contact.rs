@@ -1,7 +1,6 @@
 //! `[contact]`: where rough surfaces touch, and what they carry there.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
@@ -76,20 +75,18 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Contact> {
                 "remove it, or take the other model",
             );
             if is_of_asperities == Some(of) {
-                table.require(key, example(key));
+                table.require(key);
             }
         }
     }
-    let density = table.number("eta_beta_sigma", "0.05").positive().or(f64::NAN);
-    let sharpness = table.number("sigma_over_beta", "0.01").positive().or(f64::NAN);
-    let modulus = table.positive_if_given("modulus", Dimension::Pressure, "115 GPa");
-    let depth = table.positive_if_given("depth", Dimension::Length, "1.2 um");
-    let hardness = table.positive("hardness", Dimension::Pressure, "900 MPa");
-    let friction = table.number("friction", "0.1").within(
-        |friction| friction >= 0.0,
-        "is negative",
-        "give the friction coefficient of surfaces that touch, some 0.1",
-    );
+    let density = table.number("eta_beta_sigma").or(f64::NAN);
+    let sharpness = table.number("sigma_over_beta").or(f64::NAN);
+    let modulus = table.given("modulus");
+    let depth = table.given("depth");
+    let hardness = table.required("hardness");
+    let friction = table
+        .number("friction")
+        .within("is negative", "give the friction coefficient of surfaces that touch, some 0.1");
     let friction = friction.required();
     is_of_asperities.map(|is_of_asperities| Contact {
         model: match is_of_asperities {
@@ -99,12 +96,6 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Contact> {
         hardness,
         friction,
     })
-}
-
-/// What a key is written as where it is missing.
-fn example(key: &str) -> &'static str {
-    let row = KEYS.iter().find(|row| row.table_and_name().1 == key);
-    row.map_or("", |row| row.example)
 }
 
 /// Asperities have the roughness of the bearing.

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{CrankBearing, LoadCycle, LoadSource};
 
 keys! {
@@ -107,22 +106,22 @@ const DRIVE: [&str; 5] = ["reciprocating_mass", "rotating_mass", "bore", "gas", 
 
 /// Reads the table of a scene that stands at `scene` and has this load.
 pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadCycle>) -> Crank {
-    let radius = table.positive("radius", Dimension::Length, "62.5 mm");
-    let rod_length = table.positive("rod_length", Dimension::Length, "230 mm");
+    let radius = table.required("radius");
+    let rod_length = table.required("rod_length");
     table.refuse_if(
         radius >= rod_length,
         "radius",
         "is not less than rod_length, so the crank could not turn",
         "give half the stroke as radius, and the distance of the rod's eyes as rod_length",
     );
-    let mut mass = |key, example| {
-        let mass = table.quantity(key, Dimension::Mass, example);
-        let mass = mass.within(|mass| mass >= 0.0, "is negative", "give a mass, or zero");
+    let mut mass = |key| {
+        let mass = table.number(key);
+        let mass = mass.within("is negative", "give a mass, or zero");
         mass.given().unwrap_or(f64::NAN)
     };
-    let reciprocating_mass = mass("reciprocating_mass", "3.43 kg");
-    let rotating_mass = mass("rotating_mass", "2.025 kg");
-    let bore = table.positive_if_given("bore", Dimension::Length, "125 mm");
+    let reciprocating_mass = mass("reciprocating_mass");
+    let rotating_mass = mass("rotating_mass");
+    let bore = table.given("bore");
     let gas = table.table_if_given("gas").map(|table| gas(table, scene));
     let throws: Vec<Throw> = table.tables("throws").into_iter().map(throw).collect();
     let computed = load.and_then(|load| match load.source {
@@ -131,10 +130,10 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadC
     });
     if let Some(bearing) = computed {
         check_throws(&mut table, bearing, &throws);
-        table.require("reciprocating_mass", "\"3.43 kg\"");
-        table.require("rotating_mass", "\"2.025 kg\"");
-        table.require("bore", "\"125 mm\"");
-        table.require("gas", "{ peak = \"8 MPa\", angle = \"12 deg\", sharpness = 14 }");
+        table.require("reciprocating_mass");
+        table.require("rotating_mass");
+        table.require("bore");
+        table.require_as("gas", "{ peak = \"8 MPa\", angle = \"12 deg\", sharpness = 14 }");
     } else if load.is_some() {
         for key in DRIVE.into_iter().filter(|key| table.has(key)) {
             let help = format!("remove {key}, or give load.bearing = \"big-end\" in place of the load");
@@ -166,34 +165,25 @@ fn check_throws(table: &mut TableReader<'_>, bearing: CrankBearing, throws: &[Th
             "is empty",
             "give the throws beside the bearing: throws = [{ share = 0.5 }]",
         ),
-        CrankBearing::Main => table.require("throws", "[{ share = 0.5 }, { angle = \"360 deg\", share = 0.5 }]"),
+        CrankBearing::Main => table.require_as("throws", "[{ share = 0.5 }, { angle = \"360 deg\", share = 0.5 }]"),
     }
 }
 
 fn throw(mut table: TableReader<'_>) -> Throw {
-    let share = table.number("share", "0.5").within(
-        |share| share > 0.0 && share <= 1.0,
+    let share = table.number("share").within(
         "is not above 0 and at most 1",
         "give the share of the load of the throw that the bearing takes, 0.5 midway between two",
     );
     let share = share.required();
-    Throw {
-        angle: table.quantity("angle", Dimension::Angle, "360 deg").or(0.0),
-        share,
-        web_mass: table.quantity("web_mass", Dimension::Mass, "1.5 kg").or(0.0),
-    }
+    Throw { angle: table.number("angle").or_usual(), share, web_mass: table.number("web_mass").or_usual() }
 }
 
 fn gas(mut table: TableReader<'_>, scene: &Path) -> Gas {
-    let file = table.text_if_given("file", "loads/gas.csv");
-    let peak = table.quantity("peak", Dimension::Pressure, "8 MPa").within(
-        |peak| peak >= 0.0,
-        "is negative",
-        "give the pressure over that of the crankcase",
-    );
+    let file = table.text_if_given("file");
+    let peak = table.number("peak").within("is negative", "give the pressure over that of the crankcase");
     let peak = peak.given();
-    let angle = table.given("angle", Dimension::Angle, "12 deg");
-    let sharpness = table.number("sharpness", "14").positive().given();
+    let angle = table.given("angle");
+    let sharpness = table.number("sharpness").given();
     let keys = ["peak", "angle", "sharpness"];
     if table.has("file") {
         for key in keys.into_iter().filter(|key| table.has(key)) {
@@ -201,9 +191,7 @@ fn gas(mut table: TableReader<'_>, scene: &Path) -> Gas {
         }
         return Gas::File(scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()));
     }
-    for (key, example) in keys.into_iter().zip(["\"8 MPa\"", "\"12 deg\"", "14"]) {
-        table.require(key, example);
-    }
+    keys.into_iter().for_each(|key| table.require(key));
     Gas::Peak {
         peak: peak.unwrap_or(f64::NAN),
         angle: angle.unwrap_or(f64::NAN),

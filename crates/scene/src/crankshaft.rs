@@ -19,7 +19,6 @@ pub(crate) use scene::read as read_scene;
 pub use weight::Counterweight;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "crankshaft" = Table; "", "a scene of one bearing", "in a scene without `[bearing]`, beside `title`, `[crank]`, `[orbit]` and `[sweep]` alone",
@@ -126,17 +125,17 @@ impl Crankshaft {
 
 /// Reads the table of a scene that stands at `scene`.
 pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Crankshaft {
-    let speed = table.positive("speed", Dimension::Speed, "2000 rpm");
-    let youngs_modulus = table.positive("youngs_modulus", Dimension::Pressure, "206 GPa");
-    let shear_modulus = table.positive_if_given("shear_modulus", Dimension::Pressure, "79 GPa");
+    let speed = table.required("speed");
+    let youngs_modulus = table.required("youngs_modulus");
+    let shear_modulus = table.given("shear_modulus");
     let statics = table.word("statics", &[("elastic", Statics::Elastic), ("cut", Statics::Cut)]);
     let tilt = table.word("tilt", &[("free", ShaftTilt::Free), ("none", ShaftTilt::None)]);
-    let period = table.quantity("period", Dimension::Angle, "720 deg").within(
+    let period = table.number("period").which(
         |period| (1..=2).any(|turns| (period / (f64::from(turns) * std::f64::consts::TAU) - 1.0).abs() < 1e-9),
         "is neither one turn nor two",
         "give 360 deg for a two-stroke engine, 720 deg for a four-stroke engine",
     );
-    let period = period.or(2.0 * std::f64::consts::TAU);
+    let period = period.or_usual();
     for (key, example) in [
         ("piece", "[[crankshaft.piece]] with length and diameter, or with fires_at"),
         ("bearing", "[[crankshaft.bearing]] with scene and at"),

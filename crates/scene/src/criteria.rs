@@ -1,7 +1,6 @@
 //! `[criteria]`: what a bearing is judged by. Nothing of the film depends on it.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
@@ -106,40 +105,36 @@ impl Scene {
 /// The limits that stand in `[limits]` or `[heat]`.
 pub(crate) fn read_shared(table: &mut TableReader<'_>) -> Criteria {
     Criteria {
-        film_min: table.positive_if_given("film_min", Dimension::Length, "2 um"),
-        temperature_max: table.oil_temperature("temperature_max", "115 C").given(),
-        outlet_max: table.oil_temperature("outlet_max", "125 C").given(),
+        film_min: table.given("film_min"),
+        temperature_max: table.oil_temperature("temperature_max").given(),
+        outlet_max: table.oil_temperature("outlet_max").given(),
         ..Criteria::default()
     }
 }
 
 /// The limit of the pressure, which may stand in `[limits]` too.
 pub(crate) fn read_pressure(table: &mut TableReader<'_>) -> Option<f64> {
-    table.positive_if_given("pressure_max", Dimension::Pressure, "600 bar")
+    table.given("pressure_max")
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
     let shared = read_shared(&mut table);
     let pressure_max = read_pressure(&mut table);
-    let scale = table.quantity("deviation_scale", Dimension::Length, "10 um").positive();
+    let scale = table.number("deviation_scale");
     let scale = scale.or(USUAL_SCALE);
-    let decrement = table.number("decrement_min", "0.1").within(
-        |decrement| decrement >= 0.0,
-        "is negative: it would pass rotors that whirl",
-        "give 0 for the limit of stability, or more",
-    );
+    let decrement = table
+        .number("decrement_min")
+        .within("is negative: it would pass rotors that whirl", "give 0 for the limit of stability, or more");
     let decrement_min = decrement.given();
-    let contact_share = table.number("contact_share_max", "0.05").within(
-        |share| (0.0..=1.0).contains(&share),
-        "is no part of the load",
-        "give the greatest part that contact may carry, from 0 to 1",
-    );
+    let contact_share = table
+        .number("contact_share_max")
+        .within("is no part of the load", "give the greatest part that contact may carry, from 0 to 1");
     let contact_share_max = contact_share.given();
-    let mut length = |key: &'static str, example: &str| table.positive_if_given(key, Dimension::Length, example);
+    let mut length = |key: &'static str| table.given(key);
     let criteria = Criteria {
-        middle_film_min: length("middle_film_min", "4 um"),
-        deviation_max: length("deviation_max", "5 um"),
-        equivalent_film_min: length("equivalent_film_min", "3 um"),
+        middle_film_min: length("middle_film_min"),
+        deviation_max: length("deviation_max"),
+        equivalent_film_min: length("equivalent_film_min"),
         deviation_scale: scale,
         decrement_min,
         contact_share_max,

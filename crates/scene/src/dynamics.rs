@@ -1,7 +1,6 @@
 //! `[dynamics]`: stiffness and damping of the film, and the stability of a rotor on it.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "dynamics" = Table; "", "stiffness and damping are not computed", "",
@@ -14,8 +13,6 @@ keys! {
 
 /// Most whirl ratios of a list.
 const MOST: usize = 16;
-/// Greatest whirl ratio.
-const GREATEST: f64 = 10.0;
 
 /// What is asked about small motions of the journal.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,21 +24,19 @@ pub struct Dynamics {
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
-    let is_in_range = |ratio: &f64| (0.0..=GREATEST).contains(ratio);
-    let ratios = table.numbers("whirl", "0.5");
-    if let Some(wrong) = ratios.iter().flatten().find(|ratio| !is_in_range(ratio)) {
+    let ratios = table.numbers("whirl");
+    let bounds = table.bounds("whirl");
+    if let Some(wrong) = ratios.iter().flatten().find(|ratio| !bounds.hold(**ratio)) {
+        let [least, most] = bounds.ends;
         table.complain(
             "whirl",
-            format!("{wrong} lies outside of 0 to {GREATEST}"),
+            format!("{wrong} lies outside of {least} to {most}"),
             "write frequencies over the speed of the journal, for example whirl = [0, 0.5, 1]",
         );
     }
     let number = ratios.as_ref().map_or(1, Vec::len);
     table.refuse_if(number > MOST, "whirl", format!("has {number} ratios, more than {MOST}"), "give fewer");
-    Dynamics {
-        whirl: ratios.unwrap_or_else(|| vec![0.0]),
-        mass: table.positive_if_given("mass", Dimension::Mass, "200 kg"),
-    }
+    Dynamics { whirl: ratios.unwrap_or_else(|| vec![0.0]), mass: table.given("mass") }
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! `[ends]`: the two open ends of the bearing.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "ends" = Table; "", "pressure 0", "",
@@ -18,5 +17,5 @@ pub struct Ends {
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Ends {
-    Ends { pressure: table.required("pressure", Dimension::Pressure, "0 bar") }
+    Ends { pressure: table.required("pressure") }
 }

@@ -7,7 +7,6 @@ pub use groove::Groove;
 pub use hole::Hole;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, MeshSource, Scene};
 
 keys! {
@@ -42,15 +41,11 @@ pub struct Feed {
 
 /// Reads one table; `usual_pressure` [Pa] counts where neither a pressure nor a depth is written.
 pub(crate) fn read(mut table: TableReader<'_>, usual_pressure: Option<f64>) -> Feed {
-    let group = table.text("group", "feed_hole");
+    let group = table.text("group");
     let hole = table.table_if_given("hole").map(hole::read);
     let groove = table.table_if_given("groove").map(groove::read);
-    let pressure = table.given("pressure", Dimension::Pressure, "1.96 bar");
-    let depth = table.quantity("depth", Dimension::Length, "20 um").within(
-        |depth| depth >= 0.0,
-        "is negative",
-        "give how much deeper the film is",
-    );
+    let pressure = table.given("pressure");
+    let depth = table.number("depth").within("is negative", "give how much deeper the film is");
     let depth = depth.given();
     table.refuse_if(
         RESERVED_GROUPS.contains(&group.as_str()),

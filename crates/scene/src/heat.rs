@@ -2,7 +2,6 @@
 
 use crate::criteria::{Criteria, SHARED, TABLES, read_shared, refuse_beside};
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene, Theory, Viscosity};
 
 keys! {
@@ -37,11 +36,6 @@ keys! {
     "heat.preset" = Choice(&["petrol", "diesel"]); "petrol", "none", "",
         "a crankshaft bearing of such an engine: fills `inlet`, `bearing.clearance` and the `pressure` of feeds where the scene leaves them out, and values outside the usual ranges are reported";
 }
-
-/// Heat capacity per volume of mineral oil [J/(m3 K)].
-const HEAT_CAPACITY: f64 = 1.8e6;
-/// Heat capacities per volume [J/(m3 K)] of liquids that are used as oils.
-const CAPACITIES: [f64; 2] = [5e5, 5e6];
 
 /// The heat balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,20 +147,18 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
     let engine = table.word("preset", &engines);
     if !table.has("preset") {
         let example = "\"75 C\", the temperature of the oil that is fed, or preset = \"petrol\"";
-        table.require("inlet", example);
+        table.require_as("inlet", example);
     }
     let usual = engine.map_or(f64::NAN, |engine| Engine::middle(engine.inlet()));
-    let [least, most] = CAPACITIES;
-    let heat_capacity = table.quantity("heat_capacity", Dimension::HeatCapacity, "1.8 MJ/(m3.K)").within(
-        |capacity| capacity >= least && capacity <= most,
-        &format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
+    let heat_capacity = table.number("heat_capacity").within_or(
+        |_, [least, most]| format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
         "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
     );
-    let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
+    let heat_capacity = heat_capacity.or_usual();
     let limits = read_shared(&mut table);
     let heat = Heat {
         heat_capacity,
-        inlet: table.oil_temperature("inlet", "75 C").or(usual),
+        inlet: table.oil_temperature("inlet").or(usual),
         housing: table.table_if_given("housing").map(housing),
         mixing: table.table_if_given("mixing").and_then(mixing),
         engine,
@@ -176,13 +168,13 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
 
 /// The conductance as one number, or as that of a surface times its area.
 fn housing(mut table: TableReader<'_>) -> Housing {
-    let conductance = table.positive_if_given("conductance", Dimension::Conductance, "5 W/K");
-    let transfer = table.positive_if_given("transfer", Dimension::HeatTransfer, "17 W/(m2.K)");
-    let area = table.positive_if_given("area", Dimension::Area, "500 cm2");
+    let conductance = table.given("conductance");
+    let transfer = table.given("transfer");
+    let area = table.given("area");
     let conductance = match (conductance, transfer, area) {
         (None, None, None) => {
             let example = "\"5 W/K\", or transfer = \"17 W/(m2.K)\" and area = \"500 cm2\"";
-            table.require("conductance", example);
+            table.require_as("conductance", example);
             f64::NAN
         }
         (Some(conductance), None, None) => conductance,
@@ -190,24 +182,19 @@ fn housing(mut table: TableReader<'_>) -> Housing {
             let help = "keep conductance, or transfer and area";
             let message = "stands beside transfer and area, which give it";
             table.refuse_if(conductance.is_some(), "conductance", message, help);
-            table.require("transfer", "\"17 W/(m2.K)\"");
-            table.require("area", "\"500 cm2\"");
+            table.require("transfer");
+            table.require("area");
             transfer.unwrap_or(f64::NAN) * area.unwrap_or(f64::NAN)
         }
     };
-    let ambient = table.oil_temperature("ambient", "40 C").required();
+    let ambient = table.oil_temperature("ambient").required();
     Housing { conductance, ambient }
 }
 
 fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
-    let ratio = table.number("ratio", "0.06").within(
-        |ratio| ratio >= 0.0,
-        "is negative",
-        "give hot oil over fresh oil, q_0/q_1, or remove mixing",
-    );
+    let ratio = table.number("ratio").within("is negative", "give hot oil over fresh oil, q_0/q_1, or remove mixing");
     let ratio = ratio.given();
-    let share = table.number("share", "0.7").within(
-        |share| (0.0..=1.0).contains(&share),
+    let share = table.number("share").within(
         "is not between 0 and 1",
         "give the share of the oil carried around that mixes with the fresh one, some 0.5 to 0.9",
     );

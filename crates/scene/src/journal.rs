@@ -4,7 +4,6 @@ pub(crate) mod squeeze;
 pub(crate) mod tilt;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
@@ -77,10 +76,10 @@ impl Journal {
 /// Reads the table; `load` is the position under a load, if the scene has one.
 pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journal {
     Journal {
-        speed: table.required("speed", Dimension::Speed, "3000 rpm"),
+        speed: table.required("speed"),
         squeeze: table.table_if_given("squeeze").map(squeeze::read),
-        tilt: (table.table_if_given("tilt")).map(|table| tilt::read(table, Dimension::Angle, "0.1 mrad")),
-        tilt_rate: (table.table_if_given("tilt_rate")).map(|table| tilt::read(table, Dimension::Speed, "0.2 rad/s")),
+        tilt: (table.table_if_given("tilt")).map(tilt::read),
+        tilt_rate: (table.table_if_given("tilt_rate")).map(tilt::read),
         position: position(&mut table, load),
     }
 }
@@ -115,13 +114,13 @@ fn refuse_beside_a_cycle(key: &str, scene: &Scene, complaints: &mut Complaints) 
 }
 
 fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
-    let eccentricity = table.number("eccentricity", "0.6").within(
+    let eccentricity = table.number("eccentricity").which(
         |eccentricity| eccentricity >= 0.0,
         "is negative",
         "give 0 <= eccentricity < 1, and turn min_film_angle by 180 deg",
     );
     let eccentricity = eccentricity.given();
-    let angle = table.given("min_film_angle", Dimension::Angle, "180 deg");
+    let angle = table.given("min_film_angle");
     if let Some(load) = load {
         let (key, keys) = match (eccentricity, angle) {
             (None, None) => return load,
@@ -133,9 +132,9 @@ fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
         table.complain(key, message, format!("remove {keys} from [journal], or remove [load]"));
         return load;
     }
-    table.require("eccentricity", if angle.is_some() { "0.6" } else { POSITION });
+    table.require_as("eccentricity", if angle.is_some() { "0.6" } else { POSITION });
     if eccentricity.is_some_and(|eccentricity| eccentricity != 0.0) {
-        table.require("min_film_angle", "\"180 deg\"");
+        table.require("min_film_angle");
     }
     Position::Given { eccentricity: eccentricity.unwrap_or(f64::NAN), min_film_angle: angle.unwrap_or(0.0) }
 }

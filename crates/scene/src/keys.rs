@@ -65,6 +65,28 @@ macro_rules! keys {
 }
 
 impl Key {
+    /// The kind of quantity that it holds; `None` where it holds none.
+    pub fn dimension(&self) -> Option<Dimension> {
+        self.forms.iter().find_map(|form| match form {
+            Form::Quantity(dimension) => Some(*dimension),
+            _ => None,
+        })
+    }
+
+    /// Whether it may hold a number without a unit.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.forms.contains(&Form::Number)
+    }
+
+    /// An example of its value as one would write it.
+    pub(crate) fn written_example(&self) -> String {
+        let is_text = |form: &Form<'_>| matches!(form, Form::Quantity(_) | Form::Text | Form::Choice(_));
+        match self.forms.iter().any(is_text) {
+            true => format!("\"{}\"", self.example),
+            false => self.example.to_owned(),
+        }
+    }
+
     /// The table whose key it is, and its name there.
     pub fn table_and_name(&self) -> (&'static str, &'static str) {
         self.path.rsplit_once('.').unwrap_or(("", self.path))

@@ -18,6 +18,7 @@ pub mod keys;
 
 mod bearing;
 mod bore;
+mod bounds;
 mod cap;
 pub mod catalogue;
 mod cavitation;

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "liner" = Table; "", "the liner is rigid", "",
@@ -31,9 +30,6 @@ keys! {
     "liner.compliance.file" = Text; "../walls/eye.csv", "required", "",
         "path of the table of the matrix, counted from the folder of the scene";
 }
-
-/// Greatest Poisson's ratio: one half is incompressible, which plane strain does not bear.
-const GREATEST_POISSON: f64 = 0.499;
 
 /// What holds the outer surface of a ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,9 +104,8 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Option<Liner> {
         );
     }
     let layer = match table.holds_table("winkler") {
-        true => (table.table_if_given("winkler"))
-            .map(|mut table| Layer::Of(material(&mut table, ["0.3 mm", "50 GPa", "0.35"]))),
-        false => (table.positive_if_given("winkler", Dimension::LayerCompliance, "0.02 um/MPa")).map(Layer::Given),
+        true => (table.table_if_given("winkler")).map(|mut table| Layer::Of(material(&mut table))),
+        false => (table.given("winkler")).map(Layer::Given),
     };
     let wall = table.table_if_given("wall").map(wall);
     let matrix = table.table_if_given("compliance").map(|table| matrix(table, scene));
@@ -119,22 +114,20 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Option<Liner> {
 
 fn wall(mut table: TableReader<'_>) -> Liner {
     Liner::Wall {
-        of: material(&mut table, ["10 mm", "210 GPa", "0.3"]),
+        of: material(&mut table),
         outer: table
             .word("outer", &[("clamped", OuterSurface::Clamped), ("free", OuterSurface::Free)])
             .unwrap_or(OuterSurface::Clamped),
     }
 }
 
-/// Thickness, modulus and Poisson's ratio, with an example of each.
-fn material<'a>(table: &mut TableReader<'a>, [thickness, modulus, poisson]: [&str; 3]) -> Material {
-    let is_ratio = |nu: f64| (0.0..=GREATEST_POISSON).contains(&nu);
+/// Thickness, modulus and Poisson's ratio.
+fn material(table: &mut TableReader<'_>) -> Material {
     Material {
-        thickness: table.positive("thickness", Dimension::Length, thickness),
-        modulus: table.positive("modulus", Dimension::Pressure, modulus),
-        poisson: (table.number("poisson", poisson))
+        thickness: table.required("thickness"),
+        modulus: table.required("modulus"),
+        poisson: (table.number("poisson"))
             .within(
-                is_ratio,
                 "lies outside of 0 to 0.499",
                 "give Poisson's ratio; a wall that is nearly incompressible takes 0.499",
             )
@@ -143,7 +136,7 @@ fn material<'a>(table: &mut TableReader<'a>, [thickness, modulus, poisson]: [&st
 }
 
 fn matrix(mut table: TableReader<'_>, scene: &Path) -> Liner {
-    let file = table.text("file", "../walls/eye.csv");
+    let file = table.text("file");
     Liner::Compliance { file: scene.parent().unwrap_or(Path::new("")).join(file) }
 }
 

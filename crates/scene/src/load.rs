@@ -7,7 +7,6 @@ use std::path::Path;
 
 use crate::journal::tilt;
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, LoadCycle, Position, Scene};
 
 keys! {
@@ -42,17 +41,13 @@ pub(crate) struct Load {
 /// Reads the table of a scene that stands at `scene`.
 pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Load {
     let cycle = cycle::read(&mut table, scene);
-    let force = table.quantity("force", Dimension::Force, "5 kN").within(
-        |force| force >= 0.0,
-        "is negative",
-        "give force >= 0, and turn angle by 180 deg",
-    );
+    let force = table.number("force").within("is negative", "give force >= 0, and turn angle by 180 deg");
     let force = force.given();
-    let angle = table.given("angle", Dimension::Angle, "270 deg");
+    let angle = table.given("angle");
     match cycle::source_key(&table) {
         None => {
-            table.require("force", "\"5 kN\"");
-            table.require("angle", "\"270 deg\"");
+            table.require("force");
+            table.require("angle");
         }
         Some(source) => {
             for key in ["force", "angle", "moment"].into_iter().filter(|key| table.has(key)) {
@@ -71,8 +66,8 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Load {
             None => Position::Load { force: force.unwrap_or(f64::NAN), angle: angle.unwrap_or(f64::NAN) },
         },
         cycle,
-        at: table.given("at", Dimension::Length, "4 mm"),
-        moment: (table.table_if_given("moment")).map(|table| tilt::read(table, Dimension::Torque, "5 N.m")),
+        at: table.given("at"),
+        moment: (table.table_if_given("moment")).map(tilt::read),
     }
 }
 

@@ -86,9 +86,9 @@ pub(crate) fn read(table: Option<TableReader<'_>>, scene: &Path) -> (MeshSource,
         return (MeshSource::Drawing { size: None }, Some(Tolerance::Usual));
     };
     let has_file = table.has("file");
-    let file = table.text_if_given("file", "../meshes/liner.msh");
-    let size = table.positive_if_given("size", Dimension::Length, "3 mm");
-    let name = table.text_if_given("unit", "mm");
+    let file = table.text_if_given("file");
+    let size = table.given("size");
+    let name = table.text_if_given("unit");
     table.refuse_if(
         name.is_some() && !has_file,
         "unit",

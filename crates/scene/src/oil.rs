@@ -13,7 +13,6 @@ pub use roelands::{Roelands, RoelandsExponent};
 pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
@@ -78,12 +77,12 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 /// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene
 /// must give it.
 pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
-    let constant = table.positive_if_given("viscosity", Dimension::Viscosity, "40 mPa.s");
+    let constant = table.given("viscosity");
     let law = temperature::read(&mut table);
-    let temperature = table.oil_temperature("temperature", "80 C").given();
+    let temperature = table.oil_temperature("temperature").given();
     match (constant, &law) {
         (None, None) => {
-            table.require("viscosity", "\"40 mPa.s\", or grade = \"SAE 10W-40\" with temperature = \"80 C\"")
+            table.require_as("viscosity", "\"40 mPa.s\", or grade = \"SAE 10W-40\" with temperature = \"80 C\"")
         }
         (Some(_), Some(_)) => table.complain(
             "viscosity",
@@ -98,7 +97,7 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
         _ => {}
     }
     if let (Some(example), Some(_)) = (wanted, &law) {
-        table.require("temperature", example);
+        table.require_as("temperature", example);
     }
     let high_shear = high_shear::read(&mut table);
     table.refuse_if(

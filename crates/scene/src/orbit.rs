@@ -1,15 +1,12 @@
 //! `[orbit]`: the path of the journal under a load over a cycle.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 /// Local error of a step where a scene gives none.
 const TOLERANCE: f64 = 1e-3;
 /// Most cycles where a scene gives no number.
 const CYCLES: u32 = 10;
-/// Most cycles that a scene may ask for.
-const MOST_CYCLES: f64 = 1000.0;
 /// Closure over the tolerance where a scene gives none.
 const CLOSURE: f64 = 0.1;
 
@@ -55,26 +52,15 @@ impl Orbit {
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
-    let tolerance = (table.number("tolerance", "1e-3"))
-        .within(
-            |tolerance| (1e-10..=0.1).contains(&tolerance),
-            "is not between 1e-10 and 0.1",
-            "give 1e-3, or less for a sharper orbit",
-        )
+    let tolerance = (table.number("tolerance"))
+        .within("is not between 1e-10 and 0.1", "give 1e-3, or less for a sharper orbit")
         .or(TOLERANCE);
-    let cycles = (table.number("cycles", "10"))
-        .within(
-            |cycles| cycles.fract() == 0.0 && (1.0..=MOST_CYCLES).contains(&cycles),
-            "is no whole number from 1 to 1000",
-            "give the greatest number of cycles, such as 10",
-        )
+    let cycles = (table.number("cycles"))
+        .within("is no whole number from 1 to 1000", "give the greatest number of cycles, such as 10")
         .or(f64::from(CYCLES));
-    let closure = (table.number("closure", "1e-4"))
-        .within(|closure| (1e-12..=0.1).contains(&closure), "is not between 1e-12 and 0.1", "give 1e-4, or less")
-        .or(CLOSURE * tolerance);
-    let mass = (table.quantity("mass", Dimension::Mass, "20 kg"))
-        .within(|mass| mass >= 0.0, "is negative", "give mass >= 0")
-        .or(0.0);
+    let closure =
+        (table.number("closure")).within("is not between 1e-12 and 0.1", "give 1e-4, or less").or(CLOSURE * tolerance);
+    let mass = (table.number("mass")).within("is negative", "give mass >= 0").or_usual();
     Orbit {
         tolerance,
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above; NaN becomes 0")]
@@ -82,14 +68,10 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
         closure,
         mass,
         start: (table.table_if_given("start")).map(|mut start| {
-            let eccentricity = (start.number("eccentricity", "0.3"))
-                .within(
-                    |eccentricity| (0.0..1.0).contains(&eccentricity),
-                    "is not in 0 <= eps < 1",
-                    "give a journal inside the bearing",
-                )
+            let eccentricity = (start.number("eccentricity"))
+                .within("is not in 0 <= eps < 1", "give a journal inside the bearing")
                 .required();
-            [eccentricity, start.required("angle", Dimension::Angle, "0 deg")]
+            [eccentricity, start.required("angle")]
         }),
     }
 }

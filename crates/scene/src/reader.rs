@@ -4,8 +4,6 @@
 //! text. No number of a scene is NaN, so later checks pass over what was refused already. Keys that were not read
 //! when the reader of their table goes out of scope are unknown.
 
-#[cfg(test)]
-pub(crate) mod asked;
 mod number;
 
 pub(crate) use number::{Number, plain_number};
@@ -17,11 +15,14 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::Complaints;
-use crate::keys::Form;
+use crate::keys::Key;
 use crate::spelling::nearest;
 
 /// Most tables of one list.
 const MOST_TABLES: usize = 1000;
+
+/// The row of the key at a path.
+pub(crate) type Rows = fn(&str) -> Option<&'static Key>;
 
 /// Reads one table.
 #[derive(Debug)]
@@ -30,19 +31,22 @@ pub(crate) struct TableReader<'a> {
     /// `None`: the table is not there or not a table, which is a complaint already.
     table: Option<&'a DeTable<'a>>,
     path: String,
+    rows: Rows,
     known: Vec<&'a str>,
     /// Keys that must be there and are not, with an example.
     missing: Vec<(&'a str, String)>,
 }
 
 impl<'a> TableReader<'a> {
-    /// Reads the table of the whole text.
-    pub(crate) fn root(complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>) -> Self {
-        Self::at(complaints, Some(table), String::new())
+    /// Reads the table of the whole text, whose keys have these rows.
+    pub(crate) fn root(complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>, rows: Rows) -> Self {
+        Self { complaints, table: Some(table), path: String::new(), rows, known: Vec::new(), missing: Vec::new() }
     }
 
-    fn at(complaints: &'a RefCell<Complaints>, table: Option<&'a DeTable<'a>>, path: String) -> Self {
-        Self { complaints, table, path, known: Vec::new(), missing: Vec::new() }
+    /// Reads a table at a path below that of this one; `None`: it is none.
+    fn inner(&self, table: Option<&'a DeTable<'a>>, path: String) -> Self {
+        let Self { complaints, rows, .. } = *self;
+        Self { complaints, table, path, rows, known: Vec::new(), missing: Vec::new() }
     }
 
     /// Path of a key of this table.
@@ -85,18 +89,23 @@ impl<'a> TableReader<'a> {
         keys.into_iter().map(|(_, key)| key).collect()
     }
 
-    /// The value of the key as it is written.
+    /// The value of the key as it is written. A key without a row is not known.
     pub(crate) fn written(&mut self, key: &'a str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.row(key)?;
         self.known.push(key);
         let value = self.peek(key)?;
         self.complaints.borrow_mut().mark(&self.key(key), value.span());
         Some(value)
     }
 
-    /// Records, in a test, that a key of this form is asked for, with an example of its value.
-    pub(crate) fn note(&self, _key: &str, _form: Form<'_>, _example: &str) {
-        #[cfg(test)]
-        asked::record(&self.key(_key), &_form, _example);
+    /// The row of a key of this table.
+    fn row(&self, key: &str) -> Option<&'static Key> {
+        (self.rows)(&self.key(key))
+    }
+
+    /// An example of the value of a key.
+    fn example(&self, key: &str) -> &'static str {
+        self.row(key).map_or("", |row| row.example)
     }
 
     fn take(&mut self, key: &'a str) -> Option<&'a DeValue<'a>> {
@@ -121,15 +130,14 @@ impl<'a> TableReader<'a> {
     }
 
     /// A text that must be there and not be empty; empty where it was refused.
-    pub(crate) fn text(&mut self, key: &'static str, example: &str) -> String {
-        self.require(key, &format!("\"{example}\""));
-        self.text_if_given(key, example).unwrap_or_default()
+    pub(crate) fn text(&mut self, key: &'static str) -> String {
+        self.require(key);
+        self.text_if_given(key).unwrap_or_default()
     }
 
     /// A text, if it is written.
-    pub(crate) fn text_if_given(&mut self, key: &'static str, example: &str) -> Option<String> {
-        self.note(key, Form::Text, example);
-        let write = format!("write for example {key} = \"{example}\"");
+    pub(crate) fn text_if_given(&mut self, key: &'static str) -> Option<String> {
+        let write = format!("write for example {key} = \"{}\"", self.example(key));
         match self.take(key)? {
             DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
             DeValue::String(_) => self.complain(key, "is empty", write),
@@ -138,9 +146,8 @@ impl<'a> TableReader<'a> {
         None
     }
 
-    /// A list of texts with their places, if it is written; `example` is what one would write between the brackets.
-    pub(crate) fn texts_if_given(&mut self, key: &'a str, example: &str) -> Option<Vec<(&'a str, Range<usize>)>> {
-        self.note(key, Form::Texts, example);
+    /// A list of texts with their places, if it is written.
+    pub(crate) fn texts_if_given(&mut self, key: &'a str) -> Option<Vec<(&'a str, Range<usize>)>> {
         let path = self.key(key);
         let items = self.take(key)?.as_array();
         let text = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
@@ -150,7 +157,7 @@ impl<'a> TableReader<'a> {
         let texts = items.and_then(|items| items.iter().enumerate().map(text).collect::<Option<Vec<_>>>());
         let texts = texts.filter(|texts| !texts.is_empty());
         if texts.is_none() {
-            let help = format!("write for example {key} = [{example}]");
+            let help = format!("write for example {key} = [{}]", self.example(key));
             self.complain(key, "a list of texts in quotes is wanted", help);
         }
         texts
@@ -158,9 +165,7 @@ impl<'a> TableReader<'a> {
 
     /// One of a few words, if it is written.
     pub(crate) fn word<T: Copy>(&mut self, key: &'static str, words: &[(&str, T)]) -> Option<T> {
-        let choices: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
-        self.note(key, Form::Choice(&choices), choices.first().unwrap_or(&""));
-        let text = self.text_if_given(key, words.first().map_or("", |(word, _)| word))?;
+        let text = self.text_if_given(key)?;
         let found = words.iter().find(|(word, _)| *word == text);
         if found.is_none() {
             let served: Vec<_> = words.iter().map(|(word, _)| format!("\"{word}\"")).collect();
@@ -177,12 +182,11 @@ impl<'a> TableReader<'a> {
         if !self.has(key) && self.is_readable() {
             self.complain(key, "this table is missing", format!("write {example}"));
         }
-        self.table_if_given(key).unwrap_or_else(|| Self::at(self.complaints, None, self.key(key)))
+        self.table_if_given(key).unwrap_or_else(|| self.inner(None, self.key(key)))
     }
 
     /// A table, if it is written.
     pub(crate) fn table_if_given(&mut self, key: &'a str) -> Option<TableReader<'a>> {
-        self.note(key, Form::Table, "");
         let value = self.take(key)?;
         if !value.is_table() {
             let help = match self.path.is_empty() {
@@ -191,12 +195,11 @@ impl<'a> TableReader<'a> {
             };
             self.complain(key, format!("a table is wanted, not {}", kind(value)), help);
         }
-        Some(Self::at(self.complaints, value.as_table(), self.key(key)))
+        Some(self.inner(value.as_table(), self.key(key)))
     }
 
     /// A list of tables; none where the key is not written.
     pub(crate) fn tables(&mut self, key: &'static str) -> Vec<TableReader<'a>> {
-        self.note(key, Form::Tables, "");
         let Some(value) = self.take(key) else { return Vec::new() };
         let path = self.key(key);
         let Some(items) = value.as_array() else {
@@ -212,7 +215,7 @@ impl<'a> TableReader<'a> {
         let reader = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
             let own = format!("{path}[{index}]");
             self.complaints.borrow_mut().mark(&own, item.span());
-            let reader = Self::at(self.complaints, item.get_ref().as_table(), own);
+            let reader = self.inner(item.get_ref().as_table(), own);
             if !reader.is_readable() {
                 let message = format!("a table is wanted, not {}", kind(item.get_ref()));
                 reader.complain_here(message, format!("begin it with a line [[{path}]]"));
@@ -222,8 +225,14 @@ impl<'a> TableReader<'a> {
         items.iter().enumerate().map(reader).collect()
     }
 
-    /// Asks for a key that must be there; `example` is its value as one would write it.
-    pub(crate) fn require(&mut self, key: &'a str, example: &str) {
+    /// Asks for a key that must be there.
+    pub(crate) fn require(&mut self, key: &'a str) {
+        let example = self.row(key).map(Key::written_example).unwrap_or_default();
+        self.require_as(key, &example);
+    }
+
+    /// Asks for a key that must be there; `example` is its value as one would write it, or what may stand for it.
+    pub(crate) fn require_as(&mut self, key: &'a str, example: &str) {
         if !self.has(key) {
             self.missing.push((key, example.to_owned()));
         }

@@ -8,6 +8,7 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 use toml::de::DeTable;
 
+use crate::catalogue;
 use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
@@ -21,11 +22,6 @@ use crate::{
     bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, limits, liner, load,
     mesh, oil, orbit, roughness, shaft, support,
 };
-
-keys! {
-    "title" = Text; "Plain journal bearing", "the name of the file", "",
-        "title of the study in reports";
-}
 
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
@@ -235,7 +231,7 @@ impl Scene {
         checks: &[Check],
     ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
-        let scene = read(TableReader::root(&complaints, document), text, path);
+        let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
         scene.check(&mut complaints, checks);
         for (key, path, help) in scene.files() {
@@ -312,7 +308,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let feeds = root.tables("feed").into_iter();
     let bores = root.tables("bore").into_iter();
     Scene {
-        title: wording::title(&root.text_if_given("title", "Plain journal bearing").unwrap_or_else(stem)),
+        title: wording::title(&root.text_if_given("title").unwrap_or_else(stem)),
         bearing: bearing::read(root.table("bearing", "[bearing] with diameter, length and clearance"), usual_ratio),
         bores: bores.map(|table| bore::read(table, path)).collect(),
         shaft: root.table_if_given("shaft").map(|table| shaft::read(table, path)),

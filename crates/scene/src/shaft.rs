@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "shaft" = Table; "", "the journal is a cylinder", "one of `crown` and `file`",
@@ -25,8 +24,8 @@ pub enum Shaft {
 
 /// Reads the table; a file counts from the folder of the `scene`.
 pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Shaft {
-    let crown = table.given("crown", Dimension::Length, "3 um");
-    let file = table.text_if_given("file", "shafts/measured.csv");
+    let crown = table.given("crown");
+    let file = table.text_if_given("file");
     table.refuse_if(
         table.has("crown") && table.has("file"),
         "file",

@@ -2,7 +2,6 @@
 
 use crate::journal::tilt;
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::millimetres;
 use crate::{Complaints, Scene};
 
@@ -66,10 +65,8 @@ impl Scene {
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Support {
     Support {
-        tilt_stiffness: table.positive("tilt_stiffness", Dimension::RotationalStiffness, "20 kN.m/rad"),
-        tilt: (table.table_if_given("tilt"))
-            .map(|table| tilt::read(table, Dimension::Angle, "0.1 mrad"))
-            .unwrap_or_default(),
+        tilt_stiffness: table.required("tilt_stiffness"),
+        tilt: (table.table_if_given("tilt")).map(tilt::read).unwrap_or_default(),
     }
 }
 

@@ -2,13 +2,7 @@
 
 use crate::Scene;
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::percent;
-
-/// Round-off hides smaller errors [1].
-const LEAST: f64 = 1e-10;
-/// A longer error bar has no meaning [1].
-const GREATEST: f64 = 0.5;
 
 const KEY: &str = "tolerance";
 
@@ -60,19 +54,13 @@ pub(crate) fn read(mesh: &mut TableReader<'_>) -> Option<Tolerance> {
 }
 
 fn ratio<'a>(table: &mut TableReader<'a>, key: &'a str) -> Option<f64> {
-    let ratio = table.quantity(key, Dimension::Ratio, "0.1 %");
+    let message = |ratio: f64, [least, _]: [f64; 2]| match ratio < least {
+        // Round-off hides smaller errors, and a longer bar has no meaning.
+        true => format!("is {}, but round-off hides errors below {}", percent(ratio), percent(least)),
+        false => format!("is {}, and a number with such an error tells nothing", percent(ratio)),
+    };
     let help = "give a tolerance within 1e-8 % and 50 %, for example \"0.1 %\"";
-    let ratio = ratio.within_or(
-        |ratio| ratio >= LEAST,
-        |ratio| format!("is {}, but round-off hides errors below {}", percent(ratio), percent(LEAST)),
-        help,
-    );
-    let ratio = ratio.within_or(
-        |ratio| ratio <= GREATEST,
-        |ratio| format!("is {}, and a number with such an error tells nothing", percent(ratio)),
-        help,
-    );
-    ratio.given()
+    table.number(key).within_or(message, help).given()
 }
 
 /// Reads a table of quantities whose names begin with `prefix`: TOML reads `feed_flow.GROUP` as a table unless it is

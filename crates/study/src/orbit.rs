@@ -39,7 +39,7 @@ pub use price::expected_seconds;
 pub use start::film_of_orbit;
 pub(crate) use start::{GREATEST, USUAL, on_mesh_for, suits};
 use temperature::CycleTemperature;
-pub(crate) use temperature::{BALANCED, add_heat};
+pub(crate) use temperature::{BALANCED, add_temperature};
 
 use crate::compile_error::CompileError;
 use crate::duty::{DutyCycle, load_of_orbit};

@@ -6,7 +6,7 @@
 //! | `shaft/compile.rs` | the scenes become films, a shaft and its loads |
 //! | `shaft/statics.rs` | the shaft at rest under loads that do not change |
 //! | `shaft/cycle.rs` | the shaft over a cycle of its throws |
-//! | `shaft/heat.rs` | the temperatures of its films |
+//! | `shaft/temperatures.rs` | the temperatures of its films |
 //! | `shaft/balances.rs` | force, moment and power at each of its steps |
 //! | `shaft/deflection.rs` | the shaft as it is bent |
 //! | `shaft/variant.rs` | the same shaft cut, or with other counterweights, beside it |
@@ -21,7 +21,7 @@ mod compile;
 mod cycle;
 mod deflection;
 mod error;
-mod heat;
+mod temperatures;
 mod result;
 mod statics;
 mod variant;

@@ -15,7 +15,7 @@ const COMMANDS: [(&str, &str); 8] = [
     ("performance", "times: docs/performance.md; `performance gate` counts instructions"),
     ("prices", "what the next digit costs: docs/validation/prices.md"),
     ("shafts", "random shafts over their cycles"),
-    ("tilted", "random tilted and elastic bearings"),
+    ("tilted", "random tilted and elastic bearings: docs/validation/random_bearings.md"),
     ("validation", "computed tables and figures of the other pages"),
 ];
 

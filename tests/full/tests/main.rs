@@ -4,6 +4,7 @@
 mod big_end_orbit;
 #[cfg(unix)]
 mod book;
+mod capabilities;
 mod cavitation;
 mod conserving_orbits;
 mod contact;

@@ -281,7 +281,7 @@ fn moved(found: &CounterweightReport) -> Table {
 /// What must vanish, and what was left of it.
 fn balances(result: &ShaftResult) -> Table {
     let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
-    let ShaftBalances { force, moment, journals, power } = result.balances;
+    let ShaftBalances { force, moment, journals, power, thermal } = result.balances;
     let left = [
         (force, "loads less forces of all films, over the loads, at the worst step"),
         (moment, "their moments, over those of the loads, at the worst step"),
@@ -290,6 +290,7 @@ fn balances(result: &ShaftResult) -> Table {
             power,
             "power of the loads and of what turns the shaft, less what films dissipate and the shaft stores, over the dissipation, at the worst step",
         ),
+        (thermal, "power of a film that neither its oil nor its housing takes, over that power"),
     ];
     let mut rows: Vec<_> = left.into_iter().map(|(left, what)| vec![text(what), number(left)]).collect();
     rows.extend(energies.reduce(f64::max).map(|energy| {

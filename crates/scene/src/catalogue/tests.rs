@@ -1,88 +1,80 @@
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use toml::de::DeTable;
 
 use super::*;
-use crate::Complaints;
-use crate::reader::{TableReader, asked};
+use crate::keys::Form;
+use crate::reader::TableReader;
+use crate::{Complaint, Complaints};
 
-/// A text with every table that a scene may have, so that every reader runs; as a scene it is refused.
-const EVERY_TABLE: &str = r#"
-bearing = { arc = {} }
-mesh = { tolerance = { QUANTITY = "1 %" } }
-feed = [{ hole = {}, groove = {} }]
-journal = { squeeze = {}, tilt = {}, tilt_rate = {} }
-load = { moment = {}, harmonics = [{ cos = {}, sin = {} }] }
-crank = { gas = {}, throws = [{}] }
-support = { tilt = {} }
-heat = { housing = {}, mixing = {} }
-limits = {}
-criteria = {}
-bore = [{ oval = {}, worn = {}, envelope = {} }]
-shaft = {}
-cavitation = {}
-contact = {}
-roughness = {}
-liner = { winkler = {}, wall = {}, compliance = {} }
-dynamics = {}
-orbit = { start = {} }
-cap = { bolts = {}, shell = {} }
-ends = {}
-oil = { walther = {}, vogel = {}, table = [{}], density = {}, barus = {}, roelands = {} }
-sweep = { columns = ["load"], KEY = { from = 1, to = 2, steps = 2 } }
-"#;
+/// Names that a user may choose, in place of the words in capitals that stand for them.
+const CHOSEN: [(&str, &str); 2] = [("QUANTITY", "load"), ("KEY", "clearance")];
 
-/// Forms that a key has in another text.
-const OTHER_FORMS: &str = r#"
-mesh.tolerance = "1 %"
-liner.winkler = "0.02 um/MPa"
-oil = { density = "870 kg/m3", high_shear = "2.9 mPa.s" }
-"#;
-
-/// A text with every table that the scene of a crankshaft may have.
-const CRANKSHAFT: &str =
-    "crankshaft = { piece = [{}], throw = {}, bearing = [{ support = {} }], load = [{}], counterweight = [{}] }";
-
-fn asked_for() -> asked::Asked {
-    asked::take();
-    for text in [EVERY_TABLE, OTHER_FORMS] {
-        let document = DeTable::parse(text).expect("TOML");
-        let complaints = RefCell::new(Complaints::new(text));
-        crate::scene::read(TableReader::root(&complaints, document.get_ref()), text, Path::new("scene.toml"));
+/// Ways to write a value of a form; `example` is one without quotes.
+fn values(form: &Form<'_>, example: &str) -> Vec<String> {
+    match form {
+        Form::Quantity(_) | Form::Text => vec![format!("\"{example}\"")],
+        // The example of a key may be a text that is read otherwise.
+        Form::Number | Form::Value => vec![example.parse::<f64>().map_or("0.5".to_owned(), |_| example.to_owned())],
+        Form::Numbers => vec![format!("[{example}]")],
+        Form::Texts => vec![format!("[{example}]")],
+        Form::Choice(words) => words.iter().map(|word| format!("\"{word}\"")).collect(),
+        Form::Table => vec!["{}".to_owned()],
+        Form::Tables => vec!["[{}]".to_owned()],
+        Form::Values => vec!["[1, 2]".to_owned()],
     }
-    let document = DeTable::parse(CRANKSHAFT).expect("TOML");
-    let complaints = RefCell::new(Complaints::new(CRANKSHAFT));
-    crate::crankshaft::read_scene(
-        TableReader::root(&complaints, document.get_ref()),
-        CRANKSHAFT,
-        Path::new("scene.toml"),
-    );
-    asked::take()
+}
+
+/// A text with one key alone.
+fn text(key: &Key, value: &str) -> String {
+    let parts: Vec<&str> = key.path.split('.').collect();
+    let whole = (1..parts.len()).rev().fold(value.to_owned(), |inner, depth| {
+        let table = format!("{{ {} = {inner} }}", parts[depth]);
+        let is_list = keys().any(|row| row.path == parts[..depth].join(".") && row.forms.contains(&Form::Tables));
+        if is_list { format!("[{table}]") } else { table }
+    });
+    CHOSEN.into_iter().fold(format!("{} = {whole}", parts[0]), |text, (word, name)| text.replace(word, name))
+}
+
+/// What is said about the key of a text with it alone.
+fn complaints(key: &Key, text: &str) -> Vec<Complaint> {
+    let document = DeTable::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+    let complaints = RefCell::new(Complaints::new(text));
+    let root = TableReader::root(&complaints, document.get_ref(), row);
+    match key.path.starts_with("crankshaft") {
+        true => drop(crate::crankshaft::read_scene(root, text, Path::new("scene.toml"))),
+        false => drop(crate::scene::read(root, text, Path::new("scene.toml"))),
+    }
+    complaints
+        .into_inner()
+        .into_list()
+        .into_iter()
+        .filter(|it| row(&it.key).is_none_or(|row| row.path == key.path))
+        .collect()
+}
+
+/// A reader takes every key in each of its forms: none is unknown, and no other form is wanted.
+#[test]
+fn each_row_is_read_in_all_its_forms() {
+    let is_refused = |it: &&Complaint| it.message.contains("is not known") || it.message.contains("wanted");
+    for key in keys() {
+        for value in key.forms.iter().flat_map(|form| values(form, key.example)) {
+            let text = text(key, &value);
+            let complaints = complaints(key, &text);
+            let refused: Vec<_> = complaints.iter().filter(is_refused).map(ToString::to_string).collect();
+            assert!(refused.is_empty(), "{text}: {refused:?}");
+        }
+    }
 }
 
 #[test]
-fn the_rows_are_the_keys_that_the_readers_ask_for() {
-    let mut asked: BTreeMap<String, (Vec<String>, Vec<String>)> = BTreeMap::new();
-    for (path, entries) in asked_for() {
-        let (mut forms, mut examples): (Vec<_>, Vec<_>) = entries.into_iter().unzip();
-        // The reader of a choice reads a text.
-        if forms.iter().any(|form| form.starts_with("Choice")) {
-            forms.retain(|form| form != "Text");
-        }
-        forms.sort();
-        forms.dedup();
-        examples.retain(|example| !example.is_empty());
-        asked.insert(path, (forms, examples));
-    }
-    for key in keys() {
-        let (forms, examples) = asked.remove(key.path).unwrap_or_else(|| panic!("nothing reads {}", key.path));
-        let mut own: Vec<_> = key.forms.iter().map(|form| format!("{form:?}")).collect();
-        own.sort();
-        assert_eq!(own, forms, "{}", key.path);
-        let is_asked = examples.iter().any(|example| example == key.example);
-        assert!(is_asked || examples.is_empty(), "{}: {:?} is none of {examples:?}", key.path, key.example);
-    }
-    assert!(asked.is_empty(), "no row for {:?}", asked.keys());
+fn a_key_without_a_row_is_not_read() {
+    let path = |path: &str| row(path).map(|row| row.path);
+    assert_eq!(path("feed[3].hole.diameter"), Some("feed.hole.diameter"));
+    assert_eq!(path("sweep.bearing.clearance"), Some("sweep.KEY"));
+    assert_eq!(path("sweep.bearing.clearance.steps"), Some("sweep.KEY.steps"));
+    assert!(
+        row("feed.hole").is_some() && row("feed.hole.depth").is_none() && row("mesh.tolerance.feed_flow.a").is_some()
+    );
 }

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "crankshaft.bearing" = Tables; "", "required", "along the axis, at straight pieces",
@@ -63,12 +62,12 @@ pub struct ShaftLoad {
 
 /// Reads the bearing `number`, from 0, of a scene that stands at `scene`.
 pub(super) fn read(mut table: TableReader<'_>, number: usize, scene: &Path) -> ShaftBearing {
-    let file = table.text("scene", "engine/main.toml");
-    let name = table.text_if_given("name", "main 1");
-    let at = table.required("at", Dimension::Length, "20 mm");
+    let file = table.text("scene");
+    let name = table.text_if_given("name");
+    let at = table.required("at");
     let support = table.table_if_given("support").map(|mut table| {
-        let stiffness = table.positive_if_given("stiffness", Dimension::Stiffness, "200 MN/m");
-        let of_tilt = table.positive_if_given("tilt_stiffness", Dimension::RotationalStiffness, "20 kN.m/rad");
+        let stiffness = table.given("stiffness");
+        let of_tilt = table.given("tilt_stiffness");
         [stiffness, of_tilt].map(|stiffness| stiffness.unwrap_or(f64::INFINITY))
     });
     let [stiffness, tilt_stiffness] = support.unwrap_or([f64::INFINITY; 2]);
@@ -81,13 +80,9 @@ pub(super) fn read(mut table: TableReader<'_>, number: usize, scene: &Path) -> S
 }
 
 pub(super) fn load(mut table: TableReader<'_>) -> ShaftLoad {
-    let at = table.required("at", Dimension::Length, "100 mm");
-    let force = table.quantity("force", Dimension::Force, "12 kN").within(
-        |force| force >= 0.0,
-        "is negative",
-        "give force >= 0, and turn angle by 180 deg",
-    );
+    let at = table.required("at");
+    let force = table.number("force").within("is negative", "give force >= 0, and turn angle by 180 deg");
     let force = force.required();
-    let (sin, cos) = table.required("angle", Dimension::Angle, "270 deg").sin_cos();
+    let (sin, cos) = table.required("angle").sin_cos();
     ShaftLoad { at, force: [force * cos, force * sin] }
 }

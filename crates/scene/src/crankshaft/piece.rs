@@ -1,7 +1,6 @@
 //! `piece` and `throw` of a crankshaft: its shape.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "crankshaft.piece" = Tables; "", "required", "a straight one first, last, and between throws",
@@ -74,9 +73,9 @@ impl ThrowShape {
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> ShaftPiece {
-    let fires_at = table.given("fires_at", Dimension::Angle, "180 deg");
-    let length = table.positive_if_given("length", Dimension::Length, "40 mm");
-    let diameter = table.positive_if_given("diameter", Dimension::Length, "80 mm");
+    let fires_at = table.given("fires_at");
+    let length = table.given("length");
+    let diameter = table.given("diameter");
     let bore = bore(&mut table, "bore", diameter);
     let straight = ["length", "diameter", "bore"];
     if let Some(fires_at) = fires_at {
@@ -86,29 +85,29 @@ pub(super) fn read(mut table: TableReader<'_>) -> ShaftPiece {
         }
         return ShaftPiece::Throw { fires_at };
     }
-    table.require("length", "\"40 mm\"");
-    table.require("diameter", "\"80 mm\"");
+    table.require("length");
+    table.require("diameter");
     ShaftPiece::Straight { length: length.unwrap_or(f64::NAN), diameter: diameter.unwrap_or(f64::NAN), bore }
 }
 
 /// The bore of a round piece, less than its diameter.
 fn bore(table: &mut TableReader<'_>, key: &'static str, diameter: Option<f64>) -> f64 {
-    let bore = table.quantity(key, Dimension::Length, "20 mm").within(
+    let bore = table.number(key).which(
         |bore| bore >= 0.0 && diameter.is_none_or(|diameter| diameter.is_nan() || bore < diameter),
         "is not between 0 and the diameter",
         "give the diameter of the bore, less than that of the piece",
     );
-    bore.or(0.0)
+    bore.or_usual()
 }
 
 pub(super) fn throw(mut table: TableReader<'_>) -> ThrowShape {
-    let pin_diameter = table.positive("pin_diameter", Dimension::Length, "68 mm");
+    let pin_diameter = table.required("pin_diameter");
     ThrowShape {
-        pin_length: table.positive("pin_length", Dimension::Length, "38 mm"),
+        pin_length: table.required("pin_length"),
         pin_diameter,
         pin_bore: bore(&mut table, "pin_bore", Some(pin_diameter)),
-        web_thickness: table.positive("web_thickness", Dimension::Length, "22 mm"),
-        web_width: table.positive_if_given("web_width", Dimension::Length, "110 mm"),
-        web_mass: table.quantity("web_mass", Dimension::Mass, "1.5 kg").or(0.0),
+        web_thickness: table.required("web_thickness"),
+        web_width: table.given("web_width"),
+        web_mass: table.number("web_mass").or_usual(),
     }
 }

@@ -7,6 +7,7 @@ use toml::de::DeTable;
 
 use super::variant::sum_of;
 use super::{Crankshaft, check};
+use crate::catalogue;
 use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
 use crate::sweep::{self, Plan};
@@ -86,7 +87,7 @@ impl ShaftScene {
         no_file: impl Fn(&Path) -> Option<String>,
     ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
-        let scene = read(TableReader::root(&complaints, document), text, path);
+        let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
         check::check(&scene, &mut complaints);
         for (key, path, help) in scene.files() {
@@ -105,7 +106,7 @@ impl ShaftScene {
 /// The scene as far as it can be read.
 pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> ShaftScene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let title = root.text_if_given("title", "Plain journal bearing").unwrap_or_else(stem);
+    let title = root.text_if_given("title").unwrap_or_else(stem);
     let title = wording::title(&title);
     let crankshaft = super::read(root.table("crankshaft", "[crankshaft] with speed and youngs_modulus"), path);
     let of_pins =

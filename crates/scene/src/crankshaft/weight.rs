@@ -1,7 +1,6 @@
 //! `counterweight` of a crankshaft.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "crankshaft.counterweight" = Tables; "", "none", "with throws",
@@ -32,34 +31,23 @@ pub struct Counterweight {
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Counterweight {
-    let throw = table.number("throw", "1").within(
-        |throw| throw >= 1.0 && throw.fract() == 0.0,
-        "is no whole number from 1 on",
-        "give the number of the throw along the axis",
-    );
+    let throw =
+        table.number("throw").within("is no whole number from 1 on", "give the number of the throw along the axis");
     let throw = throw.required();
-    let web = table.number("web", "1").within(
+    let web = table.number("web").which(
         |web| web == 1.0 || web == 2.0,
         "is neither 1 nor 2",
         "give the first or the second web of the throw",
     );
     let web = web.required();
-    let mass = table.quantity("mass", Dimension::Mass, "1.2 kg").within(
-        |mass| mass >= 0.0,
-        "is negative",
-        "give a mass, and turn angle by 180 deg",
-    );
+    let mass = table.number("mass").within("is negative", "give a mass, and turn angle by 180 deg");
     let mass = mass.required();
-    let radius = table.quantity("radius", Dimension::Length, "60 mm").within(
-        |radius| radius >= 0.0,
-        "is negative",
-        "give a distance, and turn angle by 180 deg",
-    );
+    let radius = table.number("radius").within("is negative", "give a distance, and turn angle by 180 deg");
     Counterweight {
         moment: mass * radius.required(),
         throw: from_one(throw),
         web: from_one(web),
-        angle: table.quantity("angle", Dimension::Angle, "180 deg").or(std::f64::consts::PI),
+        angle: table.number("angle").or_usual(),
     }
 }
 

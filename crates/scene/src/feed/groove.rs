@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::millimetres;
 use crate::{Arc, Bearing, Complaints};
 
@@ -37,8 +36,8 @@ pub struct Groove {
 
 /// A groove from 0 to 360 degrees is one all around.
 pub(super) fn read(mut table: TableReader<'_>) -> Groove {
-    let from = table.given("from", Dimension::Angle, "80 deg");
-    let to = table.given("to", Dimension::Angle, "100 deg");
+    let from = table.given("from");
+    let to = table.given("to");
     if from.is_some() != to.is_some() {
         let (has, lacks) = if from.is_some() { ("from", "to") } else { ("to", "from") };
         let help = format!("give {lacks} too, or remove {has} for a groove all around");
@@ -63,9 +62,9 @@ pub(super) fn read(mut table: TableReader<'_>) -> Groove {
     }
     Groove {
         arc,
-        width: table.positive("width", Dimension::Length, "20 mm"),
-        z: table.quantity("z", Dimension::Length, "0 mm").or(0.0),
-        corner: table.quantity("corner", Dimension::Length, "2 mm").or(0.0),
+        width: table.required("width"),
+        z: table.number("z").or_usual(),
+        corner: table.number("corner").or_usual(),
     }
 }
 

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::{degrees, millimetres};
 use crate::{Bearing, Complaints};
 
@@ -30,11 +29,7 @@ pub struct Hole {
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Hole {
-    Hole {
-        diameter: table.positive("diameter", Dimension::Length, "17 mm"),
-        angle: table.required("angle", Dimension::Angle, "130 deg"),
-        z: table.quantity("z", Dimension::Length, "0 mm").or(0.0),
-    }
+    Hole { diameter: table.required("diameter"), angle: table.required("angle"), z: table.number("z").or_usual() }
 }
 
 impl Hole {

@@ -1,7 +1,6 @@
 //! `[journal.squeeze]`: the velocity of the journal's centre.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Journal, Position, Scene};
 
 keys! {
@@ -35,7 +34,7 @@ impl Journal {
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
-    let mut velocity = |key| table.quantity(key, Dimension::Velocity, "2 mm/s").or(0.0);
+    let mut velocity = |key| table.number(key).or_usual();
     Squeeze { radial: velocity("radial"), tangential: velocity("tangential") }
 }
 

@@ -1,7 +1,6 @@
 //! `[journal] tilt` and `tilt_rate`: the slope of the journal's axis against that of the bearing, and its rate.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::wording::{micrometres, millimetres};
 use crate::{Bearing, Complaints, Journal, Position, Scene, Theory};
 
@@ -33,8 +32,8 @@ impl Journal {
 }
 
 /// The parts towards x and y of a slope [rad] or its rate [rad/s]; a part that is not written is zero.
-pub(crate) fn read(mut table: TableReader<'_>, dimension: Dimension, example: &str) -> [f64; 2] {
-    ["x", "y"].map(|key| table.quantity(key, dimension, example).or(0.0))
+pub(crate) fn read(mut table: TableReader<'_>) -> [f64; 2] {
+    ["x", "y"].map(|key| table.number(key).or_usual())
 }
 
 /// A tilted journal must not touch the liner at an end, and a long bearing knows no axial position.

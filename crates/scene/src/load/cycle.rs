@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use crate::journal::tilt;
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
@@ -112,22 +111,19 @@ pub(super) fn source_key(table: &TableReader<'_>) -> Option<&'static str> {
 
 /// Reads the keys of a load over a cycle, if there are any.
 pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycle> {
-    let file = table.text_if_given("file", "loads/big_end.csv");
+    let file = table.text_if_given("file");
     let orders = table.tables("harmonics").into_iter().map(harmonic).collect();
     let bearing = table.word("bearing", &[("big-end", CrankBearing::BigEnd), ("main", CrankBearing::Main)]);
     let frames = [("shell", LoadFrame::Shell), ("cylinder", LoadFrame::Cylinder), ("pin", LoadFrame::Pin)];
     let frame = table.word("frame", &frames);
-    let period = table.quantity("period", Dimension::Angle, "720 deg").within(
+    let period = table.number("period").which(
         |period| [1.0, 2.0].iter().any(|turns| (period / TAU - turns).abs() < WHOLE),
         "is neither one turn of the crank nor two",
         "write period = \"720 deg\" for a four-stroke engine, or \"360 deg\"",
     );
     let period = period.given();
-    let frequency = table.quantity("frequency", Dimension::Speed, "50 Hz").within(
-        |frequency| frequency > 0.0,
-        "is not positive",
-        "give how often the load repeats, such as 50 Hz",
-    );
+    let frequency =
+        table.number("frequency").within("is not positive", "give how often the load repeats, such as 50 Hz");
     let frequency = frequency.given();
     let Some(key) = source_key(table) else {
         for key in ["frame", "period", "frequency"].into_iter().filter(|key| table.has(key)) {
@@ -153,7 +149,7 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
         "remove frequency",
     );
     if !table.has("frequency") {
-        table.require("period", "\"720 deg\"");
+        table.require("period");
     }
     table.refuse_if(
         key == "bearing" && table.has("frame"),
@@ -162,7 +158,7 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
         "remove frame",
     );
     if key != "bearing" {
-        table.require("frame", "\"shell\"");
+        table.require("frame");
     }
     let frame = frame.unwrap_or(LoadFrame::Shell);
     let source = match key {
@@ -183,15 +179,11 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
 }
 
 fn harmonic(mut table: TableReader<'_>) -> Harmonic {
-    let order = table.number("order", "0.5").within(
-        |order| order >= 0.0,
-        "is negative",
-        "give order >= 0: cycles in a turn of the crank",
-    );
+    let order = table.number("order").within("is negative", "give order >= 0: cycles in a turn of the crank");
     let order = order.required();
     let [cos, sin] = ["cos", "sin"].map(|key| {
         let parts = table.table_if_given(key);
-        parts.map_or([0.0; 2], |parts| tilt::read(parts, Dimension::Force, "40 kN"))
+        parts.map_or([0.0; 2], tilt::read)
     });
     Harmonic { order, cos, sin }
 }

@@ -2,7 +2,6 @@
 
 use super::{PressureLaw, THINNER};
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
@@ -35,8 +34,8 @@ pub enum BarusForm {
 
 pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
     let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
-    let alpha = table.quantity("alpha", Dimension::InversePressure, "2.5e-8 1/Pa");
-    let alpha = alpha.within(|alpha| alpha >= 0.0, THINNER, help).required();
+    let alpha = table.number("alpha");
+    let alpha = alpha.within(THINNER, help).required();
     let forms = [("conservative", BarusForm::Conservative), ("as-printed", BarusForm::AsPrinted)];
     let form = table.word("form", &forms).unwrap_or_default();
     PressureLaw::Barus(Barus { alpha, form })

@@ -2,7 +2,7 @@
 //! measured.
 
 use crate::reader::{Number, TableReader};
-use crate::unit::{Dimension, ZERO_CELSIUS};
+use crate::unit::ZERO_CELSIUS;
 
 keys! {
     "oil.density" = Quantity(Density), Table; "885 kg/m3", "that of the grade; else 870 kg/m3", "500 to 2500 kg/m3",
@@ -14,11 +14,6 @@ keys! {
     "oil.density.expansion" = Quantity(InverseTemperature); "68.8e-5 1/K", "68.8e-5 1/K", "0 to 2e-3 1/K",
         "relative expansion k_v in rho = rho_20 [1 - k_v (t - 20 C)]";
 }
-
-/// Densities [kg/m3] of liquids that are used as oils.
-const DENSITIES: [f64; 2] = [500.0, 2500.0];
-/// Greatest relative expansion [1/K] of one.
-const MOST_EXPANSION: f64 = 2e-3;
 
 /// A density that was measured at some temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,29 +27,25 @@ pub struct Density {
 }
 
 pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
-    let at_20 = ZERO_CELSIUS + 20.0;
     if !oil.holds_table("density") {
-        let value = of_liquid(oil.quantity("density", Dimension::Density, "885 kg/m3")).given()?;
-        return Some(Density { value, at: at_20, expansion: None });
+        let value = of_liquid(oil.number("density")).given()?;
+        return Some(Density { value, at: ZERO_CELSIUS + 20.0, expansion: None });
     }
     let mut table = oil.table_if_given("density")?;
-    let expansion = table.quantity("expansion", Dimension::InverseTemperature, "68.8e-5 1/K").within(
-        |expansion| (0.0..=MOST_EXPANSION).contains(&expansion),
-        &format!("is not the expansion of an oil: 0 to {MOST_EXPANSION} 1/K"),
+    let expansion = table.number("expansion").within_or(
+        |_, [least, most]| format!("is not the expansion of an oil: {least} to {most} 1/K"),
         "give some 65e-5 to 75e-5 1/K for mineral oil, or remove it",
     );
     Some(Density {
         expansion: expansion.given(),
-        value: of_liquid(table.quantity("value", Dimension::Density, "868 kg/m3")).required(),
-        at: table.oil_temperature("at", "15 C").or(at_20),
+        value: of_liquid(table.number("value")).required(),
+        at: table.oil_temperature("at").or_usual(),
     })
 }
 
 fn of_liquid<'t, 'a>(density: Number<'t, 'a>) -> Number<'t, 'a> {
-    let [least, most] = DENSITIES;
-    density.within(
-        |density| density >= least && density <= most,
-        &format!("is not the density of an oil: {least} to {most} kg/m3"),
+    density.within_or(
+        |_, [least, most]| format!("is not the density of an oil: {least} to {most} kg/m3"),
         "give some 850 to 900 kg/m3 for mineral oil; is it in kg/m3?",
     )
 }

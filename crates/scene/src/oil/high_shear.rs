@@ -2,15 +2,11 @@
 //! C and 1e6 1/s of a data sheet, or as a factor.
 
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "oil.high_shear" = Quantity(Viscosity), Number; "2.9 mPa.s", "low shear", "a factor: 0.3 to 1",
         "what shear leaves of the viscosity: that at 150 degrees C and 1e6 1/s (HTHS) of the data sheet, or a factor as 0.8; with a law of temperature";
 }
-
-/// Factors of oils: even those with much polymer keep this part.
-const FACTORS: [f64; 2] = [0.3, 1.0];
 
 /// What high shear rates leave of the viscosity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,13 +19,10 @@ pub enum HighShear {
 
 pub(super) fn read(oil: &mut TableReader<'_>) -> Option<HighShear> {
     if oil.holds_text("high_shear") {
-        let viscosity = oil.positive_if_given("high_shear", Dimension::Viscosity, "2.9 mPa.s");
-        return viscosity.map(HighShear::Viscosity);
+        return oil.number("high_shear").positive().given().map(HighShear::Viscosity);
     }
-    let [least, most] = FACTORS;
-    let factor = oil.number("high_shear", "0.8").within(
-        |factor| (least..=most).contains(&factor),
-        &format!("is not what shear leaves of a viscosity: {least} to {most}"),
+    let factor = oil.number("high_shear").within_or(
+        |_, [least, most]| format!("is not what shear leaves of a viscosity: {least} to {most}"),
         "give a factor as 0.8, or the viscosity at 150 C and 1e6 1/s of the data sheet, as \"2.9 mPa.s\"",
     );
     factor.given().map(HighShear::Factor)

@@ -2,7 +2,6 @@
 
 use super::{PressureLaw, THINNER};
 use crate::reader::TableReader;
-use crate::unit::Dimension;
 
 keys! {
     "oil.roelands" = Table; "", "constant viscosity", "",
@@ -14,9 +13,6 @@ keys! {
     "oil.roelands.reference_pressure" = Quantity(Pressure); "196.2 MPa", "196.2 MPa", "> 0",
         "pressure p_r in Roelands' law";
 }
-
-/// Roelands' reference pressure where the scene gives none [Pa].
-const REFERENCE_PRESSURE: f64 = 196.2e6;
 
 /// Roelands' law: mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,10 +34,10 @@ pub enum RoelandsExponent {
 
 pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
     let help = "give z >= 0, about 0.4 to 0.8 for mineral oil";
-    let z = table.number("z", "0.6").within(|z| z >= 0.0, THINNER, help).given();
+    let z = table.number("z").within(THINNER, help).given();
     let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
-    let alpha = table.quantity("alpha", Dimension::InversePressure, "2.0e-8 1/Pa");
-    let alpha = alpha.within(|alpha| alpha >= 0.0, THINNER, help).given();
+    let alpha = table.number("alpha");
+    let alpha = alpha.within(THINNER, help).given();
     table.refuse_if(
         z.is_some() && alpha.is_some(),
         "alpha",
@@ -49,11 +45,11 @@ pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
         "keep one of z and alpha",
     );
     if alpha.is_none() {
-        table.require("z", "0.6, or alpha = \"2.0e-8 1/Pa\" instead");
+        table.require_as("z", "0.6, or alpha = \"2.0e-8 1/Pa\" instead");
     }
-    let reference = table.quantity("reference_pressure", Dimension::Pressure, "196.2 MPa").positive();
+    let reference = table.number("reference_pressure");
     PressureLaw::Roelands(Roelands {
-        reference_pressure: reference.or(REFERENCE_PRESSURE),
+        reference_pressure: reference.or_usual(),
         exponent: match (z, alpha) {
             (None, Some(alpha)) => RoelandsExponent::Alpha(alpha),
             (z, _) => RoelandsExponent::Z(z.unwrap_or(f64::NAN)),

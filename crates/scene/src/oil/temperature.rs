@@ -1,7 +1,7 @@
 //! `grade`, `walther`, `vogel` and `table` of `[oil]`: how the viscosity falls with temperature.
 
 use crate::reader::{Number, TableReader};
-use crate::unit::{Dimension, ZERO_CELSIUS};
+use crate::unit::ZERO_CELSIUS;
 use crate::wording::celsius;
 
 keys! {
@@ -39,8 +39,6 @@ keys! {
         "instead of `nu`: dynamic viscosity at `t`";
 }
 
-/// Temperatures [K] between which films of liquid oil are.
-const LIQUID: [f64; 2] = [ZERO_CELSIUS - 60.0, ZERO_CELSIUS + 350.0];
 /// The keys that give a law of temperature.
 const WAYS: [&str; 4] = ["grade", "walther", "vogel", "table"];
 
@@ -83,12 +81,10 @@ pub enum PointViscosity {
 }
 
 impl<'a> TableReader<'a> {
-    /// A temperature [K] at which oil is a liquid; `example` is one.
-    pub(crate) fn oil_temperature(&mut self, key: &'a str, example: &str) -> Number<'_, 'a> {
-        let [least, most] = LIQUID;
-        self.quantity(key, Dimension::Temperature, example).within_or(
-            |temperature| temperature >= least && temperature <= most,
-            |temperature| {
+    /// A temperature [K] at which oil is a liquid.
+    pub(crate) fn oil_temperature(&mut self, key: &'a str) -> Number<'_, 'a> {
+        self.number(key).within_or(
+            |temperature, [least, most]| {
                 let [temperature, least, most] = [temperature, least, most].map(celsius);
                 format!("is {temperature}, but oil films are liquid between {least} and {most}")
             },
@@ -104,7 +100,7 @@ pub(super) fn read(oil: &mut TableReader<'_>) -> Option<TemperatureLaw> {
         let message = format!("stands beside {first}, but viscosity follows one law of temperature");
         oil.complain(second, message, "keep one of grade, walther, vogel and table");
     }
-    let grade = oil.text_if_given("grade", "SAE 10W-40").map(TemperatureLaw::Grade);
+    let grade = oil.text_if_given("grade").map(TemperatureLaw::Grade);
     let walther = oil.table_if_given("walther").map(walther);
     let vogel = oil.table_if_given("vogel").map(vogel);
     let points = oil.tables("table").into_iter().map(point).collect();
@@ -124,16 +120,12 @@ fn walther(mut table: TableReader<'_>) -> TemperatureLaw {
         let help = "write nu40 and nu100, or t1, nu1, t2 and nu2 for other temperatures";
         table.complain_here("mixes two ways to give two points", help);
     }
-    let mut number = |is_wanted: bool, key, dimension, example| {
-        let number = table.quantity(key, dimension, example);
+    let mut number = |is_wanted: bool, key| {
+        let number = table.number(key);
         if is_wanted { number.required() } else { number.or(f64::NAN) }
     };
-    let [nu_40, nu_100] = [("nu40", "95 mm2/s"), ("nu100", "14.3 mm2/s")]
-        .map(|(key, example)| number(!is_general, key, Dimension::KinematicViscosity, example));
-    let [nu_1, nu_2] = [("nu1", "95 mm2/s"), ("nu2", "14.3 mm2/s")]
-        .map(|(key, example)| number(is_general, key, Dimension::KinematicViscosity, example));
-    let [t_1, t_2] = [("t1", "40 C"), ("t2", "100 C")]
-        .map(|(key, example)| number(is_general, key, Dimension::Temperature, example));
+    let [nu_40, nu_100] = ["nu40", "nu100"].map(|key| number(!is_general, key));
+    let [nu_1, nu_2, t_1, t_2] = ["nu1", "nu2", "t1", "t2"].map(|key| number(is_general, key));
     TemperatureLaw::Walther(match is_general {
         true => [(t_1, nu_1), (t_2, nu_2)],
         false => [(ZERO_CELSIUS + 40.0, nu_40), (ZERO_CELSIUS + 100.0, nu_100)],
@@ -142,20 +134,16 @@ fn walther(mut table: TableReader<'_>) -> TemperatureLaw {
 
 fn vogel(mut table: TableReader<'_>) -> TemperatureLaw {
     let help = "give a constant that is not negative, some 600 to 1500 K for mineral oil";
-    let b = table.quantity("b", Dimension::TemperatureDifference, "1000 K");
-    let b = b.within(|b| b >= 0.0, "is negative", help).required();
-    TemperatureLaw::Vogel {
-        a: table.positive("a", Dimension::Viscosity, "0.06 mPa.s"),
-        b,
-        c: table.required("c", Dimension::TemperatureDifference, "95 K"),
-    }
+    let b = table.number("b");
+    let b = b.within("is negative", help).required();
+    TemperatureLaw::Vogel { a: table.required("a"), b, c: table.required("c") }
 }
 
 /// A point with a kinematic viscosity `nu`, or with a dynamic one `mu`.
 fn point(mut row: TableReader<'_>) -> ViscosityPoint {
-    let temperature = row.required("t", Dimension::Temperature, "40 C");
-    let dynamic = row.given("mu", Dimension::Viscosity, "80 mPa.s");
-    let kinematic = row.given("nu", Dimension::KinematicViscosity, "95 mm2/s");
+    let temperature = row.required("t");
+    let dynamic = row.given("mu");
+    let kinematic = row.given("nu");
     row.refuse_if(
         dynamic.is_some() && kinematic.is_some(),
         "nu",
@@ -163,7 +151,7 @@ fn point(mut row: TableReader<'_>) -> ViscosityPoint {
         "keep one of mu and nu",
     );
     if dynamic.is_none() {
-        row.require("nu", "\"95 mm2/s\"");
+        row.require("nu");
     }
     ViscosityPoint {
         temperature,

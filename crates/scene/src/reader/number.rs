@@ -1,11 +1,12 @@
-//! The number of one key: its dimension, an example, its range, and what counts where it is not written.
+//! The number of one key, with dimension, example and range of its row, and what counts where it is not written.
 
 use std::f64::consts::TAU;
 
 use toml::de::DeValue;
 
 use super::{TableReader, kind};
-use crate::keys::Form;
+use crate::bounds::{Bounds, usual};
+use crate::keys::Key;
 use crate::unit::{self, Dimension};
 
 /// A number without a unit is zero, or at least this.
@@ -16,69 +17,65 @@ const MOST: f64 = 1e15;
 const MOST_TURNS: f64 = 1e6;
 
 /// The number of a key: in SI, NaN where it was refused, none where it is not written.
+///
+/// Its range is that of the row of the key. Where nothing else is said about it, a number that must be positive and is
+/// not is refused.
 #[must_use]
 pub(crate) struct Number<'t, 'a> {
     table: &'t mut TableReader<'a>,
     key: &'a str,
-    /// A value as one would write it.
-    example: String,
     value: Option<f64>,
+    is_checked: bool,
 }
 
 impl<'a> TableReader<'a> {
-    /// A number with a unit of this dimension; `example` is one.
-    pub(crate) fn quantity(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Number<'_, 'a> {
-        self.note(key, Form::Quantity(dimension), example);
-        let value = self.take(key).map(|value| self.in_si(key, value, dimension, example));
-        Number { key, example: format!("\"{example}\""), value, table: self }
-    }
-
-    /// A number with a unit that must be written.
-    pub(crate) fn required(&mut self, key: &'a str, dimension: Dimension, example: &str) -> f64 {
-        self.quantity(key, dimension, example).required()
-    }
-
-    /// A number with a unit, if it is written.
-    pub(crate) fn given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
-        self.quantity(key, dimension, example).given()
-    }
-
-    /// A number with a unit and above zero that must be written.
-    pub(crate) fn positive(&mut self, key: &'a str, dimension: Dimension, example: &str) -> f64 {
-        self.quantity(key, dimension, example).positive().required()
-    }
-
-    /// A number with a unit and above zero, if it is written.
-    pub(crate) fn positive_if_given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
-        self.quantity(key, dimension, example).positive().given()
-    }
-
-    /// A number without a unit; `example` is one.
-    pub(crate) fn number(&mut self, key: &'a str, example: &str) -> Number<'_, 'a> {
-        self.note(key, Form::Number, example);
-        let value = self.take(key).map(|value| {
-            let number = plain_number(value);
-            if !matches!(value, DeValue::Integer(_) | DeValue::Float(_)) {
-                let message = format!("a plain number is wanted, not {}", kind(value));
-                let help = format!("write {key} = {example}, without quotes and unit");
-                self.complain(key, message, help);
-            } else if number.is_none() {
-                let help = format!("write for example {key} = {example}");
-                self.complain(key, "is not a finite number", help);
-            } else if number.is_some_and(is_out_of_range) {
-                let help = format!("check the exponent, and write for example {key} = {example}");
-                let message = format!("is out of range: zero, or from {LEAST:.0e} to {MOST:.0e}, is wanted");
-                self.complain(key, message, help);
-            }
-            number.filter(|number| !is_out_of_range(*number)).unwrap_or(f64::NAN)
+    /// The number of a key, with a unit where its row has a dimension.
+    pub(crate) fn number(&mut self, key: &'a str) -> Number<'_, 'a> {
+        let row = self.row(key);
+        let is_bare = self.peek(key).is_some_and(|it| matches!(it.get_ref(), DeValue::Integer(_) | DeValue::Float(_)));
+        let dimension = row.and_then(Key::dimension).filter(|_| !(is_bare && row.is_some_and(Key::is_plain)));
+        let value = self.take(key).map(|value| match dimension {
+            Some(dimension) => self.in_si(key, value, dimension, self.example(key)),
+            None => self.plain(key, value, &row.map(Key::written_example).unwrap_or_default()),
         });
-        Number { key, example: example.to_owned(), value, table: self }
+        Number { key, value, table: self, is_checked: false }
     }
 
-    /// A number without a unit, or several in a list, if there are any; `example` is one of them.
-    pub(crate) fn numbers(&mut self, key: &'a str, example: &str) -> Option<Vec<f64>> {
-        self.note(key, Form::Number, example);
-        self.note(key, Form::Numbers, example);
+    /// The numbers that the row of a key accepts.
+    pub(crate) fn bounds(&self, key: &str) -> Bounds {
+        self.row(key).map_or(Bounds::ALL, Bounds::of)
+    }
+
+    /// A number that must be written.
+    pub(crate) fn required(&mut self, key: &'a str) -> f64 {
+        self.number(key).required()
+    }
+
+    /// A number, if it is written.
+    pub(crate) fn given(&mut self, key: &'a str) -> Option<f64> {
+        self.number(key).given()
+    }
+
+    fn plain(&self, key: &str, value: &DeValue<'_>, example: &str) -> f64 {
+        let number = plain_number(value);
+        if !matches!(value, DeValue::Integer(_) | DeValue::Float(_)) {
+            let message = format!("a plain number is wanted, not {}", kind(value));
+            let help = format!("write {key} = {example}, without quotes and unit");
+            self.complain(key, message, help);
+        } else if number.is_none() {
+            let help = format!("write for example {key} = {example}");
+            self.complain(key, "is not a finite number", help);
+        } else if number.is_some_and(is_out_of_range) {
+            let help = format!("check the exponent, and write for example {key} = {example}");
+            let message = format!("is out of range: zero, or from {LEAST:.0e} to {MOST:.0e}, is wanted");
+            self.complain(key, message, help);
+        }
+        number.filter(|number| !is_out_of_range(*number)).unwrap_or(f64::NAN)
+    }
+
+    /// A number without a unit, or several in a list, if there are any.
+    pub(crate) fn numbers(&mut self, key: &'a str) -> Option<Vec<f64>> {
+        let example = self.example(key);
         let value = self.take(key)?;
         let numbers: Option<Vec<f64>> = match value {
             DeValue::Array(list) => list.iter().map(|item| plain_number(item.get_ref())).collect(),
@@ -120,23 +117,36 @@ impl<'a> TableReader<'a> {
 }
 
 impl Number<'_, '_> {
+    /// The number if the row of its key accepts it; else a complaint.
+    pub(crate) fn within(self, message: &str, help: &str) -> Self {
+        self.within_or(|_, _| message.to_owned(), help)
+    }
+
+    /// The number if the row of its key accepts it; else a complaint with a `message` about the value and the least and
+    /// the greatest that are accepted.
+    pub(crate) fn within_or(self, message: impl FnOnce(f64, [f64; 2]) -> String, help: &str) -> Self {
+        let bounds = self.table.bounds(self.key);
+        self.which_or(|value| bounds.hold(value), |value| message(value, bounds.ends), help)
+    }
+
     /// The number if it is above zero; else a complaint.
     pub(crate) fn positive(self) -> Self {
-        self.within(|value| value > 0.0, "is not positive", "give a value above zero")
+        self.which(|value| value > 0.0, "is not positive", "give a value above zero")
     }
 
     /// The number if `holds`; else a complaint.
-    pub(crate) fn within(self, holds: impl Fn(f64) -> bool, message: &str, help: &str) -> Self {
-        self.within_or(holds, |_| message.to_owned(), help)
+    pub(crate) fn which(self, holds: impl Fn(f64) -> bool, message: &str, help: &str) -> Self {
+        self.which_or(holds, |_| message.to_owned(), help)
     }
 
     /// The number if `holds`; else a complaint with a `message` about the value.
-    pub(crate) fn within_or(
+    pub(crate) fn which_or(
         mut self,
         holds: impl Fn(f64) -> bool,
         message: impl FnOnce(f64) -> String,
         help: &str,
     ) -> Self {
+        self.is_checked = true;
         if let Some(value) = self.value.filter(|value| !value.is_nan() && !holds(*value)) {
             self.table.complain(self.key, message(value), help);
             self.value = Some(f64::NAN);
@@ -146,18 +156,27 @@ impl Number<'_, '_> {
 
     /// The number, which must be written.
     pub(crate) fn required(self) -> f64 {
-        self.table.require(self.key, &self.example);
+        self.table.require(self.key);
         self.or(f64::NAN)
+    }
+
+    /// The number, or that which counts by its row where it is not written.
+    pub(crate) fn or_usual(self) -> f64 {
+        let usual = self.table.row(self.key).and_then(usual);
+        self.or(usual.unwrap_or(f64::NAN))
     }
 
     /// The number, or this one where it is not written.
     pub(crate) fn or(self, default: f64) -> f64 {
-        self.value.unwrap_or(default)
+        self.given().unwrap_or(default)
     }
 
     /// The number, if it is written.
     pub(crate) fn given(self) -> Option<f64> {
-        self.value
+        match !self.is_checked && self.table.bounds(self.key).are_positive() {
+            true => self.positive().value,
+            false => self.value,
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 use super::axis::Axis;
 use super::plan::put;
 use super::{column, read};
+use crate::catalogue;
 use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::{Complaint, Complaints, SceneError};
@@ -80,7 +81,8 @@ fn axes(text: &str) -> Result<Vec<Axis>, Vec<Complaint>> {
         }
         return Err(complaints.into_list());
     }
-    let (axes, columns) = read::read(TableReader::root(&complaints, document.get_ref()), &read::OF_BEARING);
+    let (axes, columns) =
+        read::read(TableReader::root(&complaints, document.get_ref(), catalogue::row_of_axis), &read::OF_BEARING);
     let mut complaints = complaints.into_inner();
     if columns.is_some() {
         complaints.add(column::KEY, "is no key of a scene but one of [sweep]", "remove it");

@@ -20,7 +20,7 @@ pub struct WantedColumn {
 
 /// Reads the list, if it is written.
 pub(super) fn read<'a>(table: &mut TableReader<'a>) -> Option<Vec<WantedColumn>> {
-    let texts = table.texts_if_given(KEY, "\"h_min um\", \"p_max bar\"")?;
+    let texts = table.texts_if_given(KEY)?;
     let column = |(text, span): (&str, Range<usize>)| {
         let (name, unit) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
         WantedColumn { name: name.to_owned(), unit: unit.trim().to_owned(), span }

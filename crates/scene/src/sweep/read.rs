@@ -6,7 +6,6 @@ use toml::de::DeValue;
 use std::path::Path;
 
 use super::{Axis, AxisValue, Plan, SHAFT_SHORT_NAMES, SHORT_NAMES, WantedColumn, column};
-use crate::keys::Form;
 use crate::reader::{TableReader, kind, plain_number};
 use crate::scene::{SWEPT, SWEPT_OF_SHAFT};
 use crate::spelling::nearest;
@@ -81,7 +80,6 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mu
         if name == column::KEY {
             continue;
         }
-        table.note(key, Form::Values, "");
         let Some(written) = table.written(key) else { continue };
         if axes.len() > MOST_AXES || cases(axes) > MOST_CASES {
             continue;
@@ -221,12 +219,8 @@ enum Spacing {
 
 /// `steps` values from one to the other, both included.
 fn read_range(mut range: TableReader<'_>, name: &str) -> Option<Values> {
-    let ends = [("from", "0.1"), ("to", "0.95")];
-    for (key, example) in ends.into_iter().chain([("steps", "18")]) {
-        range.require(key, example);
-    }
-    let [from, to] = ends.map(|(end, example)| {
-        range.note(end, Form::Value, example);
+    ["from", "to", "steps"].into_iter().for_each(|key| range.require(key));
+    let [from, to] = ["from", "to"].map(|end| {
         let written = range.written(end)?;
         match read_value(written.get_ref()) {
             Some((unit, AxisValue::Number(number))) => Some((unit, number)),
@@ -237,7 +231,7 @@ fn read_range(mut range: TableReader<'_>, name: &str) -> Option<Values> {
             }
         }
     });
-    let steps = range.number("steps", "18").given();
+    let steps = range.number("steps").given();
     let spacings = [("linear", Spacing::Linear), ("log", Spacing::Log)];
     let spacing = range.word("spacing", &spacings).unwrap_or(Spacing::Linear);
     values(&range, from, to, steps, spacing)

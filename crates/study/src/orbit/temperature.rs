@@ -71,50 +71,50 @@ pub(super) fn balanced(
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
     let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
     let (film, begin) = start::prepared(scene, model, cycle, watch)?;
-    let Some(mut heat) = FilmTemperature::of(&film) else {
+    let Some(mut search) = FilmTemperature::of(&film) else {
         return Ok((film, Err(none(&thermal.balance, NoBalance::NoFilm(Left::Ended)))));
     };
     let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(model.tolerance), ..*model };
     let orbits = |film, begin, model| Orbits { film, scene, model, cycle, watch, options: quick, begin, last: None };
-    let found = orbits(film.on_coarser(), begin, rough).balance(&mut heat, ROUGHLY);
+    let found = orbits(film.on_coarser(), begin, rough).balance(&mut search, ROUGHLY);
     if let Err(reason) = found {
         return Ok((film, Err(reason)));
     }
-    let (film, begin) = start::prepared(&oil::at_temperature(scene, heat.temperature), model, cycle, watch)?;
+    let (film, begin) = start::prepared(&oil::at_temperature(scene, search.temperature), model, cycle, watch)?;
     if let Some(observer) = options.observer {
         observer.expects(film.unknowns(), expected_seconds(&film));
         observer.turns_to("the orbits at one temperature after the other");
     }
-    heat.begun_again();
+    search.begun_again();
     let mut orbits = orbits(film, begin, *model);
-    let outcome = orbits.balance(&mut heat, BALANCED * model.tolerance);
-    let outcome = outcome.and_then(|()| orbits.reported(&mut heat, options));
-    Ok((at_temperature(&orbits.film, heat.temperature), outcome))
+    let outcome = orbits.balance(&mut search, BALANCED * model.tolerance);
+    let outcome = outcome.and_then(|()| orbits.reported(&mut search, options));
+    Ok((at_temperature(&orbits.film, search.temperature), outcome))
 }
 
 impl Orbits<'_> {
     /// Finds the temperature at which no more than the part `accuracy` of the heat is left over.
-    fn balance(&mut self, heat: &mut FilmTemperature, accuracy: f64) -> Result<(), NoAnswer> {
+    fn balance(&mut self, search: &mut FilmTemperature, accuracy: f64) -> Result<(), NoAnswer> {
         loop {
-            match self.add(heat) {
+            match self.add(search) {
                 Ok(left) if left < accuracy => return Ok(()),
-                Ok(_) => heat.turn()?,
-                Err(Left::NoAnswer(_)) if heat.retreat() => {}
-                Err(Left::NoAnswer(reason)) => return Err(heat.without_film(reason)),
-                Err(Left::Ended) => return Err(none(&heat.model.balance, NoBalance::NoFilm(Left::Ended))),
+                Ok(_) => search.turn()?,
+                Err(Left::NoAnswer(_)) if search.retreat() => {}
+                Err(Left::NoAnswer(reason)) => return Err(search.without_film(reason)),
+                Err(Left::Ended) => return Err(none(&search.model.balance, NoBalance::NoFilm(Left::Ended))),
             }
         }
     }
 
     /// Adds the orbit at the temperature asked for; the heat that is left over, as a part of the power [1].
-    fn add(&mut self, heat: &mut FilmTemperature) -> Result<f64, Left> {
+    fn add(&mut self, search: &mut FilmTemperature) -> Result<f64, Left> {
         if self.watch.deadline.is_over() {
             return Err(Left::Ended);
         }
         if let Some(observer) = self.options.observer {
-            observer.temperature(heat.runs() + 1, heat.temperature - ZERO_CELSIUS);
+            observer.temperature(search.runs() + 1, search.temperature - ZERO_CELSIUS);
         }
-        let found = self.followed(heat.temperature, &self.options).map_err(|reason| match reason {
+        let found = self.followed(search.temperature, &self.options).map_err(|reason| match reason {
             NoAnswer::Orbit(NoOrbit::Ended { .. }) => Left::Ended,
             reason => Left::NoAnswer(reason),
         })?;
@@ -122,7 +122,7 @@ impl Orbits<'_> {
             return Err(Left::Ended);
         }
         self.last = found.last;
-        Ok(heat.add(found.flows.ok_or(Left::Ended)?, found.quantities))
+        Ok(search.add(found.flows.ok_or(Left::Ended)?, found.quantities))
     }
 
     fn followed(&self, temperature: f64, options: &RunOptions) -> Result<Followed, NoAnswer> {
@@ -132,17 +132,17 @@ impl Orbits<'_> {
     }
 
     /// The orbit at the temperature found, with the numbers of the balance.
-    fn reported(&mut self, heat: &mut FilmTemperature, options: &RunOptions) -> Result<Followed, NoAnswer> {
-        if options.bars && !heat.has_slopes() {
+    fn reported(&mut self, search: &mut FilmTemperature, options: &RunOptions) -> Result<Followed, NoAnswer> {
+        if options.bars && !search.has_slopes() {
             // A second orbit, for the change with temperature; without it the numbers have no bars.
-            let found = heat.temperature;
-            heat.temperature = found + FURTHER;
-            drop(self.add(heat));
-            heat.temperature = found;
+            let found = search.temperature;
+            search.temperature = found + FURTHER;
+            drop(self.add(search));
+            search.temperature = found;
         }
-        let mut orbit = self.followed(heat.temperature, options)?;
+        let mut orbit = self.followed(search.temperature, options)?;
         if let Some(flows) = orbit.flows {
-            add_heat(heat, flows, options.bars, &mut orbit);
+            add_temperature(search, flows, options.bars, &mut orbit);
         }
         Ok(orbit)
     }
@@ -150,28 +150,28 @@ impl Orbits<'_> {
 
 /// Adds the numbers of the balance to those of an orbit at the temperature found, and what the bar of the temperature
 /// makes of all others.
-pub(crate) fn add_heat(heat: &FilmTemperature, flows: ThermalFlows, bars: bool, orbit: &mut Followed) {
-    let (balance, temperature) = (&heat.model.balance, heat.temperature);
+pub(crate) fn add_temperature(search: &FilmTemperature, flows: ThermalFlows, bars: bool, orbit: &mut Followed) {
+    let (balance, temperature) = (&search.model.balance, search.temperature);
     let [_, outlet] = balance.ends(temperature, flows.carried_over);
     let numbers = [(&CYCLE_TEMPERATURE, temperature), (&CYCLE_TEMPERATURE_OUTLET, outlet)];
     orbit.quantities.extend(numbers.map(|(row, kelvin)| Quantity::new(row, kelvin - ZERO_CELSIUS)));
-    if bars && widen(heat, flows, &mut orbit.quantities).is_none() {
+    if bars && widen(search, flows, &mut orbit.quantities).is_none() {
         orbit.quantities.iter_mut().for_each(|quantity| quantity.set_bar(None));
     }
     let left_over = (balance.surplus(temperature, &flows) / flows.power).abs();
-    orbit.temperature = Some(CycleTemperature { model: heat.model, left_over, steps: heat.runs() });
+    orbit.temperature = Some(CycleTemperature { model: search.model, left_over, steps: search.runs() });
 }
 
 /// Gives the numbers of the balance their bars, and adds to all others what the bar of the temperature makes of them.
 /// None where that bar is not known.
-fn widen(heat: &FilmTemperature, flows: ThermalFlows, quantities: &mut [Quantity]) -> Option<()> {
-    heat.has_slopes().then_some(())?;
-    let (slopes, balanced, balance) = (heat.slopes(), heat.balanced(flows), &heat.model.balance);
-    let carried = balance.carried(heat.temperature, &flows);
+fn widen(search: &FilmTemperature, flows: ThermalFlows, quantities: &mut [Quantity]) -> Option<()> {
+    search.has_slopes().then_some(())?;
+    let (slopes, balanced, balance) = (search.slopes(), search.balanced(flows), &search.model.balance);
+    let carried = balance.carried(search.temperature, &flows);
     let error = |row: &Row| quantities.iter().find(|quantity| quantity.row == row)?.error();
     let (power, flow) = error(&CYCLE_POWER_LOSS).zip(error(&CYCLE_COOLING_FLOW))?;
     let bar = (power + carried.abs() * flow / flows.flow + balanced.surplus.abs()) / balanced.slope.abs();
-    let outlet = |kelvin: f64| balance.ends(heat.temperature + kelvin, flows.carried_over)[1];
+    let outlet = |kelvin: f64| balance.ends(search.temperature + kelvin, flows.carried_over)[1];
     let per_kelvin = outlet(1.0) - outlet(0.0);
     for quantity in quantities {
         let by_temperature = |per_kelvin: f64| Bar { temperature: bar * per_kelvin.abs(), ..Bar::default() };

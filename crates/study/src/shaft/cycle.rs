@@ -12,11 +12,11 @@ use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
-use super::heat::{NoShaftAnswer, Shown, Temperatures};
+use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
-    BALANCED, Followed, GREATEST, USUAL, add_heat, compared, follow_under, judge, measured, motion, suits,
+    BALANCED, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion, suits,
 };
 use crate::reasons::{Cause, Limit};
 use crate::result::Status;
@@ -248,9 +248,11 @@ fn report(
             followed.are_bars_ended = alike.is_none() && options.deadline().is_over();
         }
     }
+    let mut left_over: f64 = 0.0;
     for (number, (bearing, (mut followed, cycle))) in compiled.bearings.iter().zip(found).enumerate() {
-        if let Some((heat, flows)) = temperatures.of_bearing(number).zip(followed.flows) {
-            add_heat(heat, flows, options.bars, &mut followed);
+        if let Some((search, flows)) = temperatures.of_bearing(number).zip(followed.flows) {
+            add_temperature(search, flows, options.bars, &mut followed);
+            left_over = left_over.max(followed.temperature.map_or(0.0, |found| found.left_over));
         }
         followed.quantities = found_with_shaft(followed.quantities);
         let yields = |step: &Vec<Step>| {
@@ -264,6 +266,7 @@ fn report(
     run.result.balances = balances(engine, compiled, orbit).map_err(|reason| {
         (Status::NoSolution, format!("bearing {}: {reason}", compiled.bearings[reason.bearing].name))
     })?;
+    run.result.balances.thermal = left_over;
     run.result.deflection = ShaftDeflection::of_cycle(compiled, engine, orbit);
     run.result.cycles = orbit
         .cycles

@@ -89,6 +89,10 @@ pub struct ShaftBalances {
     /// Balance of power over a cycle: power of the loads and of what turns the journals, less what the films dissipate
     /// and the shaft stores, over the greatest dissipation [1]; zero at rest.
     pub power: f64,
+    /// Heat of a film that is not carried off, over its power, greatest of all bearings [1]; zero where temperatures
+    /// are given.
+    #[serde(rename = "heat")]
+    pub thermal: f64,
 }
 
 /// One cycle of the shaft.

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
-use super::heat::{NoShaftAnswer, Shown, Temperatures};
+use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
 use crate::estimate::{Displacement, Estimated, estimate_errors};
 use crate::film::Film;
@@ -35,7 +35,7 @@ const MESHES: usize = 3;
 /// Greatest difference of loads and of what the films that are reported carry, over the loads.
 const BALANCED: f64 = 1e-9;
 /// Heat that a film leaves over at the temperature found, as a part of its power.
-const HEAT_BALANCED: f64 = 1e-8;
+const TEMPERATURE_FOUND: f64 = 1e-8;
 /// Most balances of the shaft until that difference is met.
 const MOST_BALANCES: usize = 20;
 
@@ -101,7 +101,7 @@ fn at_temperatures(
         Ok::<_, NoShaftAnswer>(next)
     };
     let is_over = || deadline.is_over();
-    temperatures.balance(compiled, HEAT_BALANCED, is_over, |at| {
+    temperatures.balance(compiled, TEMPERATURE_FOUND, is_over, |at| {
         balance = balanced(at, &balance)?;
         Ok(shown(at, &balance))
     })?;
@@ -205,12 +205,12 @@ fn report(
     let films = compiled.films();
     let Reported { balance, mut solved, carried, more } = reported(compiled, &films, found, options)?;
     for (number, solved) in solved.iter_mut().enumerate() {
-        let Some((heat, model)) = temperatures.of_bearing(number).zip(solved.film.thermal) else { continue };
+        let Some((search, model)) = temperatures.of_bearing(number).zip(solved.film.thermal) else { continue };
         let flows = thermal_flows_of(&model, solved.reported());
         solved.temperature = Some(TemperatureFound {
-            balanced: heat.balanced(flows),
+            balanced: search.balanced(flows),
             is_ended: false,
-            slopes: heat.slopes(),
+            slopes: search.slopes(),
             positions: 0,
             work: Work::default(),
             seconds: 0.0,
@@ -249,7 +249,9 @@ fn report(
     }
     result.films = balance.films;
     result.deflection = ShaftDeflection::at_rest(compiled, &at, &forces);
-    result.balances = balances(compiled, &balance, &carried);
+    let thermal = solved.iter().filter_map(|solved| solved.temperature.as_ref()).map(TemperatureFound::left_over);
+    let thermal = thermal.fold(0.0, f64::max);
+    result.balances = ShaftBalances { thermal, ..balances(compiled, &balance, &carried) };
     Ok(())
 }
 
@@ -303,7 +305,12 @@ fn balances(compiled: &Compiled, balance: &Balance, carried: &[Resultant]) -> Sh
         }
     }
     let over = |[x, y]: [f64; 2], scale: f64| if scale > 0.0 { x.hypot(y) / scale } else { 0.0 };
-    ShaftBalances { force: over(force, scale), moment: over(moment, arm_scale), journals: balance.residual, power: 0.0 }
+    ShaftBalances {
+        force: over(force, scale),
+        moment: over(moment, arm_scale),
+        journals: balance.residual,
+        ..ShaftBalances::default()
+    }
 }
 
 /// Why there is no balance, with the name of the bearing that is meant, and the way out.

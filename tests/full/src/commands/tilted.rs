@@ -1,9 +1,8 @@
 //! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, one on each processor at a time, and prints each
-//! that has not converged, with its reason and time, and the slowest; `tilted --page` solves 300 and writes
-//! `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one, `tilted --outcome N` how it
-//! ends, as JSON; `tilted --walls`, with the same arguments, has rough surfaces that touch, walls that give way, bores
-//! out of round, and the page `elastic_bearings.md`; `tilted --bars [FROM] [TO]` counts how often the bars of moment
-//! and tilt hold.
+//! that has not converged, with its reason and time, and the slowest; `tilted --scene N` prints the scene of one,
+//! `tilted --outcome N` how it ends, as JSON; `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt
+//! hold. With `--walls` surfaces are rough and touch, walls give way, and bores are out of round. `tilted --page`
+//! solves every fifth of 300 bearings of both kinds and writes `docs/validation/random_bearings.md` anew.
 
 use std::io;
 use std::process::Command;
@@ -13,13 +12,16 @@ use std::thread;
 use oilwedge_full::coverage::bearings::Bearing;
 use oilwedge_full::coverage::tally::{Of, coverage, quantile, tally};
 use oilwedge_full::performance::clock::on_threads;
+use oilwedge_full::random_page::{LONGEST, Outcome, page};
 use oilwedge_full::random_tilted::TiltedBearing;
-use oilwedge_full::tilted_page::{LONGEST, Outcome, page};
 use oilwedge_study::result::Status;
 use oilwedge_tests::program::repository;
 
-/// Bearings of the page.
+/// Bearings of each kind, and how many the page passes over from one to the next.
 const BEARINGS: u64 = 300;
+const STEP: usize = 5;
+/// The page, from the root of the repository.
+const PAGE: &str = "docs/validation/random_bearings.md";
 
 /// Kinds of random bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,14 +47,6 @@ impl Bearings {
             Self::Walls => &["--walls"],
         }
     }
-
-    /// Page of the bearings, from the root of the repository.
-    fn page(self) -> &'static str {
-        match self {
-            Self::Plain => "docs/validation/tilted_bearings.md",
-            Self::Walls => "docs/validation/elastic_bearings.md",
-        }
-    }
 }
 
 /// Runs the command.
@@ -76,7 +70,14 @@ pub(crate) fn run(arguments: &[String]) -> io::Result<()> {
         bars((from..to).map(|number| bearings.number(number)), from);
         return Ok(());
     }
-    let outcomes = outcomes(bearings, from..to)?;
+    if has("--page") {
+        let of = |bearings| outcomes(bearings, (0..BEARINGS).step_by(STEP).collect());
+        let (rigid, elastic) = (of(Bearings::Plain)?, of(Bearings::Walls)?);
+        let path = repository().join(PAGE);
+        let written = std::fs::read_to_string(&path)?;
+        return std::fs::write(&path, page(&written, &rigid, &elastic));
+    }
+    let outcomes = outcomes(bearings, (from..to).collect())?;
     let count = |is: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|outcome| is(outcome)).count();
     let longest = outcomes.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
     println!(
@@ -88,17 +89,12 @@ pub(crate) fn run(arguments: &[String]) -> io::Result<()> {
         longest.map_or(0.0, |outcome| outcome.seconds),
         longest.map_or(0, |outcome| outcome.bearing.number),
     );
-    if has("--page") {
-        let path = repository().join(bearings.page());
-        let written = std::fs::read_to_string(&path)?;
-        std::fs::write(&path, page(&written, &outcomes))?;
-    }
     Ok(())
 }
 
 /// How bearings end, in order; each is solved by a process of its own, one on each processor at a time.
-fn outcomes(bearings: Bearings, numbers: std::ops::Range<u64>) -> io::Result<Vec<Outcome>> {
-    let (left, found) = (Mutex::new(numbers), Mutex::new(Vec::new()));
+fn outcomes(bearings: Bearings, numbers: Vec<u64>) -> io::Result<Vec<Outcome>> {
+    let (left, found) = (Mutex::new(numbers.into_iter()), Mutex::new(Vec::new()));
     let next = || left.lock().ok()?.next();
     let work = || {
         while let Some(number) = next() {

@@ -44,7 +44,7 @@ impl Temperatures {
     /// The shaft on films at these temperatures.
     pub(super) fn applied(&self, compiled: &Compiled) -> Compiled {
         compiled.with_films(|number, bearing| match &self.0[number] {
-            Some(heat) => at_temperature(&bearing.film, heat.temperature),
+            Some(search) => at_temperature(&bearing.film, search.temperature),
             None => bearing.film.clone(),
         })
     }
@@ -89,7 +89,7 @@ impl Temperatures {
         if self.0.iter().flatten().all(FilmTemperature::has_slopes) {
             return;
         }
-        let warmed = |by: f64, all: &mut Self| all.0.iter_mut().flatten().for_each(|heat| heat.temperature += by);
+        let warmed = |by: f64, all: &mut Self| all.0.iter_mut().flatten().for_each(|search| search.temperature += by);
         warmed(FURTHER, self);
         if let Ok(shown) = run(&self.applied(compiled)) {
             self.add(shown);
@@ -100,8 +100,8 @@ impl Temperatures {
     /// Adds what a run has shown; the greatest heat that is left over, as a part of the power [1].
     fn add(&mut self, shown: Vec<Shown>) -> f64 {
         let films = self.0.iter_mut().zip(shown);
-        let left = films.map(|(heat, (flows, quantities))| match heat.as_mut().zip(flows) {
-            Some((heat, flows)) => heat.add(flows, quantities),
+        let left = films.map(|(search, (flows, quantities))| match search.as_mut().zip(flows) {
+            Some((search, flows)) => search.add(flows, quantities),
             None => 0.0,
         });
         left.fold(0.0, f64::max)
@@ -109,10 +109,10 @@ impl Temperatures {
 
     /// Turns to the temperatures of the next run.
     fn turn(&mut self, bearings: &[Bearing]) -> Result<(), NoShaftAnswer> {
-        for (heat, bearing) in self.0.iter_mut().zip(bearings) {
-            if let Some(heat) = heat {
+        for (search, bearing) in self.0.iter_mut().zip(bearings) {
+            if let Some(search) = search {
                 let told = |reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name));
-                heat.turn().map_err(told)?;
+                search.turn().map_err(told)?;
             }
         }
         Ok(())
