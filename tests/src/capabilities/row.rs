@@ -58,8 +58,8 @@ pub(super) fn solved(row: &Row, frame: Frame) -> Result<Vec<Vec<Quantity>>, Stri
 }
 
 enum Found {
-    Film(RunResult),
-    Shaft(ShaftResult),
+    Film(Box<RunResult>),
+    Shaft(Box<ShaftResult>),
 }
 
 /// What the library finds, or with which words it refuses.
@@ -72,11 +72,13 @@ fn run(row: &Row, frame: Frame) -> Result<Found, String> {
     match is_shaft(row) {
         true => {
             let scene = ShaftScene::parse(&text, &path).map_err(|error| error.to_string())?;
-            run_shaft(&scene, &options).map(|run| Found::Shaft(run.result)).map_err(|error| error.to_string())
+            run_shaft(&scene, &options).map(|run| Found::Shaft(Box::new(run.result))).map_err(|error| error.to_string())
         }
         false => {
             let scene = oilwedge_study::parse(&text, &path).map_err(|error| error.to_string())?;
-            oilwedge_study::run(&scene, &options).map(|run| Found::Film(run.result)).map_err(|error| error.to_string())
+            oilwedge_study::run(&scene, &options)
+                .map(|run| Found::Film(Box::new(run.result)))
+                .map_err(|error| error.to_string())
         }
     }
 }
