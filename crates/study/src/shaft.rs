@@ -21,9 +21,9 @@ mod compile;
 mod cycle;
 mod deflection;
 mod error;
-mod temperatures;
 mod result;
 mod statics;
+mod temperatures;
 mod variant;
 mod weights;
 

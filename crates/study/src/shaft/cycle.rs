@@ -12,8 +12,8 @@ use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
-use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
+use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
     BALANCED, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion, suits,
