@@ -91,7 +91,6 @@ pub struct ShaftBalances {
     pub power: f64,
     /// Heat of a film that is not carried off, over its power, greatest of all bearings [1]; zero where temperatures
     /// are given.
-    #[serde(rename = "heat")]
     pub thermal: f64,
 }
 

@@ -21,7 +21,7 @@ pub(super) type Shown = (Option<ThermalFlows>, Vec<Quantity>);
 pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
 
 impl Temperatures {
-    /// Those of the bearings of a shaft.
+    /// The temperatures of the bearings of a shaft before the first run.
     pub(super) fn of(compiled: &Compiled) -> Self {
         Self(compiled.bearings.iter().map(|bearing| FilmTemperature::of(&bearing.film)).collect())
     }

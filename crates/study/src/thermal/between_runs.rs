@@ -48,7 +48,7 @@ struct Run {
 }
 
 impl FilmTemperature {
-    /// Of a film at the temperature that its oil has, or at a usual one; none of a film whose temperature is given.
+    /// The search begins at the temperature that the oil has, or at a usual one; none where the temperature is given.
     pub(crate) fn of(film: &Film) -> Option<Self> {
         let model = film.thermal?;
         let temperature = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
