@@ -76,7 +76,7 @@ pub struct Instant {
 
 impl Instant {
     /// The wall, if it gives way.
-    pub(super) fn wall(&self) -> Option<&Deflection> {
+    pub(crate) fn wall(&self) -> Option<&Deflection> {
         self.film.problem.deflection()
     }
 }
@@ -127,7 +127,7 @@ impl Motion<'_> {
     }
 
     /// Least gap [m] of a journal at these coordinates under a wall, which it may press out further than the clearance.
-    pub(super) fn least_gap_under(&self, wall: Option<&Deflection>, at: Vector) -> f64 {
+    pub(crate) fn least_gap_under(&self, wall: Option<&Deflection>, at: Vector) -> f64 {
         let Some(wall) = wall else {
             return self.least_gap(at);
         };

@@ -1,5 +1,8 @@
-//! A shaft at rest on its films under loads that do not change, by the one Newton's method ([`crate::newton`]): from the
-//! middle on the coarsest meshes, from mesh to mesh from there.
+//! A shaft at rest on its films under loads that do not change, by the one Newton's method ([`crate::newton`]).
+//!
+//! The journals sink from near the middle of their bearings by implicit steps in time that grow, on the coarsest
+//! meshes; from there the balance is led from mesh to mesh. Pseudo-time in the tangent alone, by which a single journal
+//! finds its balance, leads the tilting journals of a shaft on full films round and round.
 
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::film_thickness::Deflection;
@@ -8,7 +11,7 @@ use rayon::prelude::*;
 
 use super::films::{Film, Films};
 use super::joined::{ShaftBalance, magnitude};
-use crate::coordinates::{Vector, moved};
+use crate::coordinates::{Vector, length, moved};
 use crate::coupled::FilmSolve;
 use crate::deflection::CLOSED;
 use crate::newton::{Damping, Goal};
@@ -16,11 +19,27 @@ use crate::no_equilibrium::SearchEnd;
 use crate::orbit::{Instant, Moving};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
+use crate::time_terms::TimeTerms;
 use crate::together::Coupled;
 use crate::{Deadline, Load, SearchOptions, Tilting};
 
 /// What a balance may leave.
 const GOAL: Goal = Goal { balanced: 1e-11, closed: CLOSED, moved: 1e-8, rounding: 1e-8 };
+/// What a step in time may leave.
+const ROUGHLY: Goal = Goal { balanced: 1e-3, closed: 1e-3, moved: 1e-2, rounding: 1e-3 };
+/// The first step in time over 1/omega, and how steps grow.
+const FIRST: f64 = 0.5;
+const GROWTH: f64 = 2.5;
+/// A step without a solution is divided by this,
+const RETRY: f64 = 4.0;
+/// until it is this much shorter than the first one.
+const SHORTEST: f64 = 1e-6;
+/// Sinking ends where a step is this long, over 1/omega,
+const LONGEST: f64 = 1e6;
+/// or where the journals move by less than this part of their gaps in the time 1/omega.
+const AT_REST: f64 = 1e-2;
+/// Most steps.
+const MOST_STEPS: usize = 120;
 
 /// A shaft in balance.
 #[derive(Debug)]
@@ -73,13 +92,42 @@ impl From<NoFilmAt> for NoBalance {
 }
 
 /// Where a journal and its film begin.
+#[derive(Clone, Copy)]
 struct Begin<'a> {
     at: Vector,
     wall: Option<&'a Deflection>,
     near: Neighbour<'a>,
 }
 
+/// How a balance is found from a beginning.
+#[derive(Clone, Copy)]
+struct Way {
+    goal: Goal,
+    /// `1/dt` of a step in time [1/s]; `None`: the journals are at rest.
+    per_time: Option<f64>,
+    deadline: Deadline,
+}
+
+impl Way {
+    /// To journals at rest.
+    fn at_rest(deadline: Deadline) -> Self {
+        Self { goal: GOAL, per_time: None, deadline }
+    }
+}
+
+impl Balance {
+    /// A beginning from its journals, walls and films.
+    fn begun(&self) -> Vec<Begin<'_>> {
+        self.instants.iter().map(|here| Begin::of(here, Neighbour::Start(&here.film))).collect()
+    }
+}
+
 impl<'a> Begin<'a> {
+    /// At a place [m], under a wall that is not bent.
+    fn at(at: Vector) -> Self {
+        Self { at, wall: None, near: Neighbour::None }
+    }
+
     /// At a journal and under its wall, with a film near to it.
     fn of(here: &'a Instant, near: Neighbour<'a>) -> Self {
         Self { at: here.at, wall: here.film.problem.deflection(), near }
@@ -111,13 +159,47 @@ impl Films<'_> {
                 .collect();
             let near = starts.iter().map(|start| start.as_ref().map_or(Neighbour::None, Neighbour::Coarser));
             let begun: Vec<Begin> = found.instants.iter().zip(near).map(|(here, near)| Begin::of(here, near)).collect();
-            if let Ok(found) = self.rested(&joined, &begun, Damping::None, deadline) {
+            if let Ok(found) = self.rested(&joined, &begun, Way::at_rest(deadline)) {
                 return Ok(found);
             }
         }
-        let begin = |at: Vector| Begin { at, wall: None, near: Neighbour::None };
-        let begun: Vec<Begin> = self.first_places(asked).into_iter().map(begin).collect();
-        self.rested(&joined, &begun, Damping::PseudoTime, deadline)
+        self.sunk(&joined, deadline)
+    }
+
+    /// The balance, by sinking from near the middle.
+    fn sunk(&self, joined: &ShaftBalance, deadline: Deadline) -> Result<Balance, NoBalance> {
+        let speed = self.films.iter().map(|film| film.problem.journal.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let first: Vec<Begin> = self.first_places(&joined.asked).into_iter().map(Begin::at).collect();
+        let (mut here, mut dt): (Option<Balance>, f64) = (None, FIRST);
+        for _ in 0..MOST_STEPS {
+            let near = here.as_ref().map(Balance::begun);
+            let way = Way { goal: ROUGHLY, per_time: Some(speed / dt), deadline };
+            match self.rested(joined, near.as_deref().unwrap_or(&first), way) {
+                Ok(found) => {
+                    dt *= GROWTH;
+                    if dt > LONGEST || here.as_ref().is_some_and(|here| self.rate(here, &found, dt) < AT_REST) {
+                        match self.rested(joined, &found.begun(), Way::at_rest(deadline)) {
+                            // A slower journal may have one.
+                            Err(_) if dt <= LONGEST && !deadline.is_over() => {}
+                            outcome => return outcome,
+                        }
+                    }
+                    here = Some(found);
+                }
+                Err(reason) if dt < SHORTEST * FIRST || deadline.is_over() => return Err(reason),
+                Err(_) => dt /= RETRY,
+            }
+        }
+        self.rested(joined, here.as_ref().map(Balance::begun).as_deref().unwrap_or(&first), Way::at_rest(deadline))
+    }
+
+    /// The greatest way of a journal between two balances over its least gap, in the time 1/omega, where it took nearly
+    /// `dt` over 1/omega.
+    fn rate(&self, from: &Balance, to: &Balance, dt: f64) -> f64 {
+        let gap = |(film, here): (&Film, &Instant)| film.motion().least_gap_under(here.wall(), here.at);
+        let gaps = self.films.iter().zip(&to.instants).map(gap);
+        let ways = from.instants.iter().zip(&to.instants).map(|(from, to)| length(moved(to.at, -1.0, from.at)));
+        ways.zip(gaps).map(|(way, gap)| way / gap).fold(0.0, f64::max) * GROWTH / dt
     }
 
     /// The balance near another one, where more accurate films carry so much `more` [N] in its places: it is that of
@@ -135,9 +217,7 @@ impl Films<'_> {
         let joined = self.joined(asked, angle);
         let by_more = joined.by_films(more);
         let asked: Vec<Vector> = asked.iter().zip(by_more).map(|(asked, more)| moved(*asked, -1.0, more)).collect();
-        let near = near.instants.iter();
-        let begun: Vec<Begin> = near.map(|here| Begin::of(here, Neighbour::Start(&here.film))).collect();
-        self.rested(&self.joined(&asked, angle), &begun, Damping::None, Deadline::default())
+        self.rested(&self.joined(&asked, angle), &near.begun(), Way::at_rest(Deadline::default()))
     }
 
     /// How all journals move [m] where one film carries somewhat more [N] in its place, for each such bearing, by its
@@ -167,30 +247,31 @@ impl Films<'_> {
         Ok(more.iter().map(moved_by).collect())
     }
 
-    /// The balance from this beginning.
-    fn rested(
-        &self,
-        joined: &ShaftBalance,
-        begun: &[Begin],
-        damping: Damping,
-        deadline: Deadline,
-    ) -> Result<Balance, NoBalance> {
+    /// The balance from this beginning: of journals at rest, or at the end of a step in time from their places there.
+    fn rested(&self, joined: &ShaftBalance, begun: &[Begin], way: Way) -> Result<Balance, NoBalance> {
+        let Way { goal, per_time, deadline } = way;
         let options = SearchOptions { deadline, ..SearchOptions::default() };
         let scale = match magnitude(&joined.asked) {
             0.0 => self.films.iter().map(|film| film.motion().peak_load()).fold(f64::MIN_POSITIVE, f64::max),
             load => load,
         };
-        let searches: Vec<Search> = self.films.iter().map(|film| film.search(options, scale)).collect();
+        let in_time = |begin: &Begin| {
+            let still = |per_time: f64| TimeTerms { per_time, offset: begin.at, rate: [0.0; 4], masses: [0.0; 4] };
+            per_time.map(still)
+        };
+        let searches: Vec<Search> = (self.films.iter().zip(begun))
+            .map(|(film, begin)| Search { time: in_time(begin), ..film.search(options, scale) })
+            .collect();
         let open = |(bearing, (search, begin)): (usize, (&Search, &Begin))| {
             let bent = self.films[bearing].problem.clone().deflected(begin.wall);
-            let film = search.open(&bent, begin.at, FilmSolve::Settled(begin.near), GOAL.closed);
+            let film = search.open(&bent, begin.at, FilmSolve::Settled(begin.near), goal.closed);
             film.map_err(|reason| NoFilmAt { bearing, reason })
         };
         let films = searches.par_iter().zip(begun).enumerate();
         let first = films.map(open).collect::<Result<Vec<Trial>, NoFilmAt>>()?;
         let mut tried = first.len();
         let coupled = Coupled { searches: &searches, shaft: Some(joined) };
-        let (trials, end) = coupled.newton(first, GOAL, damping, &mut tried);
+        let (trials, end) = coupled.newton(first, goal, Damping::None, &mut tried);
         let residual = coupled.residual(&trials);
         match end {
             None => {}
