@@ -6,8 +6,8 @@ use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::{Balances, RunResult, Status};
 use oilwedge_study::shaft::{ShaftResult, run_shaft};
 
-use super::Row;
 use super::scene::{Frame, ORBIT_TOLERANCE, written};
+use super::{Row, is_turned};
 
 /// Greatest part of a balance that may be left at rest.
 const BALANCED: f64 = 1e-6;
@@ -65,7 +65,7 @@ enum Found {
 /// What the library finds, or with which words it refuses.
 fn run(row: &Row, frame: Frame) -> Result<Found, String> {
     let folder = tempfile::tempdir().expect("a folder");
-    let frame = if row[1] == "crankshaft" { Frame { turn: 0.0, ..frame } } else { frame };
+    let frame = if is_turned(row) { frame } else { Frame { turn: 0.0, ..frame } };
     let text = written(row, frame, folder.path());
     let path = folder.path().join("scene.toml");
     let options = RunOptions { bars: false, max_seconds: f64::INFINITY, ..RunOptions::default() };

@@ -167,13 +167,14 @@ fn at_rest(frame: Frame) -> String {
     )
 }
 
-/// A shaft of one throw. Its cylinder lies where it does, so that it is not turned.
+/// A shaft of one throw, whose journals stay parallel to their shells. Its cylinder lies where it does, so that it is not
+/// turned.
 fn with_a_throw(frame: Frame) -> String {
     let mm = |length: f64| frame.of(length, 1, "mm");
     let kg = |mass: f64| frame.of(mass, 1, "kg");
     let end = straight(60.0, frame);
     format!(
-        "{STEEL}piece = [{end}, {{ fires_at = \"0 deg\" }}, {end}]\n\
+        "{STEEL}tilt = \"none\"\npiece = [{end}, {{ fires_at = \"0 deg\" }}, {end}]\n\
          throw = {{ pin_length = {}, pin_diameter = {}, web_thickness = {}, web_mass = {} }}\n{}\
          [crank]\nradius = {}\nrod_length = {}\nreciprocating_mass = {}\nrotating_mass = {}\nbore = {}\n\
          gas = {{ peak = \"4 MPa\", angle = \"12 deg\", sharpness = 14 }}\n\

@@ -231,7 +231,7 @@ impl Journals<'_> {
     }
 
     /// Where a motion is led on from steps of another one, whose law may be another: a stage of a short time, in which
-    /// films, walls and masses keep what they have.
+    /// films that conserve their oil, their walls, and masses keep what they have.
     pub(super) fn beginning_after(
         &self,
         steps: &[Step],
@@ -243,11 +243,23 @@ impl Journals<'_> {
         let (mut near, mut starts) = (Vec::new(), Vec::new());
         for (number, (motion, step)) in self.motions.iter().zip(steps).enumerate() {
             let known = &mut stage.journals[number];
-            near.push(of_journal(number, motion.film_at(step, Neighbour::None))?);
             known.rate = step.velocity;
-            known.before = step.history.as_ref().map(|history| history.oil.at_rest(stage.per_time));
-            let resting = |wall: &Deflection| (wall.resting(stage.per_time), wall.coefficients.to_vec());
-            known.wall = step.wall.as_ref().map(resting);
+            let begin = match &step.history {
+                // A wall without oil that is kept follows its film at once.
+                None => {
+                    let kept = |wall: &Deflection| Deflection::none(wall.wall.clone()).with(wall.coefficients.to_vec());
+                    let wall = step.wall.as_ref().map(kept);
+                    let held = Held { storage: None, wall: wall.as_ref() };
+                    motion.trial(Moving { time: 0.0, ..step.moving() }, held, Neighbour::None)
+                }
+                Some(history) => {
+                    known.before = Some(history.oil.at_rest(stage.per_time));
+                    let resting = |wall: &Deflection| (wall.resting(stage.per_time), wall.coefficients.to_vec());
+                    known.wall = step.wall.as_ref().map(resting);
+                    motion.film_at(step, Neighbour::None)
+                }
+            };
+            near.push(of_journal(number, begin)?);
             starts.push(moved(step.at, 1.0 / stage.per_time, step.velocity));
         }
         *films += near.len();
