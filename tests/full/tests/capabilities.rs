@@ -4,7 +4,8 @@ use oilwedge_tests::capabilities::{ROWS, solves_as_its_twin};
 
 #[test]
 fn walls_at_rest_are_solved_as_their_twins() {
-    ROWS.iter().filter(|row| row[2] != "rigid" && row[1] != "orbit").for_each(solves_as_its_twin);
+    let rows = ROWS.iter().filter(|row| row[2] != "rigid" && !["orbit", "crankshaft"].contains(&row[1]));
+    rows.for_each(solves_as_its_twin);
 }
 
 #[test]

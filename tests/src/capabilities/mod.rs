@@ -45,12 +45,12 @@ pub const ROWS: [Row; 24] = [
     ["jfo", "orbit", "rigid", "contact", "heat"],
     ["none", "shaft", "rigid", "contact", "temperature"],
     ["guembel", "shaft", "rigid", "smooth", "heat"],
-    ["reynolds", "shaft", "layer", "contact", "temperature"],
-    ["jfo", "shaft", "ring", "smooth", "heat"],
+    ["reynolds", "shaft", "ring", "contact", "temperature"],
+    ["jfo", "shaft", "layer", "smooth", "heat"],
     ["none", "crankshaft", "rigid", "contact", "temperature"],
-    ["guembel", "crankshaft", "ring", "smooth", "temperature"],
-    ["reynolds", "crankshaft", "layer", "smooth", "heat"],
+    ["reynolds", "crankshaft", "layer", "smooth", "temperature"],
     ["jfo", "crankshaft", "rigid", "smooth", "heat"],
+    ["guembel", "crankshaft", "ring", "smooth", "temperature"],
 ];
 
 /// All pairs of values of two columns.

@@ -1,8 +1,9 @@
 //! A shaft at rest on its films under loads that do not change, by the one Newton's method ([`crate::newton`]).
 //!
-//! The journals sink from near the middle of their bearings by implicit steps in time that grow, on the coarsest
-//! meshes; from there the balance is led from mesh to mesh. Pseudo-time in the tangent alone, by which a single journal
-//! finds its balance, leads the tilting journals of a shaft on full films round and round.
+//! The journals begin near the middle of their bearings with pseudo-time, on the coarsest meshes; from there the balance
+//! is led from mesh to mesh. Pseudo-time leads the tilting journals of a shaft on full films round and round: where it
+//! ends without a balance they sink by implicit steps in time that grow. These alone would not do: films that conserve
+//! their oil, in walls that give way, have no such steps on coarse meshes.
 
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::film_thickness::Deflection;
@@ -103,6 +104,7 @@ struct Begin<'a> {
 #[derive(Clone, Copy)]
 struct Way {
     goal: Goal,
+    damping: Damping,
     /// `1/dt` of a step in time [1/s]; `None`: the journals are at rest.
     per_time: Option<f64>,
     deadline: Deadline,
@@ -111,7 +113,7 @@ struct Way {
 impl Way {
     /// To journals at rest.
     fn at_rest(deadline: Deadline) -> Self {
-        Self { goal: GOAL, per_time: None, deadline }
+        Self { goal: GOAL, damping: Damping::None, per_time: None, deadline }
     }
 }
 
@@ -163,18 +165,22 @@ impl Films<'_> {
                 return Ok(found);
             }
         }
-        self.sunk(&joined, deadline)
+        let begun: Vec<Begin> = self.first_places(asked).into_iter().map(Begin::at).collect();
+        let way = Way { damping: Damping::PseudoTime, ..Way::at_rest(deadline) };
+        match self.rested(&joined, &begun, way) {
+            Err(_) if !deadline.is_over() => self.sunk(&joined, &begun, deadline),
+            outcome => outcome,
+        }
     }
 
-    /// The balance, by sinking from near the middle.
-    fn sunk(&self, joined: &ShaftBalance, deadline: Deadline) -> Result<Balance, NoBalance> {
+    /// The balance, by sinking from these beginnings.
+    fn sunk(&self, joined: &ShaftBalance, first: &[Begin], deadline: Deadline) -> Result<Balance, NoBalance> {
         let speed = self.films.iter().map(|film| film.problem.journal.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let first: Vec<Begin> = self.first_places(&joined.asked).into_iter().map(Begin::at).collect();
         let (mut here, mut dt): (Option<Balance>, f64) = (None, FIRST);
         for _ in 0..MOST_STEPS {
             let near = here.as_ref().map(Balance::begun);
-            let way = Way { goal: ROUGHLY, per_time: Some(speed / dt), deadline };
-            match self.rested(joined, near.as_deref().unwrap_or(&first), way) {
+            let way = Way { goal: ROUGHLY, per_time: Some(speed / dt), ..Way::at_rest(deadline) };
+            match self.rested(joined, near.as_deref().unwrap_or(first), way) {
                 Ok(found) => {
                     dt *= GROWTH;
                     if dt > LONGEST || here.as_ref().is_some_and(|here| self.rate(here, &found, dt) < AT_REST) {
@@ -190,7 +196,7 @@ impl Films<'_> {
                 Err(_) => dt /= RETRY,
             }
         }
-        self.rested(joined, here.as_ref().map(Balance::begun).as_deref().unwrap_or(&first), Way::at_rest(deadline))
+        self.rested(joined, here.as_ref().map(Balance::begun).as_deref().unwrap_or(first), Way::at_rest(deadline))
     }
 
     /// The greatest way of a journal between two balances over its least gap, in the time 1/omega, where it took nearly
@@ -249,7 +255,7 @@ impl Films<'_> {
 
     /// The balance from this beginning: of journals at rest, or at the end of a step in time from their places there.
     fn rested(&self, joined: &ShaftBalance, begun: &[Begin], way: Way) -> Result<Balance, NoBalance> {
-        let Way { goal, per_time, deadline } = way;
+        let Way { goal, damping, per_time, deadline } = way;
         let options = SearchOptions { deadline, ..SearchOptions::default() };
         let scale = match magnitude(&joined.asked) {
             0.0 => self.films.iter().map(|film| film.motion().peak_load()).fold(f64::MIN_POSITIVE, f64::max),
@@ -271,7 +277,7 @@ impl Films<'_> {
         let first = films.map(open).collect::<Result<Vec<Trial>, NoFilmAt>>()?;
         let mut tried = first.len();
         let coupled = Coupled { searches: &searches, shaft: Some(joined) };
-        let (trials, end) = coupled.newton(first, goal, Damping::None, &mut tried);
+        let (trials, end) = coupled.newton(first, goal, damping, &mut tried);
         let residual = coupled.residual(&trials);
         match end {
             None => {}
