@@ -167,8 +167,8 @@ fn at_rest(frame: Frame) -> String {
     )
 }
 
-/// A shaft of one throw, whose journals stay parallel to their shells. Its cylinder lies where it does, so that it is not
-/// turned.
+/// A shaft of one throw, whose journals stay parallel to their shells. Its cylinder lies where it does, so that it is
+/// not turned.
 fn with_a_throw(frame: Frame) -> String {
     let mm = |length: f64| frame.of(length, 1, "mm");
     let kg = |mass: f64| frame.of(mass, 1, "kg");

@@ -70,8 +70,8 @@ impl Temperatures {
                 Err(reason) if is_over() => return Err(reason),
                 // Beyond these temperatures there may be no film.
                 Err(reason) => {
-                    let turned = self.0.iter_mut().flatten().map(FilmTemperature::retreat);
-                    if !turned.fold(true, |all, it| all && it) {
+                    let turned: Vec<bool> = self.0.iter_mut().flatten().map(FilmTemperature::retreat).collect();
+                    if turned.contains(&false) {
                         return Err(reason);
                     }
                 }
