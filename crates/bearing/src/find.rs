@@ -288,8 +288,8 @@ impl Search<'_> {
         }
     }
 
-    /// The balance from the start of `problem` on the coarsest mesh. Where there is none near it, the load of walls that
-    /// touch is raised in parts; a free tilt begins at the balance of the force alone.
+    /// The balance from the start of `problem` on the coarsest mesh. Where there is none near it, the load of walls
+    /// that touch is raised in parts; a free tilt begins at the balance of the force alone.
     fn everywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         if self.load.tilting.is_some() {
             return self.by_parts_of_tilting(problem).map_err(|reason| self.confirmed(reason));

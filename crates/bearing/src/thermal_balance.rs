@@ -57,6 +57,14 @@ pub struct Housing {
 
 /// The film's temperature is sought up to so much above the inlet [K].
 pub const HOTTEST: f64 = 250.0;
+/// Longest step of the logarithm of the viscosity in a search for the temperature: a factor of two. A prototype failed
+/// with longer ones (`docs/theory/balance.md`).
+pub const LONGEST_THINNING: f64 = 0.7;
+/// Friction under a load falls with temperature like this power of the viscosity: between that of a thick film, 1, and
+/// that of a thin one, whose journal comes nearer.
+const FRICTION_EXPONENT: f64 = 0.6;
+/// A slope of the surplus further from the usual one than this factor, in either sense, is that of a film that jumps.
+const UNUSUAL: f64 = 4.0;
 /// Starts [K] above the inlet where there is no film at the first one.
 const STARTS: [f64; 4] = [0.0, 10.0, 40.0, 120.0];
 /// Steps by the slope go on while each leaves at most this part of the surplus.
@@ -102,6 +110,17 @@ impl ThermalBalance {
         film.power - self.carried(mean, film) - self.given_off(mean)
     }
 
+    /// How the surplus changes with temperature [W/K] at a given place, where friction is proportional to the viscosity
+    /// and the logarithm of that changes by `thinning` [1/K].
+    pub fn slope_at_place(&self, mean: f64, film: &ThermalFlows, thinning: f64) -> f64 {
+        film.power * thinning + self.surplus(mean + 1.0, film) - self.surplus(mean, film)
+    }
+
+    /// How the surplus usually changes with temperature under a load [W/K].
+    pub fn slope_under_load(&self, mean: f64, film: &ThermalFlows, thinning: f64) -> f64 {
+        self.slope_at_place(mean, film, thinning) + (FRICTION_EXPONENT - 1.0) * film.power * thinning
+    }
+
     /// The temperature [K] at which these flows would be balanced, infinite where nothing carries heat off.
     fn balanced_by(&self, film: &ThermalFlows) -> f64 {
         let by_oil = (self.heat_capacity * film.flow * self.per_mean(film.carried_over)).max(0.0);
@@ -115,6 +134,11 @@ impl ThermalBalance {
         let ambient = self.housing.map_or(self.inlet, |housing| housing.ambient);
         [self.inlet.min(ambient), self.inlet.max(ambient) + HOTTEST]
     }
+}
+
+/// Whether a slope of the surplus that was seen is near enough to the usual one to be followed.
+pub fn is_usual(slope: f64, usual: f64) -> bool {
+    (1.0 / UNUSUAL..UNUSUAL).contains(&(slope / usual))
 }
 
 /// A balanced film.

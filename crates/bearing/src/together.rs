@@ -30,9 +30,9 @@ pub(crate) struct Response {
     pub(crate) stiffness: Stiffness,
     /// Moves of wall and film by each coordinate.
     by_place: Vec<Moves>,
-    /// Moves of wall and film where the journal is held,
+    /// Moves of wall and film where the journal is held.
     closing: Moves,
-    /// and what the film then carries more [N].
+    /// What the film carries more where the journal is held and its wall moves so [N].
     pub(crate) carried: Vector,
 }
 
@@ -208,7 +208,7 @@ impl Response {
             let moves = by_force.iter().zip(forces);
             moves.fold(first.clone(), |sum, (moves, force)| sum.plus(force, moves))
         };
-        let none = by_force[0].over(f64::INFINITY);
+        let none = free.plus(-1.0, &free);
         let by_place = (0..order).map(|k| joined(&none, stiffness.times(unit(k)))).collect();
         let carried = stiffness.times(free.place.map(|part| -part));
         Ok(Self { stiffness, by_place, closing: joined(&free, carried), carried })

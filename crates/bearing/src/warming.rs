@@ -3,11 +3,11 @@
 //! **Equation.** `E(x, T) = P - rho c Q (t_out - t_0) - G (T - t_a) = 0` ([`crate::thermal_balance`]), P and Q of the
 //! film at the coordinates x and the temperature T, which gives its oil the viscosity mu(T).
 //!
-//! **Method.** A step of [`crate::newton`] is bordered once more. With the moves y_0 that balance force and wall at this
-//! temperature, and those y_1 by which they follow a kelvin under the same load, the step is `y_0 + y_1 dT`,
-//! `dT = -(E + c y_0)/(b + c y_1)`. y_1 takes one back-substitution by the viscosity and one solve of the tangent; the row
-//! (c, b) of E is never computed: it begins with what friction usually does, and each step corrects it by what it missed
-//! (Broyden). So nothing but one film a step is measured.
+//! **Method.** A step of [`crate::newton`] is bordered once more. With the moves y_0 that balance force and wall at
+//! this temperature, and those y_1 by which they follow a kelvin under the same load, the step is `y_0 + y_1 dT`, `dT =
+//! -(E + c y_0)/(b + c y_1)`. y_1 takes one back-substitution by the viscosity and one solve of the tangent. The row
+//! (c, b) of E is never computed: it begins with what friction usually does, and each step corrects it by what it
+//! missed (Broyden). So nothing but one film a step is measured.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -29,16 +29,10 @@ use crate::coordinates::{Coordinates, Vector, dot, moved};
 use crate::coupled::Tangents;
 use crate::deflection::Moves;
 use crate::search::{Search, Trial, WarmthRow};
-use crate::{ThermalBalance, ThermalFlows};
+use crate::thermal_balance::{LONGEST_THINNING, ThermalBalance, ThermalFlows, is_usual};
 
 /// The heat is balanced when what is left over is this part of the friction.
 pub(crate) const BALANCED: f64 = 1e-8;
-/// Longest step of the logarithm of the viscosity.
-const LONGEST: f64 = 0.7;
-/// Friction under a load falls with temperature like this power of the viscosity, at a given place like the first one.
-const FRICTION_EXPONENT: f64 = 0.6;
-/// A slope of the surplus further from the usual one than this factor, in either sense, is not believed.
-const UNUSUAL: f64 = 4.0;
 /// From this part of load and heat that is left on the surplus is believed to change as in a film whose cavity is held.
 const MOVING: f64 = 1e-2;
 /// Accuracy of the linear systems of film and wall by which a balanced film follows its temperature.
@@ -123,25 +117,26 @@ impl Search<'_> {
         let Warmth { temperature, surplus, .. } = warmth;
         let thinning = thinning(warming, temperature);
         let per_kelvin = Moves { kelvin: 1.0, ..tangents.thicker(self, here)?.over(1.0 / thinning) };
-        let row = self.row_at(&warmth, thinning, per_kelvin.place);
+        let row = self.row_at(&warming.balance(), &warmth, thinning, per_kelvin.place);
         let slope = row.by_temperature + dot(row.by_place, per_kelvin.place);
-        let most = LONGEST / thinning.abs();
+        let most = LONGEST_THINNING / thinning.abs();
         let [coldest, hottest] = warming.balance().range();
         let kelvin = (-(surplus + dot(row.by_place, moves.place)) / slope).max(-most).min(most);
         let kelvin = kelvin.max(coldest - temperature).min(hottest - temperature);
         Ok(moves.plus(kelvin, &per_kelvin))
     }
 
-    /// The row of the surplus, as the steps before have shown it or, where that is not to be believed, as it usually is.
-    fn row_at(&self, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> WarmthRow {
+    /// The row of the surplus, as the steps before have shown it or, where that is not to be believed, as it usually
+    /// is.
+    fn row_at(&self, balance: &ThermalBalance, warmth: &Warmth, thinning: f64, per_kelvin: Vector) -> WarmthRow {
         let Warmth { temperature, flows, .. } = warmth;
-        let surplus = |t: f64| self.options.warming.map_or(0.0, |warming| warming.balance().surplus(t, flows));
-        let by_temperature = flows.power * thinning + surplus(temperature + 1.0) - surplus(*temperature);
+        let by_temperature = balance.slope_at_place(*temperature, flows, thinning);
         let square = dot(per_kelvin, per_kelvin);
-        let by_load = if square > 0.0 { (FRICTION_EXPONENT - 1.0) * flows.power * thinning / square } else { 0.0 };
+        let more = balance.slope_under_load(*temperature, flows, thinning) - by_temperature;
+        let by_load = if square > 0.0 { more / square } else { 0.0 };
         let usual = WarmthRow { by_place: per_kelvin.map(|x| by_load * x), by_temperature };
         let slope = |row: &WarmthRow| row.by_temperature + dot(row.by_place, per_kelvin);
-        let is_believed = |row: &WarmthRow| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope(row) / slope(&usual)));
+        let is_believed = |row: &WarmthRow| is_usual(slope(row), slope(&usual));
         let mut record = self.record();
         let row = record.row.filter(is_believed).unwrap_or(usual);
         record.row = Some(row);
@@ -205,8 +200,8 @@ impl Search<'_> {
 }
 
 impl Tangents<'_> {
-    /// How journal and wall move where the oil of a trial is thicker, for a whole of its viscosity, under the same load:
-    /// of a film in cubic elements as the quadratic one does, which is much like it.
+    /// How journal and wall move where the oil of a trial is thicker, for a whole of its viscosity, under the same
+    /// load: of a film in cubic elements as the quadratic one does, which is much like it.
     fn thicker(&self, search: &Search, here: &Trial) -> Result<Moves, NoFilm> {
         let joint = match self {
             Self::Rigid(rigid) => {

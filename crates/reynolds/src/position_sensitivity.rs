@@ -99,8 +99,8 @@ impl SolvedFilm {
         Ok(MixedChange(self.solution.linearisation.solve_within(&minus, part)?))
     }
 
-    /// The change of the unknown at each dof [Pa] in a change of pressure and film fraction: none in the cavity of a film
-    /// that conserves oil.
+    /// The change of the unknown at each dof [Pa] in a change of pressure and film fraction: none in the cavity of a
+    /// film that conserves oil.
     pub fn unknown_in(&self, MixedChange(change): &MixedChange) -> Vec<f64> {
         let mut unknown = change.clone();
         if self.solution.film_fraction.is_some() {

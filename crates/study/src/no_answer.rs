@@ -143,6 +143,17 @@ pub enum NoTemperature {
         /// Why there is none beyond.
         reason: Box<NoAnswer>,
     },
+    /// Runs at one temperature after the other lead to none that balances the heat.
+    #[error(
+        "not converged: {runs} runs at one temperature after the other have not balanced the heat: at {} {last}; give a finer mesh ([mesh] size), or a smaller orbit.tolerance",
+        celsius(last.temperature)
+    )]
+    NotFound {
+        /// How many runs there were.
+        runs: usize,
+        /// The film of the last one.
+        last: PowersAt,
+    },
     /// The greatest temperature that is sought balances nothing yet.
     #[error(
         "no temperature balances the heat: at {} still {hottest}; feed more oil, or give [heat] housing",
@@ -158,7 +169,7 @@ impl NoTemperature {
     /// True if there may be one.
     fn is_unreached(&self) -> bool {
         match self {
-            Self::Ended { .. } => true,
+            Self::Ended { .. } | Self::NotFound { .. } => true,
             Self::NoFilmBeyond { reason, .. } => reason.is_unreached(),
             Self::TooHot { .. } => false,
         }

@@ -21,13 +21,15 @@ pub(crate) use search::Left;
 pub use search::solve;
 pub(crate) use search::work_of;
 
+/// What heats and what cools a film at a temperature [K].
+pub(crate) fn powers(balance: &ThermalBalance, temperature: f64, film: &ThermalFlows) -> PowersAt {
+    let carried_off = balance.carried(temperature, film) + balance.given_off(temperature);
+    PowersAt { temperature, friction: film.power, carried_off }
+}
+
 /// Why there is no temperature.
 pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
-    let powers = |temperature: f64, film: &ThermalFlows| PowersAt {
-        temperature,
-        friction: film.power,
-        carried_off: balance.carried(temperature, film) + balance.given_off(temperature),
-    };
+    let powers = |temperature: f64, film: &ThermalFlows| powers(balance, temperature, film);
     NoAnswer::Temperature(match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
         NoBalance::NoFilm(Left::Ended) => NoTemperature::Ended { nearest: None },

@@ -111,7 +111,7 @@ fn balances(whole: &ShaftRun) -> Table {
         ("force: loads less films", of.force, "the loads"),
         ("moment about z = 0", of.moment, "the moments of the loads"),
         ("equations of the journals", of.journals, "the loads"),
-        ("power, at each step", of.power, "the greatest dissipation"),
+        ("power, at each step", of.power.unwrap_or(f64::NAN), "the greatest dissipation"),
         ("energy of a bearing over the cycle", energy, "its dissipation over the cycle"),
     ] {
         rows.push(row([name, &format!("{left:.1e}"), over]));

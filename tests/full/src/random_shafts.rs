@@ -135,7 +135,7 @@ pub fn fault(result: &ShaftResult) -> Option<String> {
         return result.head.reason.is_none().then(|| "not converged, without a reason".to_owned());
     }
     let balances = result.balances;
-    let off = [balances.force, balances.moment, balances.journals, balances.power];
+    let off = [balances.force, balances.moment, balances.journals, balances.power.unwrap_or(f64::NAN)];
     if !off.iter().all(|off| *off < BALANCED) {
         return Some(format!("{balances:?}"));
     }

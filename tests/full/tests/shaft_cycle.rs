@@ -94,11 +94,9 @@ fn mains_have_the_orbits_of_single_bearings(cut: &ShaftRun, engine: &str) {
 
 fn all_films_balance_the_loads_at_every_step(whole: &ShaftRun) {
     let balances = whole.result.balances;
-    assert!(
-        [balances.force, balances.moment, balances.journals, balances.power].iter().all(|off| *off < 1e-8),
-        "{balances:?}"
-    );
-    assert!(balances.power > 0.0, "its terms come by two ways");
+    let power = balances.power.expect("films without memory");
+    assert!([balances.force, balances.moment, balances.journals, power].iter().all(|off| *off < 1e-8), "{balances:?}");
+    assert!(power > 0.0, "its terms come by two ways");
     for bearing in &whole.result.bearings {
         // Of the order of what steps may be off by.
         assert!(bearing.energy.is_some_and(|energy| energy < 1e-2), "{}: {:?}", bearing.name, bearing.energy);

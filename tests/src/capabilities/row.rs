@@ -38,7 +38,7 @@ pub(super) fn solved(row: &Row, frame: Frame) -> Result<Vec<Vec<Quantity>>, Stri
             ((result.head.status, result.head.reason), balances, vec![result.quantities])
         }
         Found::Shaft(result) => {
-            let balances = of_shaft(&result, row[0] == "jfo");
+            let balances = of_shaft(&result);
             let films = result.bearings.into_iter().map(|bearing| bearing.quantities).collect();
             ((result.head.status, result.head.reason), balances, films)
         }
@@ -99,7 +99,7 @@ fn of_film(balances: &Balances, in_time: bool) -> Vec<Left> {
     ]
 }
 
-fn of_shaft(result: &ShaftResult, keeps_oil: bool) -> Vec<Left> {
+fn of_shaft(result: &ShaftResult) -> Vec<Left> {
     let balances = &result.balances;
     let energy = result.bearings.iter().filter_map(|bearing| bearing.energy).fold(0.0, f64::max);
     let by_steps = BY_STEPS * ORBIT_TOLERANCE;
@@ -107,8 +107,7 @@ fn of_shaft(result: &ShaftResult, keeps_oil: bool) -> Vec<Left> {
         ("the force", balances.force, BALANCED),
         ("the moment", balances.moment, BALANCED),
         ("the journals", balances.journals, BALANCED),
-        // What a film that keeps its oil takes up in a step is known to the error of the step alone.
-        ("the power", balances.power, if keeps_oil { ORBIT_TOLERANCE } else { by_steps }),
+        ("the power", balances.power.unwrap_or_default(), by_steps),
         ("the energy", energy, by_steps),
         ("the heat", balances.thermal, by_steps),
     ]

@@ -16,9 +16,9 @@ impl Motion<'_> {
         self.mass > 0.0 || from.until_next == Between::Path
     }
 
-    /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path,
-    /// and the velocity that in which the film carries the load, or that of the path for a rotor with mass and on a
-    /// shaft; a film that conserves its oil, or whose wall gives way, is led on from the step.
+    /// The film at a time within a span of the orbit that begins with the step `from`, at the place of the path. Its
+    /// velocity is that in which the film carries the load; for a rotor with mass and on a shaft it is that of the path.
+    /// A film that conserves its oil, or whose wall gives way, is led on from the step.
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.
@@ -63,7 +63,7 @@ impl Motion<'_> {
         if dt <= 0.0 {
             return Ok(begin);
         }
-        let scheme = self.scheme();
+        let scheme = Journals::alone(self).scheme();
         let per_time = 1.0 / (scheme.diagonal * dt);
         let mut course = Course::from(&begin, [0.0; 4]);
         let mut latest = begin;

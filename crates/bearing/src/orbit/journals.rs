@@ -102,24 +102,18 @@ impl<'a> Journals<'a> {
         magnitude(&left) / scale
     }
 
-    /// Least gaps of journals [m].
-    pub(super) fn gaps(&self, here: &[Instant]) -> Vec<f64> {
-        let journals = self.motions.iter().zip(here);
-        journals.map(|(motion, here)| motion.least_gap_under(here.wall(), here.at)).collect()
+    /// Least gaps [m] of journals at these places [m] under these walls.
+    pub fn gaps<'w>(&self, at: impl IntoIterator<Item = (Vector, Option<&'w Deflection>)>) -> Vec<f64> {
+        let journals = self.motions.iter().zip(at);
+        journals.map(|(motion, (at, wall))| motion.least_gap_under(wall, at)).collect()
     }
 
-    /// The number of the journal that is nearest to its shell at these places under these walls, and its least gap [m].
-    pub(super) fn thinnest(&self, at: &[(Vector, Option<&Deflection>)]) -> (usize, f64) {
-        let films = self.motions.iter().zip(at).map(|(motion, &(at, wall))| {
-            let gap = motion.least_gap_under(wall, at);
-            (gap, gap / motion.problem.bearing.clearance)
-        });
-        let first = (0, f64::INFINITY, f64::INFINITY);
-        let least = films.enumerate().fold(first, |best, (number, (gap, part))| match part < best.2 {
-            true => (number, gap, part),
-            false => best,
-        });
-        (least.0, least.1)
+    /// The number of the journal that is nearest to its shell at these places [m] under these walls, and its least gap
+    /// over the clearance [1].
+    pub fn thinnest<'w>(&self, at: impl IntoIterator<Item = (Vector, Option<&'w Deflection>)>) -> (usize, f64) {
+        let films = self.motions.iter().zip(self.gaps(at));
+        let parts = films.map(|(motion, gap)| gap / motion.problem.bearing.clearance);
+        parts.enumerate().fold((0, f64::INFINITY), |best, it| if it.1 < best.1 { it } else { best })
     }
 
     /// The greatest of the ways [m] over least gaps [m].

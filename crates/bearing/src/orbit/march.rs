@@ -256,7 +256,8 @@ impl Journals<'_> {
         let mut steps = vec![self.recorded(travellers, &none, accuracy)];
         let pace = Pace { period, error_power: self.scheme().error_power };
         let velocities = travellers.here.iter().map(|here| here.velocity);
-        let first = pace.first(1.0, Self::greatest_part(velocities, &self.gaps(&travellers.here)));
+        let first = pace
+            .first(1.0, Self::greatest_part(velocities, &self.gaps(travellers.here.iter().map(Instant::under_wall))));
         let mut dt = if stops.is_empty() { first } else { f64::INFINITY };
         while travellers.here[0].time < period {
             if options.deadline.is_over() {
@@ -310,7 +311,9 @@ impl Journals<'_> {
     /// The greatest error of a step of this length [s], over the tolerance, and the length of the next step [s]. On a
     /// shaft the path between two steps counts too, which decides how the journals move there.
     fn judged(&self, made: &Made, taken: f64, pace: Pace, tolerance: f64) -> (f64, f64) {
-        let of_step = Self::greatest_part(made.errors.iter().copied(), &self.gaps(&made.end)) / tolerance;
+        let of_step =
+            Self::greatest_part(made.errors.iter().copied(), &self.gaps(made.end.iter().map(Instant::under_wall)))
+                / tolerance;
         let next = pace.next(taken, of_step);
         if self.shaft.is_none() {
             return (of_step, next);
@@ -334,10 +337,11 @@ impl Journals<'_> {
         (time, cycle): (f64, usize),
         places: &[(Vector, Option<&Deflection>)],
     ) -> NoOrbitAt {
-        let (thinnest, gap) = self.thinnest(places);
+        let (thinnest, part) = self.thinnest(places.iter().copied());
         let bearing = if let NoStage::Film(bearing, _) = reason { bearing } else { thinnest };
         let at = if self.shaft.is_some() { Some(places[bearing].0) } else { None };
         let motion = &self.motions[bearing];
+        let gap = part * motion.problem.bearing.clearance;
         NoOrbitAt { bearing, reason: motion.told(reason, (time, self.crank_angle(time)), cycle, (gap, at)) }
     }
 }

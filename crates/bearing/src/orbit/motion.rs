@@ -18,7 +18,6 @@ use oilwedge_reynolds::{
 };
 
 use super::oil::Oil;
-use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, length, unit};
 use crate::deflection::{CLOSED, carried_changes, carried_slowly, closed_within, contact_points};
 use crate::duty_cycle::{Duty, DutyCycle};
@@ -75,6 +74,11 @@ pub struct Instant {
 }
 
 impl Instant {
+    /// Place [m] of the journal, and the wall that it has there.
+    pub fn under_wall(&self) -> (Vector, Option<&Deflection>) {
+        (self.at, self.wall())
+    }
+
     /// The wall, if it gives way.
     pub(crate) fn wall(&self) -> Option<&Deflection> {
         self.film.problem.deflection()
@@ -162,14 +166,6 @@ impl Motion<'_> {
         let [x, y, z_x, z_y] = self.coordinates().forces(carried);
         let per_tilt = self.support_stiffness();
         [x, y, z_x + per_tilt * at[2], z_y + per_tilt * at[3]]
-    }
-
-    /// The method by which steps of the journal alone are made.
-    pub(crate) fn scheme(&self) -> &'static Scheme {
-        match self.problem.cavitation.conserves_oil() {
-            true => &SECOND_ORDER,
-            false => &FOURTH_ORDER,
-        }
     }
 
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way

@@ -157,8 +157,8 @@ impl NoOrbit {
 }
 
 impl Motion<'_> {
-    /// What a stage without a solution means for the orbit, from a film with this least gap [m] on; a journal on a shaft
-    /// has come to a place [m].
+    /// What a stage without a solution means for the orbit, from a film with this least gap [m] on; a journal on a
+    /// shaft has come to a place [m].
     pub(super) fn told(
         &self,
         reason: NoStage,

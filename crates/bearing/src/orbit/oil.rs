@@ -17,9 +17,9 @@ use super::scheme::Scheme;
 pub struct Before {
     /// What they leave to the cells.
     pub storage: Arc<Storage>,
-    /// What the film has received in them [m3],
+    /// What the film has received in them [m3].
     pub received: f64,
-    /// and what has come in [m3].
+    /// What has come in through places of given pressure in them, whatever left by others [m3].
     pub passed: f64,
 }
 

@@ -79,6 +79,11 @@ impl Step {
         }
     }
 
+    /// Place [m] of the journal, and the wall that it has there.
+    pub fn under_wall(&self) -> (Vector, Option<&Deflection>) {
+        (self.at, self.wall.as_ref())
+    }
+
     pub(super) fn moving(&self) -> Moving {
         Moving { time: self.time, at: self.at, velocity: self.velocity }
     }

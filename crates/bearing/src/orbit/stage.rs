@@ -163,8 +163,8 @@ impl Journals<'_> {
         motions.map(|(motion, known)| motion.search(known, (stage.time, stage.per_time), accuracy.scale)).collect()
     }
 
-    /// Where a stage begins from films nearby: at starts and under the walls expected there, or on the way to both, where
-    /// enough of each film is left.
+    /// Where a stage begins from films nearby: at starts and under the walls expected there, or on the way to both,
+    /// where enough of each film is left.
     fn begun(&self, stage: &Stage, near: &[Instant], starts: &[Vector]) -> Vec<(Vector, Option<Deflection>)> {
         let ways: Vec<(Option<Deflection>, Moves, f64)> = (self.motions.iter().zip(near).enumerate())
             .map(|(number, (motion, near))| {
@@ -321,8 +321,8 @@ impl Journals<'_> {
 }
 
 impl Motion<'_> {
-    /// The search for the place in a stage, at this time [s] and of this `1/(gamma dt)` [1/s]; residuals are relative to
-    /// the force `scale` [N].
+    /// The search for the place in a stage, at this time [s] and of this `1/(gamma dt)` [1/s]; residuals are relative
+    /// to the force `scale` [N].
     fn search(&self, known: &Known, (time, per_time): (f64, f64), scale: f64) -> Search<'_> {
         let Duty { force, moment, .. } = self.duty(time);
         let tilting = |support: TiltSupport| Tilting { moment, stiffness: support.stiffness, support: support.slope };

@@ -30,7 +30,7 @@ pub(super) struct Made {
     pub(super) accelerations: Vec<Vector>,
     /// Estimates of the local errors of the offsets [m], as films and shaft damp them.
     pub(super) errors: Vec<Vector>,
-    /// How far the path passes the places of the first stage [m], over what the least gaps are there.
+    /// How far the path passes the places of the first stage, over the least gaps there [1].
     pub(super) off_path: f64,
 }
 
@@ -43,6 +43,14 @@ pub(super) struct Begin<'a> {
     pub(super) accelerations: &'a [Vector],
     /// The paths before; none at the beginning.
     pub(super) before: Option<&'a [Way]>,
+}
+
+/// What the first stage of a step has found.
+struct FirstStage {
+    time: f64,
+    places: Vec<Vector>,
+    /// Least gaps [m].
+    gaps: Vec<f64>,
 }
 
 /// What the stages of a step have found of one journal.
@@ -99,7 +107,7 @@ impl Journals<'_> {
         let mut courses: Vec<Course> =
             journals.map(|(start, acceleration)| Course::from(start, *acceleration)).collect();
         let mut latest: Option<Vec<Instant>> = None;
-        let mut first: Option<(f64, Vec<Vector>)> = None;
+        let mut first: Option<FirstStage> = None;
         let mut ways: Option<Vec<Way>> = from.before.map(<[Way]>::to_vec);
         let mut last: Option<Stage> = None;
         for stage in 1..scheme.stages() {
@@ -122,19 +130,22 @@ impl Journals<'_> {
             for ((course, known), found) in courses.iter_mut().zip(&known.journals).zip(&found) {
                 course.add(known, per_time, found);
             }
-            first.get_or_insert_with(|| (time, found.iter().map(|found| found.at).collect()));
+            first.get_or_insert_with(|| FirstStage {
+                time,
+                places: found.iter().map(|found| found.at).collect(),
+                gaps: self.gaps(found.iter().map(Instant::under_wall)),
+            });
             if latest.as_ref().is_none_or(|latest| latest[0].time < time) {
                 ways = Some(ways_between(from.instants, &found));
             }
             (latest, last) = (Some(found), Some(known));
         }
         // The last stage is the end of the step.
-        let ((end, last), (time, places)) = latest.zip(last).zip(first).ok_or(NoStage::Diverged)?;
+        let ((end, last), first) = latest.zip(last).zip(first).ok_or(NoStage::Diverged)?;
         let errors = self.damped(&end, &last, &courses, (scheme, dt))?;
         let path = ways_between(from.instants, &end);
-        let off = path.iter().zip(&places).map(|(way, place)| moved(way.span.at(time), -1.0, *place));
-        let gaps: Vec<f64> = self.motions.iter().zip(&places).map(|(motion, place)| motion.least_gap(*place)).collect();
-        let off_path = Self::greatest_part(off, &gaps);
+        let off = path.iter().zip(&first.places).map(|(way, place)| moved(way.span.at(first.time), -1.0, *place));
+        let off_path = Self::greatest_part(off, &first.gaps);
         let accelerations = courses.iter().filter_map(|course| course.accelerations.last().copied()).collect();
         Ok(Made { end, accelerations, errors, off_path })
     }

@@ -1,9 +1,9 @@
 //! A shaft at rest on its films under loads that do not change, by the one Newton's method ([`crate::newton`]).
 //!
-//! The journals begin near the middle of their bearings with pseudo-time, on the coarsest meshes; from there the balance
-//! is led from mesh to mesh. Pseudo-time leads the tilting journals of a shaft on full films round and round: where it
-//! ends without a balance they sink by implicit steps in time that grow. These alone would not do: films that conserve
-//! their oil, in walls that give way, have no such steps on coarse meshes.
+//! The journals begin near the middle of their bearings with pseudo-time, on the coarsest meshes; from there the
+//! balance is led from mesh to mesh. Pseudo-time leads the tilting journals of a shaft on full films round and round:
+//! where it ends without a balance they sink by implicit steps in time that grow. These alone would not do: films that
+//! conserve their oil, in walls that give way, have no such steps on coarse meshes.
 
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::film_thickness::Deflection;
@@ -24,22 +24,23 @@ use crate::time_terms::TimeTerms;
 use crate::together::Coupled;
 use crate::{Deadline, Load, SearchOptions, Tilting};
 
-/// What a balance may leave.
+/// What a balance may leave: round-off of the films.
 const GOAL: Goal = Goal { balanced: 1e-11, closed: CLOSED, moved: 1e-8, rounding: 1e-8 };
-/// What a step in time may leave.
+/// What a step in time may leave, which only leads to the balance.
 const ROUGHLY: Goal = Goal { balanced: 1e-3, closed: 1e-3, moved: 1e-2, rounding: 1e-3 };
-/// The first step in time over 1/omega, and how steps grow.
+/// The first step in time, over 1/omega: that of half a radian.
 const FIRST: f64 = 0.5;
+/// A step in time is longer by this factor than the one before.
 const GROWTH: f64 = 2.5;
-/// A step without a solution is divided by this,
+/// A step in time without a solution is divided by this.
 const RETRY: f64 = 4.0;
-/// until it is this much shorter than the first one.
-const SHORTEST: f64 = 1e-6;
-/// Sinking ends where a step is this long, over 1/omega,
+/// Shortest step in time, over 1/omega.
+const SHORTEST: f64 = 5e-7;
+/// Sinking ends where a step in time is this long, over 1/omega: then the journals rest.
 const LONGEST: f64 = 1e6;
-/// or where the journals move by less than this part of their gaps in the time 1/omega.
+/// A balance at rest is tried where the journals move by less than this part of their gaps in the time 1/omega.
 const AT_REST: f64 = 1e-2;
-/// Most steps.
+/// Most steps in time: some 25 lead from the first to the longest, four times as many are for retries.
 const MOST_STEPS: usize = 120;
 
 /// A shaft in balance.
@@ -182,30 +183,30 @@ impl Films<'_> {
             let way = Way { goal: ROUGHLY, per_time: Some(speed / dt), ..Way::at_rest(deadline) };
             match self.rested(joined, near.as_deref().unwrap_or(first), way) {
                 Ok(found) => {
-                    dt *= GROWTH;
-                    if dt > LONGEST || here.as_ref().is_some_and(|here| self.rate(here, &found, dt) < AT_REST) {
+                    let is_last = dt > LONGEST;
+                    let is_slow = here.as_ref().is_some_and(|here| self.part_of_gap(here, &found) < AT_REST * dt);
+                    if is_last || is_slow {
                         match self.rested(joined, &found.begun(), Way::at_rest(deadline)) {
                             // A slower journal may have one.
-                            Err(_) if dt <= LONGEST && !deadline.is_over() => {}
+                            Err(_) if !is_last && !deadline.is_over() => {}
                             outcome => return outcome,
                         }
                     }
-                    here = Some(found);
+                    (here, dt) = (Some(found), GROWTH * dt);
                 }
-                Err(reason) if dt < SHORTEST * FIRST || deadline.is_over() => return Err(reason),
+                Err(reason) if dt < SHORTEST || deadline.is_over() => return Err(reason),
                 Err(_) => dt /= RETRY,
             }
         }
         self.rested(joined, here.as_ref().map(Balance::begun).as_deref().unwrap_or(first), Way::at_rest(deadline))
     }
 
-    /// The greatest way of a journal between two balances over its least gap, in the time 1/omega, where it took nearly
-    /// `dt` over 1/omega.
-    fn rate(&self, from: &Balance, to: &Balance, dt: f64) -> f64 {
+    /// The greatest way of a journal from one balance to another, over its least gap [1].
+    fn part_of_gap(&self, from: &Balance, to: &Balance) -> f64 {
         let gap = |(film, here): (&Film, &Instant)| film.motion().least_gap_under(here.wall(), here.at);
         let gaps = self.films.iter().zip(&to.instants).map(gap);
         let ways = from.instants.iter().zip(&to.instants).map(|(from, to)| length(moved(to.at, -1.0, from.at)));
-        ways.zip(gaps).map(|(way, gap)| way / gap).fold(0.0, f64::max) * GROWTH / dt
+        ways.zip(gaps).map(|(way, gap)| way / gap).fold(0.0, f64::max)
     }
 
     /// The balance near another one, where more accurate films carry so much `more` [N] in its places: it is that of

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap};
 
 use super::frame::Shaft;
 use super::joined::ShaftBalance;
 use crate::coordinates::{Coordinates, Vector};
 use crate::duty_cycle::{Duty, DutyCycle};
-use crate::orbit::{Drive, Motion, TiltSupport};
+use crate::orbit::{Drive, Journals, Motion, TiltSupport};
 
 /// Eccentricity at which journals begin.
 const FIRST: f64 = 0.3;
@@ -72,11 +73,6 @@ impl<'a> Film<'a> {
             mass: 0.0,
         }
     }
-
-    /// Least gap [m] of its journal at these coordinates, in a wall that is not bent.
-    pub fn least_gap(&self, at: Vector) -> f64 {
-        self.gap.least(&self.coordinates.placed(&self.problem.journal, at))
-    }
 }
 
 /// How much a shell on a support of this stiffness [N/m, N m/rad], infinite for a rigid one, gives way in each
@@ -124,10 +120,14 @@ impl Films<'_> {
         vec![[offset * cos, offset * sin, 0.0, 0.0]; self.films.len()]
     }
 
-    /// The bearing whose journal is nearest to its shell, and its least gap over the clearance; walls that give way are
-    /// not bent.
-    pub fn thinnest(&self, at: &[Vector]) -> (usize, f64) {
-        let gaps = self.films.iter().zip(at).map(|(film, at)| film.least_gap(*at) / film.problem.bearing.clearance);
-        (0..).zip(gaps).fold((0, f64::INFINITY), |best, it| if it.1 < best.1 { it } else { best })
+    /// Least gaps [m] of all journals at these places [m] under these walls.
+    pub fn gaps<'w>(&self, at: impl IntoIterator<Item = (Vector, Option<&'w Deflection>)>) -> Vec<f64> {
+        Journals { motions: &self.motions(), shaft: None }.gaps(at)
+    }
+
+    /// The bearing whose journal is nearest to its shell at these places [m] under these walls, and its least gap over
+    /// the clearance [1].
+    pub fn thinnest<'w>(&self, at: impl IntoIterator<Item = (Vector, Option<&'w Deflection>)>) -> (usize, f64) {
+        Journals { motions: &self.motions(), shaft: None }.thinnest(at)
     }
 }

@@ -283,16 +283,17 @@ fn balances(result: &ShaftResult) -> Table {
     let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
     let ShaftBalances { force, moment, journals, power, thermal } = result.balances;
     let left = [
-        (force, "loads less forces of all films, over the loads, at the worst step"),
-        (moment, "their moments, over those of the loads, at the worst step"),
-        (journals, "what is left of the equations of all journals, over the loads"),
+        (Some(force), "loads less forces of all films, over the loads, at the worst step"),
+        (Some(moment), "their moments, over those of the loads, at the worst step"),
+        (Some(journals), "what is left of the equations of all journals, over the loads"),
         (
             power,
             "power of the loads and of what turns the shaft, less what films dissipate and the shaft stores, over the dissipation, at the worst step",
         ),
-        (thermal, "power of a film that neither its oil nor its housing takes, over that power"),
+        (Some(thermal), "power of a film that neither its oil nor its housing takes, over that power"),
     ];
-    let mut rows: Vec<_> = left.into_iter().map(|(left, what)| vec![text(what), number(left)]).collect();
+    let known = left.into_iter().filter_map(|(left, what)| Some(vec![text(what), number(left?)]));
+    let mut rows: Vec<_> = known.collect();
     rows.extend(energies.reduce(f64::max).map(|energy| {
         let what = "energy of a bearing over the cycle, over its dissipation: the error of the steps";
         vec![text(what), number(energy)]

@@ -166,11 +166,13 @@ fn balance(result: &ShaftResult) -> String {
     let part = |value: f64| significant(value, 2);
     let balances = result.balances;
     let mut line = format!(
-        "balance   loads and film forces differ by {} of the loads, their moments by {}, powers by {} of the dissipation",
+        "balance   loads and film forces differ by {} of the loads, their moments by {}",
         part(balances.force),
-        part(balances.moment),
-        part(balances.power)
+        part(balances.moment)
     );
+    if let Some(power) = balances.power {
+        line += &format!(", powers by {} of the dissipation", part(power));
+    }
     let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
     if let Some(worst) = energies.reduce(f64::max) {
         line += &format!(", energy over the cycle of a bearing by {} of the dissipation", part(worst));

@@ -31,8 +31,6 @@ pub(crate) const BALANCED: f64 = 0.1;
 /// behind it.
 const ROUGHLY: f64 = 1e-2;
 const ROUGH_TOLERANCE: f64 = 1e-2;
-/// Distance [K] at which a further orbit is followed where the others are too near to show how numbers change.
-const FURTHER: f64 = 1.0;
 
 /// What the balance of a cycle has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,9 +69,7 @@ pub(super) fn balanced(
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
     let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
     let (film, begin) = start::prepared(scene, model, cycle, watch)?;
-    let Some(mut search) = FilmTemperature::of(&film) else {
-        return Ok((film, Err(none(&thermal.balance, NoBalance::NoFilm(Left::Ended)))));
-    };
+    let mut search = FilmTemperature::of(&film, thermal);
     let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(model.tolerance), ..*model };
     let orbits = |film, begin, model| Orbits { film, scene, model, cycle, watch, options: quick, begin, last: None };
     let found = orbits(film.on_coarser(), begin, rough).balance(&mut search, ROUGHLY);
@@ -135,10 +131,9 @@ impl Orbits<'_> {
     fn reported(&mut self, search: &mut FilmTemperature, options: &RunOptions) -> Result<Followed, NoAnswer> {
         if options.bars && !search.has_slopes() {
             // A second orbit, for the change with temperature; without it the numbers have no bars.
-            let found = search.temperature;
-            search.temperature = found + FURTHER;
+            search.step_aside(1.0);
             drop(self.add(search));
-            search.temperature = found;
+            search.step_aside(-1.0);
         }
         let mut orbit = self.followed(search.temperature, options)?;
         if let Some(flows) = orbit.flows {

@@ -9,7 +9,8 @@
 //! shaft and in the asperities that bear the force W_a. The rate is that of the last stage of the step, so all of this
 //! holds for the films of the steps but for the residual of their equations and the round-off of the integrals: the
 //! dissipation is an integral of flows over the films, while F and K u know nothing of pressures. How a yielding shell
-//! stores and returns its own energy is not in it, nor how the loads bend the shaft between its journals.
+//! stores and returns its own energy is not in it, nor how the loads bend the shaft between its journals. Films that
+//! keep their oil and walls that give way take up power within a step: with them there is no such balance.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -64,7 +65,8 @@ pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) ->
         before = Some(instants);
         powers = [powers[0].max(left.abs()), powers[1].max(dissipated)];
     }
-    worst.power = powers[0] / powers[1];
+    let keeps = |film: &Film| film.problem.cavitation.conserves_oil() || film.problem.deflection().is_some();
+    worst.power = (!films.films.iter().any(keeps)).then_some(powers[0] / powers[1]);
     Ok(worst)
 }
 

@@ -137,6 +137,9 @@ fn at_temperatures(
         let found = measured_all(scene, at, orbits, &numbers_alone)?;
         Ok(found.into_iter().map(|(followed, _)| (followed.flows, followed.quantities)).collect::<Vec<Shown>>())
     };
+    if let Some(observer) = options.observer {
+        observer.turns_to("the shaft at temperatures of its films, one set after the other");
+    }
     let mut last: Option<Orbits> = None;
     temperatures.balance(
         compiled,
@@ -213,7 +216,7 @@ fn rough(
     )
     .ok()?;
     let end = places(orbit.steps.last()?);
-    let gaps = orbit.steps.iter().map(|step| films.thinnest(&places(step)).1);
+    let gaps = orbit.steps.iter().map(|step| films.thinnest(step.iter().map(Step::under_wall)).1);
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min);
     Some((end, greatest.clamp(0.0, GREATEST)))
 }

@@ -1,8 +1,8 @@
 //! The shaft as it is bent: its centre line in the housing, and the shells in which its journals lie.
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::Orbits;
-use oilwedge_bearing::shaft::{Engine, Films, NodeForce};
+use oilwedge_bearing::orbit::{Orbits, Step};
+use oilwedge_bearing::shaft::{Engine, NodeForce};
 use serde::{Deserialize, Serialize};
 
 use super::compile::Compiled;
@@ -29,35 +29,33 @@ pub struct ShaftDeflection {
 
 impl ShaftDeflection {
     /// The line of a shaft at rest whose journals have these offsets in their shells [m], and whose films carry that
-    /// [N]; `None` where the shaft is cut.
-    pub(super) fn at_rest(compiled: &Compiled, at: &[Vector], carried: &[Vector]) -> Option<Self> {
-        Self::turned(compiled, (at, carried), &compiled.loads, 0.0)
+    /// [N], with these least gaps [m]; `None` where the shaft is cut.
+    pub(super) fn at_rest(compiled: &Compiled, (at, carried): (&[Vector], &[Vector]), gaps: &[f64]) -> Option<Self> {
+        Self::turned(compiled, (at, carried), (least(gaps).0, &compiled.loads), 0.0)
     }
 
     /// The line at the step with the least film of all bearings.
     pub(super) fn of_cycle(compiled: &Compiled, engine: &Engine, orbits: &Orbits) -> Option<Self> {
         let films = compiled.films();
-        let steps = orbits.steps.iter().map(|step| {
-            let at: Vec<Vector> = step.iter().map(|step| step.at).collect();
-            (step[0].time, at, step.iter().map(|step| step.excess).collect::<Vec<_>>())
-        });
-        let gaps = steps.map(|(time, at, carried)| (least(&films, &at), (time, at, carried)));
-        let (_, (time, at, carried)) = gaps.min_by(|((a, _), _), ((b, _), _)| a.total_cmp(b))?;
-        let angle = engine.speed * time;
-        let line = Self::turned(compiled, (&at, &carried), &engine.loads(angle), angle)?;
+        let gaps = orbits.steps.iter().map(|step| films.gaps(step.iter().map(Step::under_wall)));
+        let least = orbits.steps.iter().zip(gaps.map(|gaps| least(&gaps)));
+        let (step, (bearing, _)) = least.min_by(|(_, (_, a)), (_, (_, b))| a.total_cmp(b))?;
+        let angle = engine.speed * step[0].time;
+        let [at, carried] =
+            [|step: &Step| step.at, |step: &Step| step.excess].map(|of| step.iter().map(of).collect::<Vec<Vector>>());
+        let line = Self::turned(compiled, (&at, &carried), (bearing, &engine.loads(angle)), angle)?;
         Some(Self { crank_angle_deg: Some(angle.to_degrees()), ..line })
     }
 
     fn turned(
         compiled: &Compiled,
         (at, carried): (&[Vector], &[Vector]),
-        loads: &[NodeForce],
+        (bearing, loads): (usize, &[NodeForce]),
         angle: f64,
     ) -> Option<Self> {
         let films = compiled.films();
         let joined = films.joined(&[], angle);
         let line = films.shaft.bent(&joined.displaced(at, carried), loads, angle)?;
-        let (_, bearing) = least(&films, at);
         let [x, y, ..] = carried[bearing];
         Some(Self {
             crank_angle_deg: None,
@@ -71,8 +69,8 @@ impl ShaftDeflection {
     }
 }
 
-/// Least film of all bearings [m], and the number of its bearing.
-fn least(films: &Films, at: &[Vector]) -> (f64, usize) {
-    let gaps = films.films.iter().zip(at).map(|(film, at)| film.least_gap(*at)).zip(0..);
-    gaps.fold((f64::INFINITY, 0), |least, it| if it.0 < least.0 { it } else { least })
+/// The number of the least gap, and that gap [m].
+fn least(gaps: &[f64]) -> (usize, f64) {
+    let numbered = gaps.iter().copied().enumerate();
+    numbered.fold((0, f64::INFINITY), |least, it| if it.1 < least.1 { it } else { least })
 }

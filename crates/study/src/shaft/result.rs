@@ -77,7 +77,7 @@ pub struct ShaftResult {
 }
 
 /// What is left of the balances of a shaft, greatest over a cycle.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ShaftBalances {
     /// Loads less forces of all films, over the loads [1].
@@ -87,11 +87,19 @@ pub struct ShaftBalances {
     /// What is left of the equations of all journals, over the loads [1].
     pub journals: f64,
     /// Balance of power over a cycle: power of the loads and of what turns the journals, less what the films dissipate
-    /// and the shaft stores, over the greatest dissipation [1]; zero at rest.
-    pub power: f64,
+    /// and the shaft stores, over the greatest dissipation [1]; zero at rest. `null` where a film keeps its oil or a
+    /// wall gives way: they take up power, too.
+    pub power: Option<f64>,
     /// Heat of a film that is not carried off, over its power, greatest of all bearings [1]; zero where temperatures
     /// are given.
     pub thermal: f64,
+}
+
+impl Default for ShaftBalances {
+    /// Nothing is left.
+    fn default() -> Self {
+        Self { force: 0.0, moment: 0.0, journals: 0.0, power: Some(0.0), thermal: 0.0 }
+    }
 }
 
 /// One cycle of the shaft.

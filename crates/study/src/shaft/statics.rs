@@ -57,8 +57,8 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
         let (Ok(balance), true) = (&found, meshes < MESHES) else {
             break found;
         };
-        let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
-        let greatest = (1.0 - compiled.films().thinnest(&at).1).clamp(0.0, GREATEST);
+        let (_, least) = compiled.films().thinnest(balance.instants.iter().map(Instant::under_wall));
+        let greatest = (1.0 - least).clamp(0.0, GREATEST);
         if suits(eccentricity, greatest) || !compiled.bearings.iter().any(is_graded) {
             break found;
         }
@@ -189,8 +189,7 @@ fn reported(
         let next = films.rebalanced(&asked, 0.0, &balance, &more);
         balance = next.map_err(|reason| without(&reason, compiled, options.cause()))?;
     }
-    let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
-    let (bearing, gap) = films.thinnest(&at);
+    let (bearing, gap) = films.thinnest(balance.instants.iter().map(Instant::under_wall));
     let residual = left / size;
     Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled, options.cause()))
 }
@@ -248,7 +247,8 @@ fn report(
         result.bearings.push(report);
     }
     result.films = balance.films;
-    result.deflection = ShaftDeflection::at_rest(compiled, &at, &forces);
+    let gaps = films.gaps(balance.instants.iter().map(Instant::under_wall));
+    result.deflection = ShaftDeflection::at_rest(compiled, (&at, &forces), &gaps);
     let thermal = solved.iter().filter_map(|solved| solved.temperature.as_ref()).map(TemperatureFound::left_over);
     let thermal = thermal.fold(0.0, f64::max);
     result.balances = ShaftBalances { thermal, ..balances(compiled, &balance, &carried) };

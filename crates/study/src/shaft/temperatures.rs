@@ -8,9 +8,6 @@ use crate::quantities::Quantity;
 use crate::result::Status;
 use crate::thermal::FilmTemperature;
 
-/// Distance [K] of a further run where the others are too near to show how numbers change.
-const FURTHER: f64 = 1.0;
-
 /// Why there is no answer: status and reason.
 pub(super) type NoShaftAnswer = (Status, String);
 
@@ -23,7 +20,8 @@ pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
 impl Temperatures {
     /// The temperatures of the bearings of a shaft before the first run.
     pub(super) fn of(compiled: &Compiled) -> Self {
-        Self(compiled.bearings.iter().map(|bearing| FilmTemperature::of(&bearing.film)).collect())
+        let of = |Bearing { film, .. }: &Bearing| film.thermal.map(|model| FilmTemperature::of(film, model));
+        Self(compiled.bearings.iter().map(of).collect())
     }
 
     /// Whether all temperatures are given.
@@ -89,12 +87,11 @@ impl Temperatures {
         if self.0.iter().flatten().all(FilmTemperature::has_slopes) {
             return;
         }
-        let warmed = |by: f64, all: &mut Self| all.0.iter_mut().flatten().for_each(|search| search.temperature += by);
-        warmed(FURTHER, self);
+        self.0.iter_mut().flatten().for_each(|search| search.step_aside(1.0));
         if let Ok(shown) = run(&self.applied(compiled)) {
             self.add(shown);
         }
-        warmed(-FURTHER, self);
+        self.0.iter_mut().flatten().for_each(|search| search.step_aside(-1.0));
     }
 
     /// Adds what a run has shown; the greatest heat that is left over, as a part of the power [1].

@@ -6,26 +6,23 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
+use oilwedge_bearing::thermal_balance::{LONGEST_THINNING, is_usual};
 use oilwedge_bearing::{Balanced, NoBalance, ThermalFlows};
 
-use super::{Left, none};
+use super::{Left, none, powers};
 use crate::film::Film;
-use crate::no_answer::NoAnswer;
+use crate::no_answer::{NoAnswer, NoTemperature};
 use crate::oil::{Oil, first_temperature};
 use crate::quantities::Quantity;
 use crate::thermal_model::ThermalModel;
 
-/// Friction under a load falls with temperature like this power of the viscosity.
-const FRICTION_EXPONENT: f64 = 0.6;
-/// A secant further from the usual slope than this factor, in either sense, is not believed.
-const UNUSUAL: f64 = 4.0;
-/// Longest step of the logarithm of the viscosity.
-const LONGEST: f64 = 0.7;
-/// Temperatures [K] nearer to one another than this do not show how numbers change.
+/// Temperatures [K] nearer to one another than this do not show how numbers change: orbits differ by their closure.
 const APART: f64 = 0.02;
-/// A temperature without a film is approached so often at most, by half of the way each time.
+/// Distance [K] of a further run where the others are too near to show how numbers change.
+const FURTHER: f64 = 1.0;
+/// A temperature without a film is approached so often at most, by half of the way each time: to a sixteenth of a step.
 const MOST_RETREATS: usize = 4;
-/// Most runs.
+/// Most runs: secants that are believed reduce what is left in each, so that more do not help.
 const MOST_RUNS: usize = 40;
 
 /// The temperature of a film from run to run.
@@ -48,16 +45,16 @@ struct Run {
 }
 
 impl FilmTemperature {
-    /// The search begins at the temperature that the oil has, or at a usual one; none where the temperature is given.
-    pub(crate) fn of(film: &Film) -> Option<Self> {
-        let model = film.thermal?;
+    /// The search begins at the temperature that the oil has, or at a usual one.
+    pub(crate) fn of(film: &Film, model: ThermalModel) -> Self {
         let temperature = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
-        Some(Self { model, temperature, oil: film.oil.clone(), runs: Vec::new(), retreats: 0 })
+        Self { model, temperature, oil: film.oil.clone(), runs: Vec::new(), retreats: 0 }
     }
 
     /// Begins anew on another mesh near a temperature that was found: what other meshes have shown does not count.
     pub(crate) fn begun_again(&mut self) {
         self.runs.clear();
+        self.retreats = 0;
     }
 
     /// How many runs it took.
@@ -88,9 +85,10 @@ impl FilmTemperature {
             return Err(none(balance, NoBalance::TooHot { temperature, film }));
         }
         if self.runs.len() > MOST_RUNS {
-            return Err(none(balance, NoBalance::Ends { temperature, film, reason: Left::Ended }));
+            let (runs, last) = (self.runs.len(), powers(balance, temperature, &film));
+            return Err(NoAnswer::Temperature(NoTemperature::NotFound { runs, last }));
         }
-        let most = LONGEST / self.thinning(temperature).abs();
+        let most = LONGEST_THINNING / self.thinning(temperature).abs();
         let step = (-here.surplus / self.slope(here)).clamp(-most, most);
         self.temperature = (temperature + step).clamp(coldest, hottest);
         Ok(())
@@ -124,6 +122,11 @@ impl FilmTemperature {
         Balanced { temperature: self.temperature, film: flows, surplus, slope, films: self.runs.len() }
     }
 
+    /// Turns to a run beside the temperature found, by `sign` of a distance: there with 1 and back with -1.
+    pub(crate) fn step_aside(&mut self, sign: f64) {
+        self.temperature += sign * FURTHER;
+    }
+
     /// Whether its runs show how numbers change with temperature.
     pub(crate) fn has_slopes(&self) -> bool {
         self.nearest().is_some()
@@ -153,11 +156,9 @@ impl FilmTemperature {
     /// How the surplus changes with temperature near a run [W/K], negative.
     fn slope(&self, here: &Run) -> f64 {
         let balance = &self.model.balance;
-        let by_oil = balance.surplus(here.temperature + 1.0, &here.flows) - here.surplus;
-        let usual = FRICTION_EXPONENT * here.flows.power * self.thinning(here.temperature) + by_oil;
+        let usual = balance.slope_under_load(here.temperature, &here.flows, self.thinning(here.temperature));
         let before = self.runs.iter().rev().find(|run| run.temperature != here.temperature);
-        let is_believed = |slope: &f64| (1.0 / UNUSUAL..UNUSUAL).contains(&(slope / usual));
-        before.map(|before| secant(before, here)).filter(is_believed).unwrap_or(usual)
+        before.map(|before| secant(before, here)).filter(|slope| is_usual(*slope, usual)).unwrap_or(usual)
     }
 
     /// How the logarithm of the viscosity changes with temperature [1/K].
