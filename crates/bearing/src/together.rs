@@ -169,15 +169,8 @@ impl Coupled<'_, '_> {
                 }
             }
         };
-        match (led.len(), self.searches, here, moves) {
-            (1, [search], [trial], [moves]) => {
-                led.into_iter().map(|led| open(((search, trial), (led, moves)))).collect()
-            }
-            _ => {
-                let films = self.searches.par_iter().zip(here).zip(led.into_par_iter().zip(moves));
-                films.map(open).collect()
-            }
-        }
+        let films = self.searches.par_iter().zip(here).zip(led.into_par_iter().zip(moves));
+        films.map(open).collect()
     }
 }
 
@@ -218,7 +211,7 @@ impl Response {
     pub(crate) fn moves(&self, place: Vector) -> Moves {
         let moves = self.by_place.iter().zip(place);
         let moves = moves.fold(self.closing.clone(), |sum, (moves, part)| sum.plus(part, moves));
-        Moves { place, ..moves }
+        Moves { place, products: self.closing.products, ..moves }
     }
 }
 
