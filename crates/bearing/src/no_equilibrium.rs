@@ -5,9 +5,6 @@ use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
-/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by
-/// a finer mesh.
-pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
 /// A film that carries less than what is asked by more than so many times its error does not carry it.
 pub(crate) const DISTINCT: f64 = 2.0;
 /// A film whose force is nowhere this part of the load carries none.
@@ -16,11 +13,6 @@ pub(crate) const AT_REST: f64 = 1e-3;
 /// What stopped a search that found no balance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SearchEnd {
-    /// The film carries too little in contact, all around the bearing.
-    #[error(
-        "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load"
-    )]
-    FarBelow,
     /// No pressure balances the load.
     #[error("the load points out of the shell, and the film only pushes")]
     OutOfShell,
@@ -38,16 +30,16 @@ pub enum SearchEnd {
     Ended,
 }
 
-/// A balance on the way from that of the force alone to that of the moment.
+/// A balance on a branch, at which a search on another mesh begins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waypoint {
     /// The journal.
     pub(crate) journal: JournalState,
     /// The deflection of a wall that gives way.
     pub(crate) deflection: Option<Deflection>,
-    /// The part of the way [1].
+    /// The part of the branch [1].
     pub(crate) part: f64,
-    /// Forces of the film less the load at the beginning of the way [N], in the coordinates of the search.
+    /// Forces of the film less the load at the beginning of the branch [N], in the coordinates of the search.
     pub(crate) first: Vector,
 }
 
@@ -56,6 +48,42 @@ impl Waypoint {
     pub fn is_bent(&self) -> bool {
         self.deflection.is_some()
     }
+}
+
+/// What ends a branch before all is balanced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BranchLimit {
+    /// The journal touches the liner.
+    Contact,
+    /// The part that is balanced has a greatest value.
+    Fold,
+}
+
+/// The end of a branch of balances along which the load or, where the tilt is free, what tilts the journal grows.
+#[derive(Debug, Clone)]
+pub struct BranchEnd {
+    /// What ends it.
+    pub limit: BranchLimit,
+    /// Whether the tilt is free.
+    pub is_tilting: bool,
+    /// The load [N], and its direction [deg].
+    pub asked: [f64; 2],
+    /// Part of the load, or of what tilts the journal, that is balanced there [1].
+    pub carried: f64,
+    /// Its error at most [1]. None where it is not known: the branch may lead on, on this mesh or another.
+    pub error: Option<f64>,
+    /// Axial position of the thinnest film [m].
+    pub z: f64,
+    /// Where it is around the bearing [deg].
+    pub angle: f64,
+    /// Thickness of the film there [m].
+    pub thickness: f64,
+    /// Eccentricity ratio.
+    pub eccentricity: f64,
+    /// The journal there.
+    pub journal: JournalState,
+    /// Where another mesh takes up the branch.
+    pub way: Option<Waypoint>,
 }
 
 /// Why no position was found.
@@ -86,71 +114,9 @@ pub enum NoEquilibrium {
         /// What stopped the search.
         why: SearchEnd,
     },
-    /// The load exceeds what the film carries at the greatest eccentricity at which a position is sought.
-    #[error(
-        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {eccentricity:.4}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much",
-        readable(*asked), readable(*thickness), readable(*greatest), readable(*ratio)
-    )]
-    BeyondCapacity {
-        /// The load [N].
-        asked: f64,
-        /// Its direction [deg].
-        towards: f64,
-        /// What the film carries there [N].
-        greatest: f64,
-        /// The load over that.
-        ratio: f64,
-        /// The greatest eccentricity in that direction.
-        eccentricity: f64,
-        /// Least film thickness there [m].
-        thickness: f64,
-        /// The journal there.
-        journal: Box<JournalState>,
-    },
-    /// The journal comes into contact with the liner at an end before the film carries the moment.
-    #[error(
-        "no position and tilt that a growing moment leads to carry {} N and its moment: the journal {} the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} of the moment",
-        readable(*asked), met((*carried, *error)), readable(1e3 * end), readable(*thickness), told((*carried, *error), 1.0)
-    )]
-    EdgeContact {
-        /// The load [N].
-        asked: f64,
-        /// Part of what tilts the journal that was balanced [1].
-        carried: f64,
-        /// Its error at most [1]. None where it is not known: the branch may lead on, on this mesh or another.
-        error: Option<f64>,
-        /// Axial position of the end [m].
-        end: f64,
-        /// Where around the bearing [deg].
-        angle: f64,
-        /// Least film thickness reached [m].
-        thickness: f64,
-        /// The journal there.
-        journal: Box<JournalState>,
-        /// Where a finer mesh takes up the way there, if it was followed.
-        way: Option<Box<Waypoint>>,
-    },
-    /// The film resists tilt no more before it carries the moment.
-    #[error(
-        "no position and tilt that a growing moment leads to carry {} N and its moment: on that way the film carries at most {} of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
-        readable(*asked), told((*carried, *error), 10.0), readable(1e3 * tilt), readable(*thickness)
-    )]
-    TiltLimit {
-        /// The load [N].
-        asked: f64,
-        /// Greatest part of what tilts the journal that is balanced [1].
-        carried: f64,
-        /// Its error at most [1]. None where it is not known: the branch may return, on this mesh or another.
-        error: Option<f64>,
-        /// Least film thickness there [m].
-        thickness: f64,
-        /// Slope of the journal's axis there [rad].
-        tilt: f64,
-        /// The journal there.
-        journal: Box<JournalState>,
-        /// Where a finer mesh takes up the way there.
-        way: Option<Box<Waypoint>>,
-    },
+    /// A branch of balances ends before the film carries the load and what tilts the journal.
+    #[error("{0}")]
+    Branch(Box<BranchEnd>),
     /// The load is too small for the film's force to be distinguished from round-off.
     #[error(
         "not converged: the load of {} N is below the round-off of the film's force, about {} N",
@@ -204,14 +170,6 @@ fn percent(part: f64, steps: f64) -> f64 {
     rounded / steps
 }
 
-/// How far a branch near an end was followed: into contact, or to a film from which no step was found to lead on.
-fn met((carried, error): (f64, Option<f64>)) -> &'static str {
-    match error.is_some() || carried >= 1.0 {
-        true => "comes into contact with",
-        false => "comes near",
-    }
-}
-
 /// A part that is carried, and its error on the mesh where that is known and leaves open whether all is carried.
 fn told((carried, error): (f64, Option<f64>), steps: f64) -> String {
     let percent = readable(percent(carried, steps));
@@ -223,72 +181,94 @@ fn told((carried, error): (f64, Option<f64>), steps: f64) -> String {
     }
 }
 
+impl std::fmt::Display for BranchEnd {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { asked: [asked, towards], carried, error, thickness, eccentricity, angle, .. } = *self;
+        let (load, film) = (readable(asked), readable(thickness));
+        let [z, slope] = [self.z, self.journal.tilt[0].hypot(self.journal.tilt[1])].map(|x| readable(1e3 * x));
+        match (self.is_tilting, self.limit) {
+            (false, _) if carried >= 1.0 => write!(
+                f,
+                "no position of the journal carries {load} N towards {towards:.1} deg: the film that carries it is {film} m thin, at eccentricity {eccentricity:.4}, and the journal touches the liner"
+            ),
+            (false, _) => write!(
+                f,
+                "no position of the journal carries {load} N towards {towards:.1} deg: at eccentricity {eccentricity:.4}, where the film is {film} m thin, it carries {} N that way, and the load is {} times as much",
+                readable(carried * asked),
+                readable(1.0 / carried)
+            ),
+            (true, BranchLimit::Contact) => {
+                // A branch from which no step leads on ends before contact.
+                let met = if error.is_some() || carried >= 1.0 { "comes into contact with" } else { "comes near" };
+                let part = told((carried, error), 1.0);
+                write!(
+                    f,
+                    "no position and tilt that a growing moment leads to carry {load} N and its moment: the journal {met} the liner at its end z = {z} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {film} m, carries {part} of the moment"
+                )
+            }
+            (true, BranchLimit::Fold) => {
+                let part = told((carried, error), 10.0);
+                write!(
+                    f,
+                    "no position and tilt that a growing moment leads to carry {load} N and its moment: on that way the film carries at most {part} of what tilts the journal, at a slope of {slope} mrad with a least film of {film} m; tilted more it carries less, and the journal tips over"
+                )
+            }
+        }
+    }
+}
+
+impl BranchEnd {
+    /// True where a balance beyond this end is not excluded.
+    fn is_unreached(&self) -> bool {
+        // What carries all of it in contact has no thicker film.
+        self.carried < 1.0 && self.error.is_none_or(|error| self.carried + error >= 1.0)
+    }
+}
+
 impl NoEquilibrium {
     /// True if there may be a balance that was not found.
     pub fn is_unreached(&self) -> bool {
         match self {
             Self::Film(reason) => reason.is_unreached(),
-            Self::BeyondCapacity { .. } => false,
+            Self::Branch(end) => end.is_unreached(),
             Self::Unreachable { asked, nearest, why, .. } => {
-                !matches!(why, SearchEnd::FarBelow | SearchEnd::OutOfShell) && *nearest > AT_REST * asked
-            }
-            // What carries all of the moment in contact has no thicker film.
-            Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
-                *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)
+                *why != SearchEnd::OutOfShell && *nearest > AT_REST * asked
             }
             Self::BelowRounding { .. } | Self::NotConverged { .. } | Self::Ended { .. } => true,
         }
     }
 
-    /// True where the film of a journal in contact is the reason.
-    pub(crate) fn is_beyond(&self) -> bool {
+    /// The end of a branch that was followed.
+    pub fn branch_end(&self) -> Option<&BranchEnd> {
         match self {
-            Self::BeyondCapacity { .. } | Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
-            Self::Unreachable { why, .. } => *why == SearchEnd::FarBelow,
-            Self::Film(_) | Self::BelowRounding { .. } | Self::NotConverged { .. } | Self::Ended { .. } => false,
+            Self::Branch(end) => Some(end),
+            _ => None,
         }
     }
 
     /// True where the film carries so much less than the load, or than its moment, that a finer mesh shows no more.
     pub fn is_far_beyond(&self) -> bool {
-        match self {
-            Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
-                error.is_some_and(|error| carried + DISTINCT * error < 1.0)
-            }
-            // The thin film all along a parallel journal needs a fine mesh.
-            Self::BeyondCapacity { ratio, journal, .. } => journal.tilt != [0.0; 2] && FAR_BELOW * ratio > 1.0,
-            reason => matches!(reason, Self::Unreachable { why: SearchEnd::FarBelow, .. }),
-        }
+        let end = self.branch_end();
+        end.is_some_and(|end| end.error.is_some_and(|error| end.carried + DISTINCT * error < 1.0))
     }
 
-    /// True where the film of this mesh lacks no more of the moment than its error: a finer mesh may show a balance.
+    /// True where the film of this mesh lacks no more of the load, or of its moment, than its error: a finer mesh may
+    /// show a balance.
     pub fn is_undecided(&self) -> bool {
-        match self {
-            Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
-                error.is_some_and(|error| carried + error >= 1.0)
-            }
-            _ => false,
-        }
+        let end = self.branch_end();
+        end.is_some_and(|end| end.error.is_some_and(|error| end.carried + error >= 1.0))
     }
 
-    /// Where another mesh takes up the way of a growing moment, if that was followed.
+    /// Where another mesh takes up the branch, if one was followed.
     pub fn way(&self) -> Option<&Waypoint> {
-        match self {
-            Self::EdgeContact { way, .. } | Self::TiltLimit { way, .. } => way.as_deref(),
-            _ => None,
-        }
+        self.branch_end()?.way.as_ref()
     }
 
     /// Load less force of each position tried, relative to the load; empty where there was no search.
     pub fn history(&self) -> &[f64] {
         match self {
             Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
-            Self::Film(_)
-            | Self::BelowRounding { .. }
-            | Self::BeyondCapacity { .. }
-            | Self::EdgeContact { .. }
-            | Self::TiltLimit { .. }
-            | Self::Unreachable { .. } => &[],
+            Self::Film(_) | Self::BelowRounding { .. } | Self::Branch(_) | Self::Unreachable { .. } => &[],
         }
     }
 
@@ -296,33 +276,34 @@ impl NoEquilibrium {
     pub fn last_position(&self) -> Option<JournalState> {
         match self {
             Self::Film(_) | Self::BelowRounding { .. } => None,
-            Self::BeyondCapacity { journal, .. }
-            | Self::EdgeContact { journal, .. }
-            | Self::TiltLimit { journal, .. }
-            | Self::Unreachable { journal, .. }
-            | Self::NotConverged { journal, .. }
-            | Self::Ended { journal, .. } => Some(**journal),
+            Self::Branch(end) => Some(end.journal),
+            Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } | Self::Ended { journal, .. } => {
+                Some(**journal)
+            }
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{NoEquilibrium, SearchEnd, percent, told};
+    use super::{BranchEnd, BranchLimit, NoEquilibrium, SearchEnd, percent, told};
     use oilwedge_reynolds::JournalState;
 
     /// That the film in contact carries this part of a moment, with its error.
     fn edge_contact((carried, error): (f64, Option<f64>)) -> NoEquilibrium {
-        NoEquilibrium::EdgeContact {
-            asked: 1e3,
+        NoEquilibrium::Branch(Box::new(BranchEnd {
+            limit: BranchLimit::Contact,
+            is_tilting: true,
+            asked: [1e3, 0.0],
             carried,
             error,
-            end: 0.02,
+            z: 0.02,
             angle: 90.0,
             thickness: 1e-9,
-            journal: Box::new(JournalState::default()),
+            eccentricity: 0.9,
+            journal: JournalState::default(),
             way: None,
-        }
+        }))
     }
 
     /// That a search found no better position than one that carries `nearest` of 1000 N.
@@ -351,12 +332,9 @@ mod tests {
             let is_near = edge_contact(known).to_string().contains("comes near the liner");
             assert_eq!(is_near, known == (0.8, None), "{known:?}");
         }
-        for (nearest, why, is_unreached) in [
-            (500.0, SearchEnd::NoStep, true),
-            (0.0, SearchEnd::NoStep, false),
-            (500.0, SearchEnd::FarBelow, false),
-            (500.0, SearchEnd::OutOfShell, false),
-        ] {
+        for (nearest, why, is_unreached) in
+            [(500.0, SearchEnd::NoStep, true), (0.0, SearchEnd::NoStep, false), (500.0, SearchEnd::OutOfShell, false)]
+        {
             let reason = unreachable(nearest, why);
             assert_eq!(reason.is_unreached(), is_unreached, "{nearest} {why}");
         }

@@ -8,12 +8,10 @@ use crate::NoEquilibrium;
 use crate::no_equilibrium::{AT_REST, SearchEnd};
 use crate::search::{Nearest, Search, Trial};
 
+/// Loads below this part of the reference force are below the round-off of the film's force.
+const LEAST_LOAD: f64 = 1e-10;
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
 const LOST: f64 = 1e-7;
-/// A force within this factor of the load, at most, leaves open whether little is carried in contact.
-const NEARLY: f64 = 2.0;
-/// A force within this angle [rad] of the load leaves open whether little is carried in contact.
-const ASTRAY: f64 = 0.5;
 
 impl Search<'_> {
     /// The reason as far as it is known. A search that was ended, or found no better position, does not prove that
@@ -28,8 +26,6 @@ impl Search<'_> {
             NoEquilibrium::Unreachable { asked, nearest, journal, .. } if self.options.deadline.is_over() => {
                 NoEquilibrium::Ended { asked, nearest, journal, history: std::mem::take(&mut self.record().tried) }
             }
-            // What the film carries in contact all around is known, unless a force like the load was found on the way.
-            NoEquilibrium::Unreachable { why: SearchEnd::FarBelow, .. } if !self.found_alike() => reason,
             mut reason @ NoEquilibrium::Unreachable { .. } if self.points_out() => {
                 if let NoEquilibrium::Unreachable { why, .. } = &mut reason {
                     *why = SearchEnd::OutOfShell;
@@ -57,38 +53,28 @@ impl Search<'_> {
         self.only_pushes && opening(self.system, self.gap.bearing().radius, y.atan2(x)) > PI - ROUNDING
     }
 
-    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
-    fn found_alike(&self) -> bool {
-        self.record().nearest.is_some_and(|Nearest { force: [x, y], .. }| {
-            let [load_x, load_y] = self.load.force;
-            let ratio = x.hypot(y) / load_x.hypot(load_y);
-            let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
-            (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
-        })
-    }
-
     /// The reason with the nearest of all trials, where the search ended with this one.
     pub(crate) fn unreachable(&self, trial: &Trial, why: SearchEnd) -> NoEquilibrium {
-        self.unreachable_from(
-            Nearest { distance: self.distance(trial), force: trial.carried.force, journal: trial.film.problem.journal },
-            why,
-        )
-    }
-
-    /// As [`Self::unreachable`].
-    pub(crate) fn unreachable_from(&self, last: Nearest, why: SearchEnd) -> NoEquilibrium {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
-        let nearest = self.record().nearest.filter(|nearest| nearest.distance < last.distance);
-        let nearest = nearest.unwrap_or(last);
+        let (distance, journal) = (self.distance(trial), trial.film.problem.journal);
+        let last = Nearest { distance, force: trial.carried.force, journal };
+        let nearest = self.record().nearest.filter(|nearest| nearest.distance < distance).unwrap_or(last);
         NoEquilibrium::Unreachable {
             asked: self.load.magnitude(),
             towards: degrees(self.load.force),
             nearest: nearest.force[0].hypot(nearest.force[1]),
             nearest_towards: degrees(nearest.force),
             eccentricity: nearest.journal.eccentricity() / self.gap.bearing().clearance,
-            journal: Box::new(last.journal),
+            journal: Box::new(journal),
             why,
         }
+    }
+
+    /// The reason if the load is below the round-off of the film's force.
+    pub(crate) fn below_rounding(&self) -> Option<NoEquilibrium> {
+        let asked = self.load.magnitude();
+        let least = LEAST_LOAD * self.reference_force;
+        (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }
 }
 

@@ -6,12 +6,11 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use oilwedge_reynolds::contact::Fineness;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
-use oilwedge_reynolds::quantities::load::{Resultant, load_touching};
-use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
-use crate::deflection::{CLOSED, Left, closed_within};
+use crate::deflection::{CLOSED, Left};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
 use crate::time_terms::TimeTerms;
@@ -44,8 +43,6 @@ pub(crate) struct Search<'a> {
     pub(crate) time: Option<TimeTerms>,
     /// The viscosity law of the film that is found; trials saturate.
     pub(crate) law: PressureLaw,
-    /// True of a full Sommerfeld film.
-    pub(crate) bears_tension: bool,
     /// True of a film whose pressure is nowhere below that from which loads count.
     pub(crate) only_pushes: bool,
 }
@@ -158,7 +155,6 @@ impl<'a> Search<'a> {
             record: Mutex::default(),
             time: None,
             law: problem.lubricant.pressure_law.clone(),
-            bears_tension: problem.cavitation.bears_tension(),
             only_pushes: only_pushes(problem, system),
         }
     }
@@ -194,21 +190,6 @@ impl<'a> Search<'a> {
     /// Whether the journal of a trial is in contact; see [`is_contact`](crate::is_contact).
     pub(crate) fn is_in_contact(&self, trial: &Trial) -> bool {
         is_film_of_contact(self.least_film(trial), trial.film.problem.bearing.clearance)
-    }
-
-    /// The coordinates of the journal of a problem with its centre at `offset` [m].
-    pub(crate) fn at_offset(&self, problem: &FilmProblem, offset: [f64; 2]) -> Vector {
-        self.coordinates.at(&JournalState { offset, ..problem.journal })
-    }
-
-    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements, its wall
-    /// closed.
-    pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
-        let left = self.left_at_balance();
-        let placed = self.placed(problem, at).with_contact(self.fineness(left));
-        let (film, contact) = closed_within(placed, self.system, near, left)?;
-        let carried = load_touching(&film, contact.as_deref());
-        Ok(self.recorded(Trial { contact, ..Trial::of(film, carried.total.resultant()) }))
     }
 
     /// Part of a deflection that may be left where the load is balanced.

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    Equilibrium, Heated, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find,
-    find_after, is_contact,
+    BranchLimit, Equilibrium, Heated, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions,
+    Waypoint, find, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
@@ -205,13 +205,11 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     let way = way.filter(|way| way.is_bent()).cloned().map(Arc::new);
     let journal = match balance.as_ref() {
         Ok(Equilibrium { film, .. }) => in_unbent(&film.problem),
-        Err(
-            NoEquilibrium::BeyondCapacity { .. }
-            | NoEquilibrium::BelowRounding { .. }
-            | NoEquilibrium::TiltLimit { .. },
-        ) => return Suited::Unknown(way),
         // How much of a moment is carried near contact is shown by a mesh that resolves the thin film there.
-        Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&gap, journal, thin),
+        Err(NoEquilibrium::Branch(end)) if end.is_tilting && end.limit == BranchLimit::Contact => {
+            with_film(&gap, &end.journal, thin)
+        }
+        Err(NoEquilibrium::Branch(_) | NoEquilibrium::BelowRounding { .. }) => return Suited::Unknown(way),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
             (None, _) if film.problem.deflection().is_some() && !reason.is_far_beyond() => return Suited::Failed,
@@ -278,15 +276,10 @@ fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, N
     };
     let on_coarser = (film.system.coarser.as_ref())
         .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &of_coarser));
-    // The way into contact was followed there.
-    let is_followed =
-        |reason: &NoEquilibrium| matches!(reason, NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. });
     match on_coarser {
         Some(Ok(found)) => Ok(found),
-        Some(Err(reason)) if is_followed(&reason) => Err(reason),
-        Some(Err(reason)) if film.start == Start::Estimated => {
-            find_after(&film.problem, &film.system, load, &options, reason)
-        }
+        // The branch was followed there.
+        Some(Err(reason)) if reason.branch_end().is_some() => Err(reason),
         _ => find(&film.problem, &film.system, load, &options),
     }
 }

@@ -1,7 +1,7 @@
 //! Why a scene has no film, no position or no temperature, and the way out.
 
 use oilwedge_bearing::orbit::NoOrbit;
-use oilwedge_bearing::{NoEquilibrium, Waypoint};
+use oilwedge_bearing::{BranchLimit, NoEquilibrium, Waypoint};
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::existence::readable;
@@ -103,7 +103,7 @@ impl NoAnswer {
 
     /// True if the journal tips over.
     pub fn is_tilt_limit(&self) -> bool {
-        matches!(self, Self::Equilibrium(reason) if matches!(reason, NoEquilibrium::TiltLimit { .. }))
+        matches!(self, Self::Equilibrium(NoEquilibrium::Branch(end)) if end.limit == BranchLimit::Fold)
     }
 
     /// Where another mesh takes up the way of a growing moment, if that was followed.
@@ -266,13 +266,18 @@ fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
         NoEquilibrium::Unreachable { .. } => {
             Some("change the load, its angle, the tilt where one is given, or the pressure and place of feeds")
         }
-        NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
-        NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } if reason.is_unreached() => Some(
-            "a finer mesh ([mesh] size) may show that all is carried; or move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness",
-        ),
-        NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } => {
-            Some("move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness")
-        }
+        NoEquilibrium::Branch(end) => Some(match (end.is_tilting, reason.is_unreached()) {
+            (false, false) => "lower the load, or raise speed, viscosity or size",
+            (false, true) => {
+                "a finer mesh ([mesh] size) may show that all is carried; or lower the load, or raise speed, viscosity or size"
+            }
+            (true, true) => {
+                "a finer mesh ([mesh] size) may show that all is carried; or move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness"
+            }
+            (true, false) => {
+                "move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness"
+            }
+        }),
         NoEquilibrium::BelowRounding { .. } => Some("give no load (0 N), or a larger one"),
         NoEquilibrium::NotConverged { .. } => {
             Some("give another mesh ([mesh] size), or solve at a given position to see the film")

@@ -5,11 +5,12 @@ mod commands;
 use std::error::Error;
 use std::process::ExitCode;
 
-use commands::{accuracy, house, orbits, performance, prices, shafts, tilted, validation};
+use commands::{accuracy, compare, house, orbits, performance, prices, shafts, tilted, validation};
 
 /// What each command is for; the head of its file in `src/commands` tells its arguments.
-const COMMANDS: [(&str, &str); 8] = [
+const COMMANDS: [(&str, &str); 9] = [
     ("accuracy", "how often error bars hold: docs/validation/accuracy.md"),
+    ("compare", "what differs between two programs: scenes, engines, random bearings"),
     ("house", "files that know an effect, circles of imports, sizes of the crates"),
     ("orbits", "bars of random orbits"),
     ("performance", "times: docs/performance.md; `performance gate` counts instructions"),
@@ -26,6 +27,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     };
     match command.as_str() {
         "accuracy" => accuracy::run(arguments)?,
+        "compare" => compare::run(arguments)?,
         "house" => house::run(arguments),
         "orbits" => orbits::run(arguments),
         "performance" => return Ok(performance::run(arguments)?),

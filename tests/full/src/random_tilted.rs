@@ -27,6 +27,8 @@ pub enum Tilting {
     Given,
     /// The tilt is given, the position found.
     Held,
+    /// The journal is parallel to the bearing, its position found.
+    Parallel,
     /// A load off the middle, or a moment, tilts it.
     Free,
     /// The journal tilts against a support.
@@ -50,10 +52,21 @@ impl TiltedBearing {
     /// The bearing of that number.
     pub fn new(number: u64) -> Self {
         let mut dice = Dice::new(7_000_000 + number);
+        Self::drawn(number, &mut dice, |dice| {
+            [Tilting::Given, Tilting::Held, Tilting::Free, Tilting::Free, Tilting::Supported]
+                [(dice.between(0.0, 4.999)) as usize]
+        })
+    }
+
+    /// The bearing of that number whose journal is parallel to it under a load.
+    pub fn under_load(number: u64) -> Self {
+        Self::drawn(number, &mut Dice::new(21_000_000 + number), |_| Tilting::Parallel)
+    }
+
+    fn drawn(number: u64, dice: &mut Dice, tilting: impl Fn(&mut Dice) -> Tilting) -> Self {
         let length = 2.0 * RADIUS * dice.decades(0.25f64.log10(), 1.2f64.log10());
         let model = ["none", "guembel", "reynolds", "reynolds", "jfo"][(dice.between(0.0, 4.999)) as usize];
-        let tilting = [Tilting::Given, Tilting::Held, Tilting::Free, Tilting::Free, Tilting::Supported]
-            [(dice.between(0.0, 4.999)) as usize];
+        let tilting = tilting(dice);
         let minimum = dice.between(-PI, PI);
         let speed = if dice.chance(0.5) { SPEED } else { -SPEED };
         let mut text = format!(
@@ -67,8 +80,8 @@ impl TiltedBearing {
             text,
             "[oil]\nviscosity = \"{VISCOSITY} Pa.s\"\n[cavitation]\nmodel = \"{model}\"\n[journal]\nspeed = \"{speed} rad/s\""
         );
-        journal(&mut text, &mut dice, tilting, length, minimum);
-        feeds(&mut text, &mut dice, length, minimum);
+        journal(&mut text, dice, tilting, length, minimum);
+        feeds(&mut text, dice, length, minimum);
         if model == "jfo" && !text.contains("[[feed]]") && !text.contains("film_start") {
             // Something must supply a film that conserves its oil.
             let _ = writeln!(text, "[ends]\npressure = \"{} Pa\"", 1e-3 * PRESSURE_UNIT);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
+use oilwedge_bearing::{BranchEnd, Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
 use oilwedge_reynolds::levels::Layout;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
@@ -136,8 +136,9 @@ fn the_tilt_follows_the_place_of_the_load() {
     assert!((0..2).all(|d| (up[d] + down[d]).abs() < 1e-8 * unit) && up[0].hypot(up[1]) > 0.05 * unit);
     // Beyond what the film can carry the end that touches is named.
     match at(0.025) {
-        Err(NoEquilibrium::EdgeContact { end, carried, thickness, .. }) => {
-            assert!(end == 0.5 * LENGTH && carried < 0.99 && thickness < 0.05 * CLEARANCE, "{carried} {thickness:e}");
+        Err(NoEquilibrium::Branch(end)) => {
+            let BranchEnd { z, carried, thickness, .. } = *end;
+            assert!(z == 0.5 * LENGTH && carried < 0.99 && thickness < 0.05 * CLEARANCE, "{carried} {thickness:e}");
         }
         other => panic!("{other:?}"),
     }
@@ -155,9 +156,7 @@ fn refused(problem: &FilmProblem, system: &Arc<FilmSystem>) -> (f64, f64, bool) 
     let reason = reason.expect_err("a moment that no film carries");
     let is_last = reason.is_far_beyond();
     match reason {
-        NoEquilibrium::EdgeContact { carried, error, .. } | NoEquilibrium::TiltLimit { carried, error, .. } => {
-            (carried, error.expect("a film to compare with"), is_last)
-        }
+        NoEquilibrium::Branch(end) => (end.carried, end.error.expect("a film to compare with"), is_last),
         other => panic!("{other}"),
     }
 }

@@ -1,6 +1,7 @@
 //! One file a command.
 
 pub(crate) mod accuracy;
+pub(crate) mod compare;
 pub(crate) mod house;
 pub(crate) mod orbits;
 pub(crate) mod performance;

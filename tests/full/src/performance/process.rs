@@ -51,6 +51,15 @@ pub fn sweep(program: &Path, scene: &Path, threads: usize) -> Spent {
     Spent { cpu: (ended.rusage.utime + ended.rusage.stime).as_secs_f64(), wall: start.elapsed().as_secs_f64() }
 }
 
+/// Processor time [s] of a program that may fail; what it prints is dropped.
+///
+/// # Errors
+/// The program does not start.
+pub fn processor_time(mut command: Command) -> std::io::Result<f64> {
+    let ended = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn()?.wait4()?;
+    Ok((ended.rusage.utime + ended.rusage.stime).as_secs_f64())
+}
+
 /// The command of [`run`].
 pub fn command(program: &Path, scene: &Path, threads: usize, bars: bool) -> Command {
     let mut command = Command::new(program);

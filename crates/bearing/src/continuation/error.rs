@@ -12,9 +12,12 @@
 //! their error is m over R_0.
 //! **Verified by** `tests/tests/tilt/balance.rs`: finer meshes.
 
+use oilwedge_reynolds::SolvedFilm;
+use oilwedge_reynolds::quantities::load::load;
+
 use super::{Branch, FOLLOWED, Point};
 use crate::Purpose;
-use crate::coordinates::{Vector, length};
+use crate::coordinates::{Vector, length, moved};
 use crate::deflection::Moves;
 use crate::search::Trial;
 
@@ -28,16 +31,18 @@ const OF_FORCES: f64 = 5.0;
 const STEP: f64 = 1e-3;
 
 impl Branch<'_, '_> {
-    /// Part of what tilts the journal that is balanced at this part of the branch [1]: at its beginning the film may
-    /// carry some of the moment already.
+    /// Part of what grows that is balanced at this part of the branch [1]: at its beginning the film may carry some of
+    /// it already.
     pub(super) fn carried(&self, part: f64) -> f64 {
-        let tilting = |[_, _, x, y]: Vector| x.hypot(y);
-        let (asked, left) = (tilting(self.search.asked()), (1.0 - part) * tilting(self.first));
+        let growing = |[x, y, z_x, z_y]: Vector| match self.search.load.tilting {
+            Some(_) => z_x.hypot(z_y),
+            None => x.hypot(y),
+        };
+        let (asked, left) = (growing(self.search.asked()), (1.0 - part) * growing(self.first));
         if asked > 0.0 { 1.0 - left / asked } else { part }
     }
 
-    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the
-    /// same wall; no error where there is none, of a mass-conserving film before contact, and in a search whose reason
+    /// The part of what grows that is balanced at a point, and its error at most, by another film under the same wall; no error where there is none, of a mass-conserving film before contact, and in a search whose reason
     /// is a start at most.
     pub(super) fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
         let (search, Trial { film, .. }) = (self.search, &at.trial);
@@ -45,7 +50,7 @@ impl Branch<'_, '_> {
         let conserves_oil = film.problem.cavitation.conserves_oil();
         let is_known = !conserves_oil || search.is_in_contact(&at.trial);
         let missed = match search.options.purpose {
-            Purpose::Answer | Purpose::Branch if is_known => search.missed(film),
+            Purpose::Answer | Purpose::Branch if is_known => self.missed(film),
             Purpose::Start | Purpose::Answer | Purpose::Branch => None,
         };
         let part = |missed: Vector| match conserves_oil {
@@ -54,6 +59,22 @@ impl Branch<'_, '_> {
         };
         let error = |missed| self.carried(at.part + part(missed)) - carried;
         (carried, missed.map(error).filter(|error| error.is_finite()))
+    }
+
+    /// By how much forces [N] of another film under the same wall differ from those of a film: the one in cubic
+    /// elements or, of a film that conserves oil, the one on the coarser mesh, which is further from the limit of fine
+    /// meshes. None where there is no such film.
+    fn missed(&self, film: &SolvedFilm) -> Option<Vector> {
+        let search = self.search;
+        let other = match film.problem.cavitation.conserves_oil() {
+            false => film.cubic_film(None).ok()?,
+            true => {
+                let coarser = search.system.coarser.as_ref()?;
+                coarser.problem(&film.problem).solve(&coarser.system).ok()?
+            }
+        };
+        let [other, of_film] = [&other, film].map(|film| search.coordinates.forces(&load(film).total.resultant()));
+        Some(moved(other, -1.0, of_film))
     }
 
     /// By how much the part at a point differs for a film whose forces differ by `missed` [N] [1].

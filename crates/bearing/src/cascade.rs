@@ -10,19 +10,11 @@ use crate::balance::Balance;
 use crate::coupled::FilmSolve;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
-use crate::estimate::GREATEST_ECCENTRICITY;
-use crate::load_capacity::yields_to_contact;
 use crate::newton::{Damping, Goal, ROUNDING, Unbalanced};
-use crate::no_equilibrium::SearchEnd;
+use crate::no_equilibrium::{BranchLimit, SearchEnd};
 use crate::search::{Search, Trial};
 use crate::work::Work;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
-
-/// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a
-/// coarser mesh is to be a start.
-const RESOLVED: f64 = 0.99;
-/// A failed search whose film is thinner than this part of the clearance was driven into contact.
-const NEARLY_CONTACT: f64 = 1e-2;
 
 /// Finds the position, and the tilt where that is free, in which the film carries `load`, searched from that of
 /// `problem`. Where the deadline passes before, the position reached is the answer.
@@ -68,22 +60,6 @@ fn by_carrier<'a>(problem: &FilmProblem, new_search: impl Fn() -> Search<'a>) ->
     }
 }
 
-/// Finds the position as [`find`] does from a cold start with quadratic elements, where the coarser mesh of the system
-/// is known to have no balance, for this `reason`.
-///
-/// # Errors
-/// [`NoEquilibrium`]: the reason why there is none.
-pub fn find_after(
-    problem: &FilmProblem,
-    system: &Arc<FilmSystem>,
-    load: impl Into<Load>,
-    options: &SearchOptions,
-    reason: NoEquilibrium,
-) -> Result<Equilibrium, NoEquilibrium> {
-    let search = Search::new(problem, system, load.into(), *options);
-    search.equilibrium(search.cold_after(problem, Some(reason))?)
-}
-
 impl Search<'_> {
     /// The balance of the film in quadratic elements, searched as the options have it.
     pub(crate) fn found(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
@@ -95,7 +71,9 @@ impl Search<'_> {
             },
             InitialGuess::Along(way) => match self.continued(problem, way) {
                 // A way that ends without a reason is followed anew.
-                Some(Err(reason)) if !reason.is_beyond() && !self.options.deadline.is_over() => self.cold(problem),
+                Some(Err(reason)) if reason.branch_end().is_none() && !self.options.deadline.is_over() => {
+                    self.cold(problem)
+                }
                 Some(outcome) => self.inside(outcome, Some(way)),
                 None => self.cold(problem),
             },
@@ -105,51 +83,31 @@ impl Search<'_> {
 
     /// Balances the load from coarser meshes on.
     fn cold(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
-        self.cold_after(problem, None)
+        if self.coordinates.order > 0
+            && let Some(reason) = self.below_rounding()
+        {
+            return Err(reason);
+        }
+        self.inside(self.on_levels(problem), None)
     }
 
-    /// As [`Self::cold`]; `known` is why the coarser mesh has no balance, where that was asked.
-    fn cold_after(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Balance, NoEquilibrium> {
-        if self.coordinates.order == 0 {
-            return self.on_levels(problem, known);
-        }
-        self.below_rounding().map_or(Ok(()), Err)?;
-        let found = self.check_capacity(problem).map_or_else(|| self.on_levels(problem, known), Err);
-        let found = self.inside(found, None)?;
-        match self.is_in_contact(&found.trial) {
-            true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
-            false => Ok(found),
-        }
-    }
-
-    /// An outcome; that the journal is in contact where a free tilt has led it there, on the `way` that another mesh
-    /// has shown.
+    /// An outcome; that the journal is in contact where it is, with the `way` there that another mesh has shown.
     fn inside(
         &self,
         outcome: Result<Balance, NoEquilibrium>,
         way: Option<&Waypoint>,
     ) -> Result<Balance, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
-        match self.load.tilting.is_some() && self.is_in_contact(&found.trial) {
-            true => Err(self.in_contact(&found.trial.film.problem, (1.0, None), way.cloned())),
+        match self.coordinates.order > 0 && self.is_in_contact(&found.trial) {
+            true => Err(self.branch_end(&found.trial.film.problem, BranchLimit::Contact, (1.0, None), way.cloned())),
             false => Ok(found),
         }
     }
 
-    /// The reason where the search begins at the greatest eccentricity and the load exceeds the capacity there.
-    fn check_capacity(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
-        let bearing = &problem.bearing;
-        let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
-        // What the film carries at this tilt is no limit where the tilt is free.
-        let is_limit = self.load.tilting.is_none();
-        let begins_at_contact = is_limit && bearing.clearance - self.least_under(problem, &problem.journal) > nearly;
-        begins_at_contact.then(|| self.beyond_capacity(problem, &problem.journal)).flatten()
-    }
-
-    /// Balances the load from its balance on coarser meshes, if the system has any; `known` is why they have none.
-    fn on_levels(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Balance, NoEquilibrium> {
+    /// Balances the load from its balance on coarser meshes, if the system has any.
+    fn on_levels(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         let Some(coarser) = &self.system.coarser else {
-            return self.everywhere(problem);
+            return self.anywhere(problem);
         };
         let rough = SearchOptions {
             accuracy: Some(ROUGHLY_BALANCED),
@@ -158,52 +116,20 @@ impl Search<'_> {
             purpose: self.options.purpose.on_coarser(),
             ..self.options
         };
-        let on_coarser = || {
-            let problem = coarser.problem(problem);
-            let search = Search::new(&problem, &coarser.system, self.load, rough);
-            let search = Search { coordinates: self.coordinates, ..search };
-            let found = search.found(&problem);
-            self.record().row = search.record().row;
-            self.spend(Work { films: search.record().work.films, ..Work::default() });
-            found
-        };
-        let reason = match known.map_or_else(on_coarser, Err) {
-            Ok(found) => return self.prolonged(problem, &found.trial),
-            Err(reason) => reason,
-        };
-        if let NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } =
-            &reason
-        {
+        let on_coarser = coarser.problem(problem);
+        let search = Search::new(&on_coarser, &coarser.system, self.load, rough);
+        let search = Search { coordinates: self.coordinates, ..search };
+        let found = search.found(&on_coarser);
+        self.record().row = search.record().row;
+        self.spend(Work { films: search.record().work.films, ..Work::default() });
+        match found {
+            Ok(found) => self.prolonged(problem, &found.trial),
             // What a thin film carries is shown by a mesh that resolves it.
-            return self.taken_up(problem, way).map_err(|reason| self.confirmed(reason));
+            Err(reason) => match reason.way() {
+                Some(way) => self.taken_up(problem, way),
+                None => self.anywhere(problem),
+            },
         }
-        if let NoEquilibrium::BeyondCapacity { journal, .. } = &reason
-            && let Some(beyond) = self.still_beyond(problem, journal)
-        {
-            return Err(beyond);
-        }
-        if matches!(reason, NoEquilibrium::Unreachable { why: SearchEnd::FarBelow, .. }) {
-            return Err(reason);
-        }
-        // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin
-        // for it.
-        let is_resolved = |journal: &JournalState| {
-            let bearing = &problem.bearing;
-            bearing.clearance - self.gap.least(journal) < RESOLVED * bearing.clearance
-        };
-        let outcome = self.run(problem, problem.journal);
-        let outcome = match reason.last_position().filter(is_resolved) {
-            _ if outcome.is_err() && self.load.tilting.is_some() => self.by_parts_of_tilting(problem),
-            Some(start) if outcome.is_err() => self.run(problem, start),
-            _ => outcome,
-        };
-        // A mass-conserving film takes long at so many contacts; the search for its guide has asked there.
-        let is_held = self.load.tilting.is_none() && problem.journal.tilt != [0.0; 2];
-        let is_asked = is_held && !problem.cavitation.conserves_oil() && self.options.purpose != Purpose::Branch;
-        outcome.map_err(|reason| match is_asked {
-            true => self.beyond_contact(problem).unwrap_or(reason),
-            false => reason,
-        })
     }
 
     /// Balances the load from its balance on the coarser mesh.
@@ -288,32 +214,19 @@ impl Search<'_> {
         }
     }
 
-    /// The balance from the start of `problem` on the coarsest mesh. Where there is none near it, the load of walls
-    /// that touch is raised in parts; a free tilt begins at the balance of the force alone.
-    fn everywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+    /// The balance from the start of a problem; where there is none near it, that at the end of a branch.
+    fn anywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         if self.load.tilting.is_some() {
-            return self.by_parts_of_tilting(problem).map_err(|reason| self.confirmed(reason));
+            return self.along_branch(problem);
         }
-        let mut outcome = self.run(problem, problem.journal);
-        if yields_to_contact(problem) {
-            outcome = outcome.or_else(|reason| self.by_parts_of_load(problem).map_err(|_| reason));
+        let outcome = self.run(problem, problem.journal);
+        let is_found = outcome.as_ref().is_ok_and(|found| !self.is_in_contact(&found.trial));
+        if is_found || self.coordinates.order == 0 || self.options.purpose == Purpose::Branch {
+            return outcome;
         }
-        if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome
-            && self.options.purpose != Purpose::Branch
-        {
-            // A search that was driven into contact: what the film carries there shows whether there is a position
-            // elsewhere.
-            let is_driven = self.gap.least(journal) < NEARLY_CONTACT * problem.bearing.clearance;
-            let is_tilted = problem.journal.tilt != [0.0; 2];
-            // A tilted film may point towards the load at several contacts: the best of them counts.
-            let beyond = match is_tilted {
-                true => self.beyond_contact(problem),
-                false => is_driven.then(|| self.beyond_capacity(problem, journal)).flatten(),
-            };
-            if let Some(beyond) = beyond {
-                return Err(beyond);
-            }
+        match self.along_branch(problem) {
+            Err(reason) if reason.branch_end().is_none() => outcome,
+            followed => followed,
         }
-        outcome.map_err(|reason| self.confirmed(reason))
     }
 }

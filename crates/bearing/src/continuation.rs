@@ -1,13 +1,13 @@
-//! The balance of a moment that no start leads to at once: a branch of balances is followed, around its folds too. It
-//! begins with the balance of the force alone, or with the balance of the film that guides the search.
+//! # Continuation: a balance that no start leads to at once, along a branch of balances and around its folds
 //!
-//! **Equation.** With the difference R of forces and load and the first position x_0, `R(x) = (1 - part) R(x_0)`: x_0
-//! at `part = 0`, the balance asked for at `part = 1`. Where a film resists tilt no more, the part has a greatest value
-//! and falls beyond it. So steps are taken along the length of the branch, in clearances and parts, and corrected
-//! across it.
+//! **Equation.** With the difference R of forces and load and the first balance x_0 of the branch,
+//! `R(x) = (1 - part) R(x_0)`: x_0 at `part = 0`, the balance of the load at `part = 1`. Where the tilt is free, x_0
+//! balances the force alone, and the moment grows along the branch; where it is given, x_0 balances a part of the load,
+//! and the load grows. Where a film resists no more, the part has a greatest value and falls beyond it. So steps are
+//! taken along the length of the branch, in clearances and parts, and corrected across it.
 //!
 //! **Source.** Keller, in: Applications of Bifurcation Theory, Academic Press (1977) 359 (continuation by arc length).
-//! **Verified by** `tests/tests/tilt/balance.rs`.
+//! **Verified by** `tests/tests/tilt/balance.rs`, `tests/tests/equilibrium.rs`.
 
 mod error;
 
@@ -21,9 +21,16 @@ use crate::coordinates::{Vector, length, moved};
 use crate::coupled::{FilmSolve, Tangents};
 use crate::deflection::Moves;
 use crate::equilibrium::ROUGHLY_BALANCED;
-use crate::no_equilibrium::{SearchEnd, Waypoint};
+use crate::no_equilibrium::{BranchEnd, BranchLimit, SearchEnd, Waypoint};
 use crate::search::{Search, Trial};
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
+
+/// A branch of a growing load begins at this part of the load at most, and is sought at parts this much smaller.
+const LIGHTER: f64 = 0.5;
+/// Parts of a load at which such a beginning is sought, at most.
+const MOST_LIGHTER: usize = 6;
+/// The film of a journal halfway to its start shows which part of the load that may be.
+const HALFWAY: f64 = 0.5;
 
 /// First step along the branch.
 const FIRST: f64 = 0.25;
@@ -81,43 +88,69 @@ struct Branch<'a, 'b> {
 }
 
 impl Search<'_> {
-    /// Balances the force alone, and from there the moment. Where that leads nowhere, the branch of a growing moment is
-    /// followed.
-    pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
-        let straight = Load { tilting: None, ..self.load };
-        let options = SearchOptions {
+    /// Balances what grows along a branch from its beginning: the moment where the tilt is free, else the load.
+    pub(crate) fn along_branch(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        match self.load.tilting {
+            Some(_) => self.by_growing_moment(problem),
+            None => self.by_growing_load(problem),
+        }
+    }
+
+    /// How balances that a branch begins with are searched.
+    fn roughly(&self) -> SearchOptions<'_> {
+        SearchOptions {
             guess: InitialGuess::Cold,
             carrier: Carrier::Quadratic,
             accuracy: Some(ROUGHLY_BALANCED),
             ..self.options
-        };
+        }
+    }
+
+    /// Balances the force alone, and from there the moment. Where that leads nowhere, the branch of a growing moment is
+    /// followed.
+    fn by_growing_moment(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        let straight = Load { tilting: None, ..self.load };
         let straightened = |problem: &FilmProblem, purpose: Purpose| {
-            let options = SearchOptions { purpose, ..options };
+            let options = SearchOptions { purpose, ..self.roughly() };
             Search::new(problem, self.system, straight, options).found(problem)
         };
         let mut parallel = problem.clone();
         parallel.journal.tilt = [0.0; 2];
         let found = match problem.journal.tilt {
-            [0.0, 0.0] => straightened(problem, options.purpose),
+            [0.0, 0.0] => straightened(problem, self.options.purpose),
             // What the film carries at one tilt is no limit where the tilt is free: a parallel journal carries more.
-            _ => straightened(problem, Purpose::Branch).or_else(|_| straightened(&parallel, options.purpose)),
+            _ => straightened(problem, Purpose::Branch).or_else(|_| straightened(&parallel, self.options.purpose)),
         }?;
         let FilmProblem { journal, .. } = found.trial.film.problem;
         let trial = self.recorded(found.trial);
         // Of several balances the one that a growing moment leads to is nearest to this start.
         match self.run(&trial.film.problem, journal) {
             Ok(found) if !self.is_in_contact(&found.trial) => Ok(found),
-            _ => self.along_branch(trial),
+            _ => self.from_trial(trial),
         }
     }
 
-    /// Follows the branch from the film with which a search begins: what it leaves of the load is balanced in parts.
-    pub(crate) fn by_parts_of_load(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
-        self.along_branch(self.first(problem, problem.journal)?)
+    /// Balances a part of the load, and follows the branch of a growing load from there.
+    fn by_growing_load(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        let half = self.coordinates.at(&problem.journal).map(|x| HALFWAY * x);
+        let start = FilmProblem { journal: self.coordinates.placed(&problem.journal, half), ..problem.clone() };
+        let [x, y] = self.first(&start, start.journal)?.carried.force;
+        let mut share = LIGHTER.min(x.hypot(y) / self.load.magnitude());
+        let mut outcome = Err(NoEquilibrium::BelowRounding { asked: 0.0, least: 0.0 });
+        for _ in 0..MOST_LIGHTER {
+            let lighter = Load::from(self.load.force.map(|force| share * force));
+            let search = Search::new(&start, self.system, lighter, self.roughly());
+            outcome = search.run(&start, start.journal);
+            match &outcome {
+                Ok(found) if !self.is_in_contact(&found.trial) => break,
+                _ => share *= LIGHTER,
+            }
+        }
+        self.from_trial(self.recorded(outcome?.trial))
     }
 
     /// Follows the branch that begins with this trial.
-    pub(crate) fn along_branch(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
+    fn from_trial(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
         let branch =
             Branch { search: self, first: self.excess(&trial), clearance: trial.film.problem.bearing.clearance };
         branch.followed(branch.point(trial, 0.0)?)
@@ -126,14 +159,8 @@ impl Search<'_> {
     /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that
     /// point.
     pub(crate) fn continued(&self, problem: &FilmProblem, way: &Waypoint) -> Option<Result<Balance, NoEquilibrium>> {
-        let options = SearchOptions {
-            guess: InitialGuess::Cold,
-            carrier: Carrier::Quadratic,
-            accuracy: Some(ROUGHLY_BALANCED),
-            ..self.options
-        };
         let load = self.load.with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
-        let search = Search::new(problem, self.system, load, options);
+        let search = Search::new(problem, self.system, load, self.roughly());
         let bent = problem.clone().deflected(way.deflection.as_ref());
         let found = search.run(&bent, way.journal).ok()?;
         let branch = Branch { search: self, first: way.first, clearance: problem.bearing.clearance };
@@ -143,28 +170,34 @@ impl Search<'_> {
     /// As [`Self::continued`]; where there is no balance near that point the branch is followed from its beginning.
     pub(crate) fn taken_up(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Balance, NoEquilibrium> {
         let outcome = self.continued(problem, way);
-        outcome.unwrap_or_else(|| self.by_parts_of_tilting(problem))
+        outcome.unwrap_or_else(|| self.along_branch(problem))
     }
 
-    /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is
-    /// balanced, with its error where that is known.
-    pub(crate) fn in_contact(
+    /// The reason that a branch ends with the film of a problem, at which this part of what grows is balanced.
+    pub(crate) fn branch_end(
         &self,
         problem: &FilmProblem,
+        limit: BranchLimit,
         (carried, error): (f64, Option<f64>),
         way: Option<Waypoint>,
     ) -> NoEquilibrium {
-        let place = self.gap_under(problem).thinnest(&problem.journal);
-        NoEquilibrium::EdgeContact {
-            asked: self.load.magnitude(),
+        let FilmProblem { journal, bearing, .. } = problem;
+        let place = self.gap_under(problem).thinnest(journal);
+        let [x, y] = self.load.force;
+        let degrees = |angle: f64| angle.to_degrees().rem_euclid(360.0);
+        NoEquilibrium::Branch(Box::new(BranchEnd {
+            limit,
+            is_tilting: self.load.tilting.is_some(),
+            asked: [self.load.magnitude(), degrees(y.atan2(x))],
             carried,
             error,
-            end: place.z,
-            angle: place.angle.to_degrees().rem_euclid(360.0),
+            z: place.z,
+            angle: degrees(place.angle),
             thickness: place.thickness,
-            journal: Box::new(problem.journal),
-            way: way.map(Box::new),
-        }
+            eccentricity: journal.eccentricity() / bearing.clearance,
+            journal: *journal,
+            way,
+        }))
     }
 }
 
@@ -195,7 +228,9 @@ impl Branch<'_, '_> {
             way = Some(along);
             let Some(next) = next else { break };
             match next {
-                Next::Contact(problem) => return Err(search.in_contact(&problem, (1.0, None), Some(waypoint))),
+                Next::Contact(problem) => {
+                    return Err(search.branch_end(&problem, BranchLimit::Contact, (1.0, None), Some(waypoint)));
+                }
                 Next::End(found) => return Ok(*found),
                 Next::Point(next) => here = Rc::from(next),
             }
@@ -243,20 +278,10 @@ impl Branch<'_, '_> {
         }
         match has_turned {
             true => {
-                let (carried, error) = carried(greatest);
-                let problem = &greatest.trial.film.problem;
-                NoEquilibrium::TiltLimit {
-                    asked: search.load.magnitude(),
-                    carried,
-                    error,
-                    thickness: search.least_under(problem, &problem.journal),
-                    tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
-                    journal: Box::new(problem.journal),
-                    way: Some(Box::new(waypoint)),
-                }
+                search.branch_end(&greatest.trial.film.problem, BranchLimit::Fold, carried(greatest), Some(waypoint))
             }
             false if self.gap(&here.trial) < NEAR_CONTACT => {
-                search.in_contact(&here.trial.film.problem, carried(here), Some(waypoint))
+                search.branch_end(&here.trial.film.problem, BranchLimit::Contact, carried(here), Some(waypoint))
             }
             false => NoEquilibrium::NotConverged {
                 asked: search.load.magnitude(),
