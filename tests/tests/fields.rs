@@ -1,6 +1,6 @@
 //! Fields of a film: what the numbers of the report are integrals of.
 
-use oilwedge_study::picture::{FieldValues, FilmPicture, Surface, picture};
+use oilwedge_study::picture::{FieldChoice, FieldValues, FilmPicture, PictureOptions, Surface, picture};
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::scenes::{Solved, solve, table, variant};
 
@@ -17,6 +17,11 @@ fn ring(model: &str, size: &str) -> Solved {
         table(scene, "mesh").insert("size".into(), size.into());
     });
     solve(&scene).expect("a film")
+}
+
+/// All fields on a surface.
+fn drawn_on(surface: Surface) -> PictureOptions {
+    PictureOptions { surface, fields: FieldChoice::All }
 }
 
 fn vectors<'a>(picture: &'a FilmPicture, name: &str) -> &'a [[f64; 3]] {
@@ -42,7 +47,7 @@ fn integral(picture: &FilmPicture, value: impl Fn(usize) -> f64) -> f64 {
 fn torques_are_integrals_of_the_stresses() {
     for (model, share) in [("none", 1e-4), ("guembel", 5e-3), ("reynolds", 2e-3), ("jfo", 5e-3)] {
         let film = ring(model, "3 mm");
-        let drawn = picture(&film.study, &film.film, None, Surface::Developed);
+        let drawn = picture(&film.study, &film.film, None, drawn_on(Surface::Developed));
         for (name, sign, quantity) in
             [(ON_JOURNAL, -1.0, "friction_torque"), (ON_BEARING, 1.0, "friction_torque_bearing")]
         {
@@ -58,7 +63,7 @@ fn torques_are_integrals_of_the_stresses() {
 #[test]
 fn side_flow_is_the_axial_flow_over_the_ends() {
     let film = ring("jfo", "2 mm");
-    let drawn = picture(&film.study, &film.film, None, Surface::Developed);
+    let drawn = picture(&film.study, &film.film, None, drawn_on(Surface::Developed));
     let flow = vectors(&drawn, FLOW);
     let mut out = 0.0;
     for cell in &drawn.cells {
@@ -79,7 +84,8 @@ fn side_flow_is_the_axial_flow_over_the_ends() {
 #[test]
 fn vectors_turn_with_the_cylinder() {
     let film = ring("reynolds", "6 mm");
-    let [plane, round] = [Surface::Developed, Surface::Cylinder].map(|it| picture(&film.study, &film.film, None, it));
+    let [plane, round] =
+        [Surface::Developed, Surface::Cylinder].map(|it| picture(&film.study, &film.film, None, drawn_on(it)));
     for name in [FLOW, ON_JOURNAL, ON_BEARING] {
         let sizes = |picture: &FilmPicture| {
             let size = |vector: &[f64; 3]| vector.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -107,7 +113,7 @@ fn vectors_turn_with_the_cylinder() {
 #[test]
 fn no_stress_under_a_feed() {
     let film = solve(&variant("13_grooved_ring", |_| {})).expect("a film");
-    let drawn = picture(&film.study, &film.film, None, Surface::Developed);
+    let drawn = picture(&film.study, &film.film, None, drawn_on(Surface::Developed));
     let stress = vectors(&drawn, ON_BEARING);
     let torque = film.quantity("friction_torque_bearing");
     let radius = film.study.problem.bearing.radius;

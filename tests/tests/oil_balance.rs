@@ -10,7 +10,7 @@ use oilwedge_scene::Scene;
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
 use oilwedge_study::measure::measure;
-use oilwedge_study::picture::{FieldValues, Surface, picture};
+use oilwedge_study::picture::{FieldValues, PictureOptions, Surface, picture};
 use oilwedge_study::warnings::warnings;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::journal_bearings::Ring;
@@ -285,7 +285,12 @@ fn fields_of_broken_films() {
     for (model, fields) in [("reynolds", 8), ("jfo", 9)] {
         let film = solved(&LINERS[2].scene(model, 3000.0, ""));
         let indicator = vec![0.5; film.study.system.space().mesh().triangles().len()];
-        let drawn = picture(&film.study, &film.film, Some(&indicator), Surface::Developed);
+        let drawn = picture(
+            &film.study,
+            &film.film,
+            Some(&indicator),
+            PictureOptions { surface: Surface::Developed, ..Default::default() },
+        );
         assert_eq!(
             (&*drawn.cell_data[0].name, drawn.cell_data[0].values.numbers()),
             ("error_indicator", &indicator[..])

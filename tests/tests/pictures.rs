@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use oilwedge_report::plot::{DrawnFilm, PlotOptions, film_figures};
-use oilwedge_report::vtu::{Compression, to_vtu};
+use oilwedge_report::vtu::{Compression, VtuForm, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_study::film_lines::{REFORMATION, RUPTURE};
-use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::picture::{FilmPicture, PictureOptions, Surface};
 use oilwedge_study::quantities::MIN_FILM_ANGLE;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
@@ -15,8 +15,12 @@ use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::variant;
 
-fn solved(name: &str, unrolled: bool) -> (RunResult, FilmPicture) {
-    let options = RunOptions { bars: false, unrolled, ..RunOptions::default() };
+fn solved(name: &str, surface: Surface) -> (RunResult, FilmPicture) {
+    let options = RunOptions {
+        bars: false,
+        picture: PictureOptions { surface, ..PictureOptions::default() },
+        ..RunOptions::default()
+    };
     let run = run(&variant(name, |_| {}), &options).expect("a film");
     (run.result, run.picture.expect("a picture"))
 }
@@ -38,7 +42,7 @@ fn letters(svg: &str) -> Vec<f64> {
 
 #[test]
 fn pictures_of_the_engine_bearing_are_small_and_readable() {
-    let (result, picture) = solved("17_engine_main_bearing", true);
+    let (result, picture) = solved("17_engine_main_bearing", Surface::Developed);
     for width in [85.0, 170.0] {
         let svgs = svgs(result.clone(), &picture, width);
         let names: BTreeSet<&str> = svgs.iter().map(|(name, _)| name.as_str()).collect();
@@ -56,11 +60,13 @@ fn pictures_of_the_engine_bearing_are_small_and_readable() {
 
 #[test]
 fn a_film_on_the_cylinder_and_from_its_file_gives_the_same_pictures() {
-    let (result, plane) = solved("02_flexpde_shell", true);
-    let (_, cylinder) = solved("02_flexpde_shell", false);
+    let (result, plane) = solved("02_flexpde_shell", Surface::Developed);
+    let (_, cylinder) = solved("02_flexpde_shell", Surface::Cylinder);
     let drawn = svgs(result.clone(), &plane, 170.0);
     assert_eq!(drawn, svgs(result.clone(), &plane, 170.0));
-    let read = from_vtu(&to_vtu(&plane, Compression::Lz4).expect("a file")).expect("the file");
+    let read =
+        from_vtu(&to_vtu(&plane, VtuForm { compression: Compression::Lz4, ..VtuForm::usual(&plane) }).expect("a file"))
+            .expect("the file");
     assert_eq!(read, plane);
     assert_eq!(drawn, svgs(result.clone(), &read, 170.0));
     // On the cylinder places are rounded otherwise: the same levels, and files of nearly the same length.
@@ -74,14 +80,14 @@ fn a_film_on_the_cylinder_and_from_its_file_gives_the_same_pictures() {
 #[test]
 fn tension_is_drawn_in_the_diverging_map_and_a_film_of_one_sign_is_not() {
     let white_in_the_middle = |name: &str| {
-        let (result, picture) = solved(name, true);
+        let (result, picture) = solved(name, Surface::Developed);
         let svgs = svgs(result, &picture, 170.0);
         let (_, svg) = svgs.into_iter().find(|(name, _)| name == "pressure").expect("a pressure");
         // The darkest brown of vik is no colour of batlowW.
         svg.contains("#5") && svg.contains("\u{2212}")
     };
     assert!(white_in_the_middle("04_flexpde_ring"));
-    let (result, picture) = solved("11_swift_stieber_ring", true);
+    let (result, picture) = solved("11_swift_stieber_ring", Surface::Developed);
     let svgs = svgs(result, &picture, 170.0);
     let (_, svg) = svgs.iter().find(|(name, _)| name == "pressure").expect("a pressure");
     assert!(svg.contains("film breaks"), "no edge of the cavity");
@@ -91,7 +97,7 @@ fn tension_is_drawn_in_the_diverging_map_and_a_film_of_one_sign_is_not() {
 /// it.
 #[test]
 fn the_film_breaks_behind_its_thinnest_place() {
-    let (result, picture) = solved("11_swift_stieber_ring", true);
+    let (result, picture) = solved("11_swift_stieber_ring", Surface::Developed);
     let radius = result.geometry.radius;
     let thinnest = result.quantity(&MIN_FILM_ANGLE).expect("an angle").value;
     let line = |name: &str| picture.lines.iter().find(|(other, _)| other == name).map(|(_, pieces)| pieces.clone());
@@ -103,11 +109,11 @@ fn the_film_breaks_behind_its_thinnest_place() {
     let extent = rupture.iter().flatten().map(|point| point[1]);
     let length = extent.clone().fold(f64::NEG_INFINITY, f64::max) - extent.fold(f64::INFINITY, f64::min);
     assert!(length > 0.8 * result.geometry.length);
-    let (result, full) = solved("02_flexpde_shell", true);
+    let (result, full) = solved("02_flexpde_shell", Surface::Developed);
     assert_eq!(full.lines.len(), 1, "a full film has only the rim of its hole");
     assert!(full.lines[0].0.starts_with("rim."), "{}", full.lines[0].0);
     assert!(result.geometry.arc.is_some());
-    let (_, conserving) = solved("17_engine_main_bearing", true);
+    let (_, conserving) = solved("17_engine_main_bearing", Surface::Developed);
     let has = |name: &str| conserving.lines.iter().any(|(other, _)| other == name);
     assert!(has(RUPTURE) && has(REFORMATION));
 }

@@ -17,7 +17,7 @@ use oilwedge_report::plot::{
 use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
 use oilwedge_report::sweep::{REPORT_FILE, SweepResult};
 use oilwedge_report::tables::printable;
-use oilwedge_report::vtu::{Compression, to_vtu};
+use oilwedge_report::vtu::{VtuForm, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_study::RunOptions;
@@ -169,10 +169,7 @@ impl Plot {
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
         let figures = self.with_orbit(&run.result.head.title, course.as_ref(), figures);
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
-        let picture = run.picture.map(|picture| {
-            let compression = Compression::usual(&picture);
-            to_vtu(&picture, compression)
-        });
+        let picture = run.picture.map(|picture| to_vtu(&picture, VtuForm::usual(&picture)));
         let picture = picture.transpose()?;
         let _writing = interrupt::writing();
         write_results(&folder, &run.result, &[], Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;

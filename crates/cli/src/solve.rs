@@ -17,10 +17,11 @@ use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, earlier_orbit, write_results};
 use oilwedge_report::tables::{Shown, Written, run_report};
-use oilwedge_report::vtu::{Compression, to_vtu};
+use oilwedge_report::vtu::{Compression, Precision, VtuForm, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::Plan;
 use oilwedge_study::orbit::{Frame, no_map};
+use oilwedge_study::picture::{FieldChoice, FilmPicture, PictureOptions, Surface};
 use oilwedge_study::result::Status;
 use oilwedge_study::shaft::Variant;
 use oilwedge_study::{RunOptions, run_telling};
@@ -41,6 +42,14 @@ pub(crate) struct Solve {
     /// Compression of film.vtu; meshio does not read lz4 [default: none up to 100 000 nodes, else lz4].
     #[arg(long, value_enum, value_name = "FORM")]
     vtu: Option<Vtu>,
+
+    /// Write the numbers of film.vtu with 32 bits, but for the pressure and the places of nodes.
+    #[arg(long)]
+    float32: bool,
+
+    /// Fields of film.vtu: all, or all but flow and shear stresses.
+    #[arg(long, value_enum, value_name = "FIELDS", default_value = "usual")]
+    fields: Fields,
 
     /// Draw so many films of the cycle of an orbit, at even crank angles: film.pvd, an animation for ParaView.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3600))]
@@ -105,6 +114,15 @@ enum Vtu {
     Zlib,
 }
 
+/// Which fields film.vtu has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Fields {
+    /// All but flow and shear stresses.
+    Usual,
+    /// All.
+    All,
+}
+
 impl From<Vtu> for Compression {
     fn from(vtu: Vtu) -> Self {
         match vtu {
@@ -120,6 +138,7 @@ Examples:
   oilwedge solve bearing.toml
   oilwedge solve bearing.toml --all
   oilwedge solve bearing.toml --out results/today --unrolled --vtu zlib
+  oilwedge solve bearing.toml --fields all --float32
   oilwedge solve bearing.toml --json | jq .quantities.load.value
   oilwedge solve bearing.toml --open
   oilwedge solve bearing.toml --cost
@@ -152,7 +171,13 @@ impl Solve {
         };
         interrupt::end_with(self.end());
         let options = RunOptions {
-            unrolled: self.unrolled,
+            picture: PictureOptions {
+                surface: if self.unrolled { Surface::Developed } else { Surface::Cylinder },
+                fields: match self.fields {
+                    Fields::Usual => FieldChoice::Usual,
+                    Fields::All => FieldChoice::All,
+                },
+            },
             frames: self.frames.unwrap_or(0),
             curve: self.curve || self.plot || self.page.is_wanted(),
             earlier: earlier_orbit(&self.run.folder(), &scene).filter(|_| !self.fresh),
@@ -208,10 +233,7 @@ impl Solve {
             }
             false => None,
         };
-        let picture = run.picture.map(|picture| {
-            let compression = self.vtu.map_or_else(|| Compression::usual(&picture), Compression::from);
-            to_vtu(&picture, compression)
-        });
+        let picture = run.picture.map(|picture| to_vtu(&picture, self.form(&picture)));
         let picture = picture.transpose()?;
         let folder = self.run.folder();
         let _writing = interrupt::writing();
@@ -261,6 +283,8 @@ impl Solve {
         let of_one = [
             (self.unrolled, "--unrolled"),
             (self.vtu.is_some(), "--vtu"),
+            (self.float32, "--float32"),
+            (self.fields == Fields::All, "--fields"),
             (self.frames.is_some(), "--frames"),
             (self.all, "--all"),
             (self.plot, "--plot"),
@@ -297,10 +321,18 @@ impl Solve {
         let Some(first) = frames.first() else {
             return Ok(String::new());
         };
-        let compression = (self.vtu).map_or_else(|| Compression::usual(&first.picture), Compression::from);
-        let count = frames.len();
-        write_frames(folder, frames, compression)?;
+        let (form, count) = (self.form(&first.picture), frames.len());
+        write_frames(folder, frames, form)?;
         Ok(format!("animation {}: {count} frames\n", folder.join(COLLECTION_FILE).display()))
+    }
+
+    /// How film.vtu is written.
+    fn form(&self, picture: &FilmPicture) -> VtuForm {
+        let usual = VtuForm::usual(picture);
+        VtuForm {
+            compression: self.vtu.map_or(usual.compression, Compression::from),
+            precision: if self.float32 { Precision::Single } else { usual.precision },
+        }
     }
 
     /// Refuses what cannot stand beside the film of this scene.

@@ -4,7 +4,7 @@ use oilwedge_campaign::{AddOn, effect_costs, mobility, standard, theories};
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::result_json;
 use oilwedge_study::orbit::no_map;
-use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::picture::{FieldChoice, FilmPicture, PictureOptions, Surface};
 use oilwedge_study::{Interrupt, RunOptions};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -35,8 +35,9 @@ impl Asked {
     /// The options as the program has them.
     pub(crate) fn options(&self, scene: &oilwedge_scene::Scene, interrupt: Interrupt) -> RunOptions {
         let usual = RunOptions::of(scene);
+        let surface = if self.unrolled { Surface::Developed } else { Surface::Cylinder };
         RunOptions {
-            unrolled: self.unrolled,
+            picture: PictureOptions { surface, fields: FieldChoice::All },
             bars: self.bars,
             curve: true,
             max_unknowns: self.max_unknowns,

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::Error;
 use crate::folder::replace;
-use crate::vtu::{Compression, to_vtu};
+use crate::vtu::{VtuForm, to_vtu};
 
 /// File that names the frames and their crank angles.
 pub const COLLECTION_FILE: &str = "film.pvd";
@@ -21,12 +21,12 @@ pub const FRAMES_FOLDER: &str = "frames";
 ///
 /// # Errors
 /// [`Error`]: a picture cannot be written, or the system refuses.
-pub fn write_frames(dir: &Path, frames: Vec<Frame>, compression: Compression) -> Result<(), Error> {
+pub fn write_frames(dir: &Path, frames: Vec<Frame>, form: VtuForm) -> Result<(), Error> {
     let collection = collection(&frames);
     let files: Vec<(OsString, Vec<u8>)> = frames
         .into_par_iter()
         .enumerate()
-        .map(|(number, frame)| Ok((name(number).into(), to_vtu(&frame.picture, compression)?)))
+        .map(|(number, frame)| Ok((name(number).into(), to_vtu(&frame.picture, form)?)))
         .collect::<Result<_, Error>>()?;
     replace(dir, &[(OsStr::new(COLLECTION_FILE), None)])?;
     remove_frames(dir);

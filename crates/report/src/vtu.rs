@@ -1,7 +1,7 @@
 //! Fields for inspection: one VTU file of quadratic triangles that ParaView and PyVista open.
 //!
-//! Arrays stand in the file as base64 text. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know
-//! LZ4. Each array of a field has its unit as VTK's information key `UNITS_LABEL`.
+//! The numbers of all arrays stand at the end of the file as they are in memory (VTK: appended, raw). PyVista, ParaView
+//! and VTK read every [`Compression`]; meshio does not know LZ4. Each array of a field has its unit as VTK's information key `UNITS_LABEL`.
 
 use quick_xml::events::BytesText;
 use quick_xml::{Error as Xml, Writer};
@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use self::array::{Array, Numbers};
 use crate::Error;
+use oilwedge_study::fields::PRESSURE;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 
 mod array;
@@ -49,84 +50,117 @@ impl Compression {
     }
 }
 
+/// Bits of the numbers of a VTU file; the pressure and the places of nodes have 64 in any case.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// 64 bits.
+    #[default]
+    Double,
+    /// 32 bits.
+    Single,
+}
+
+/// How the numbers of a VTU file are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct VtuForm {
+    /// How they are compressed.
+    pub compression: Compression,
+    /// Their bits.
+    pub precision: Precision,
+}
+
+impl VtuForm {
+    /// The default for a film: 64 bits, and [`Compression::usual`].
+    pub fn usual(picture: &FilmPicture) -> Self {
+        Self { compression: Compression::usual(picture), precision: Precision::Double }
+    }
+}
+
 /// The bytes of a VTU file.
 ///
 /// # Errors
 /// [`Error`]: lengths that do not fit, a node that is not there, a value that is not finite.
-pub fn to_vtu(picture: &FilmPicture, compression: Compression) -> Result<Vec<u8>, Error> {
+pub fn to_vtu(picture: &FilmPicture, VtuForm { compression, precision }: VtuForm) -> Result<Vec<u8>, Error> {
     check(picture)?;
+    let connectivity = picture.cells.as_flattened();
+    let offsets: Vec<u32> = (1..=picture.cells.len() as u32).map(|cell| 6 * cell).collect();
+    let types = vec![QUADRATIC_TRIANGLE; picture.cells.len()];
+    let parts: [(&str, Vec<Array>); 4] = [
+        ("PointData", picture.point_data.iter().map(|field| array(field, precision)).collect()),
+        ("CellData", picture.cell_data.iter().map(|field| array(field, precision)).collect()),
+        ("Points", vec![Array::plain("Points", 3, Numbers::Float64(picture.points.as_flattened()))]),
+        (
+            "Cells",
+            vec![
+                Array::plain("connectivity", 1, Numbers::UInt32(connectivity)),
+                Array::plain("offsets", 1, Numbers::UInt32(&offsets)),
+                Array::plain("types", 1, Numbers::UInt8(&types)),
+            ],
+        ),
+    ];
+    let arrays: Vec<&Array> = parts.iter().flat_map(|(_, arrays)| arrays).collect();
+    let bytes: Vec<Vec<u8>> = arrays.par_iter().map(|array| array.bytes(compression)).collect();
     let mut file = Writer::new(Vec::new());
     let head =
         [("type", "UnstructuredGrid"), ("version", "1.0"), ("byte_order", "LittleEndian"), ("header_type", "UInt64")];
     let head = head.into_iter().chain(compression.compressor().map(|name| ("compressor", name)));
-    let grid = |file: &mut Writer<Vec<u8>>| {
-        write_lines(file, &picture.lines)?;
-        write_piece(file, picture, compression)
-    };
     file.create_element("VTKFile")
         .with_attributes(head)
         .write_inner_content(|file| {
-            file.create_element("UnstructuredGrid").write_inner_content(grid)?;
+            file.create_element("UnstructuredGrid").write_inner_content(|file| {
+                write_lines(file, &picture.lines)?;
+                write_piece(file, picture, (&parts, &bytes))
+            })?;
+            file.create_element("AppendedData").with_attributes([("encoding", "raw")]).write_inner_content(|file| {
+                let into = file.get_mut();
+                into.push(b'_');
+                bytes.iter().for_each(|bytes| into.extend_from_slice(bytes));
+                Ok::<(), Xml>(())
+            })?;
             Ok::<(), Xml>(())
         })
         .map_err(Error::format("VTU file"))?;
     Ok(file.into_inner())
 }
 
-/// The film: fields at the nodes and of the triangles, places of the nodes, triangles.
-fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, compression: Compression) -> Result<(), Xml> {
-    let connectivity = picture.cells.as_flattened().iter().map(|node| u64::from(*node));
-    let offsets: Vec<u64> = (1..=picture.cells.len() as u64).map(|cell| 6 * cell).collect();
-    let types = vec![QUADRATIC_TRIANGLE; picture.cells.len()];
-    let connectivity: Vec<u64> = connectivity.collect();
-    let points = Numbers::Float64(picture.points.as_flattened());
-    let parts = [
-        ("PointData", picture.point_data.iter().map(array).collect()),
-        ("CellData", picture.cell_data.iter().map(array).collect()),
-        ("Points", vec![Array::plain("Points", 3, points)]),
-        (
-            "Cells",
-            vec![
-                Array::plain("connectivity", 1, Numbers::UInt64(&connectivity)),
-                Array::plain("offsets", 1, Numbers::UInt64(&offsets)),
-                Array::plain("types", 1, Numbers::UInt8(&types)),
-            ],
-        ),
-    ];
+/// The film by the elements of its arrays: fields at the nodes and of the triangles, places of the nodes, triangles.
+/// The first scalar and the first vector of the fields are those that a viewer shows.
+fn write_piece(
+    file: &mut Writer<Vec<u8>>,
+    picture: &FilmPicture,
+    (parts, bytes): (&[(&str, Vec<Array>)], &[Vec<u8>]),
+) -> Result<(), Xml> {
     let sizes = [picture.points.len(), picture.cells.len()].map(|size| size.to_string());
     let sizes = [("NumberOfPoints", sizes[0].as_str()), ("NumberOfCells", sizes[1].as_str())];
-    let piece = file.create_element("Piece").with_attributes(sizes);
-    piece.write_inner_content(|file| {
-        for (name, arrays) in &parts {
-            write_part(file, name, arrays, compression)?;
+    let (mut offset, mut sizes_of_arrays) = (0, bytes.iter().map(Vec::len));
+    file.create_element("Piece").with_attributes(sizes).write_inner_content(|file| {
+        for (name, arrays) in parts {
+            let first = |components| arrays.iter().find(|array| array.components == components && array.unit.is_some());
+            let shown = [("Scalars", first(1)), ("Vectors", first(3))];
+            let shown = shown.iter().filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
+            file.create_element(*name).with_attributes(shown).write_inner_content(|file| {
+                for array in arrays {
+                    array.write(file, offset)?;
+                    offset += sizes_of_arrays.next().unwrap_or_default();
+                }
+                Ok::<(), Xml>(())
+            })?;
         }
         Ok::<(), Xml>(())
     })?;
     Ok(())
 }
 
-/// An element of a piece with its arrays. The first scalar and the first vector are those that a viewer shows.
-fn write_part(file: &mut Writer<Vec<u8>>, name: &str, arrays: &[Array], compression: Compression) -> Result<(), Xml> {
-    let first = |components| arrays.iter().find(|array| array.components == components && array.unit.is_some());
-    let shown = [("Scalars", first(1)), ("Vectors", first(3))];
-    let shown = shown.iter().filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
-    let texts: Vec<_> = arrays.par_iter().map(|array| array.text(compression)).collect();
-    let part = file.create_element(name).with_attributes(shown);
-    part.write_inner_content(|file| {
-        for (array, text) in arrays.iter().zip(texts) {
-            array.write(file, text)?;
-        }
-        Ok::<(), Xml>(())
-    })?;
-    Ok(())
-}
-
-fn array(field: &PictureField) -> Array<'_> {
+fn array(field: &PictureField, precision: Precision) -> Array<'_> {
     let (components, numbers) = match &field.values {
         FieldValues::Scalars(values) => (1, values.as_slice()),
         FieldValues::Vectors(values) => (3, values.as_flattened()),
     };
-    Array { name: &field.name, unit: Some(&field.unit), components, numbers: Numbers::Float64(numbers) }
+    let numbers = match precision {
+        Precision::Single if field.name != PRESSURE.name => Numbers::Float32(numbers),
+        Precision::Single | Precision::Double => Numbers::Float64(numbers),
+    };
+    Array { name: &field.name, unit: Some(&field.unit), components, numbers }
 }
 
 /// The lines as data of the whole field: of each an array of its name, in each row the two points of a piece.
@@ -189,6 +223,11 @@ mod tests {
     use super::*;
     use crate::vtu_read::from_vtu;
 
+    /// Numbers of 64 bits, so compressed.
+    fn plain(compression: Compression) -> VtuForm {
+        VtuForm { compression, precision: Precision::Double }
+    }
+
     /// The unit square in two quadratic triangles.
     fn square() -> FilmPicture {
         let plane = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (0.5, 0.), (1., 0.5), (0.5, 0.5), (0.5, 1.), (0., 0.5)];
@@ -224,7 +263,7 @@ mod tests {
             (Compression::Lz4, Some("vtkLZ4DataCompressor")),
             (Compression::Zlib, Some("vtkZLibDataCompressor")),
         ] {
-            let bytes = to_vtu(&square(), compression)?;
+            let bytes = to_vtu(&square(), plain(compression))?;
             let text = String::from_utf8_lossy(&bytes);
             assert_eq!(text.contains("compressor="), name.is_some());
             assert!(text.contains(name.unwrap_or_default()));
@@ -236,8 +275,18 @@ mod tests {
             assert_eq!(from_vtu(&bytes)?, square());
         }
         let without = FilmPicture { lines: Vec::new(), ..square() };
-        assert_eq!(from_vtu(&to_vtu(&without, Compression::None)?)?, without);
+        assert_eq!(from_vtu(&to_vtu(&without, plain(Compression::None))?)?, without);
         assert!(matches!(from_vtu(b"<VTKFile"), Err(Error::Unreadable { .. })));
+        Ok(())
+    }
+
+    #[test]
+    fn numbers_of_32_bits_are_those_of_64_rounded() -> Result<(), Box<dyn std::error::Error>> {
+        let read = from_vtu(&to_vtu(&square(), VtuForm { precision: Precision::Single, ..plain(Compression::Lz4) })?)?;
+        assert_eq!((&read.points, read.at_points("pressure")), (&square().points, square().at_points("pressure")));
+        let (flow, exact) = (read.point_data[1].values.numbers(), square());
+        let exact = exact.point_data[1].values.numbers();
+        assert!(flow.iter().zip(exact).all(|(flow, exact)| *flow == f64::from(*exact as f32)));
         Ok(())
     }
 
@@ -254,13 +303,13 @@ mod tests {
     fn pictures_that_do_not_fit_together_are_refused() {
         let mut picture = square();
         picture.point_data[0].values = FieldValues::Scalars(vec![0.0; 8]);
-        assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::Length { values: 8, wanted: 9, .. })));
+        assert!(matches!(to_vtu(&picture, plain(Compression::None)), Err(Error::Length { values: 8, wanted: 9, .. })));
         let mut picture = square();
         picture.cells[1][5] = 9;
-        assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::Node { cell: 1 })));
+        assert!(matches!(to_vtu(&picture, plain(Compression::None)), Err(Error::Node { cell: 1 })));
         let mut picture = square();
         picture.cell_data[0].values = FieldValues::Scalars(vec![f64::NAN, 0.75]);
-        assert!(matches!(to_vtu(&picture, Compression::None), Err(Error::NotFinite { .. })));
+        assert!(matches!(to_vtu(&picture, plain(Compression::None)), Err(Error::NotFinite { .. })));
     }
 
     /// Arrays whose last block is full have no rest behind it.
@@ -271,7 +320,7 @@ mod tests {
         picture.point_data.truncate(1);
         picture.point_data[0].values = FieldValues::Scalars((1..=4096).map(|node| 1.0 / f64::from(node)).collect());
         for compression in [Compression::Lz4, Compression::Zlib] {
-            assert_eq!(from_vtu(&to_vtu(&picture, compression)?)?, picture);
+            assert_eq!(from_vtu(&to_vtu(&picture, plain(compression))?)?, picture);
         }
         Ok(())
     }

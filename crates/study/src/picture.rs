@@ -87,20 +87,45 @@ impl FilmPicture {
 }
 
 /// Surface on which a film is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Surface {
     /// The cylinder `(R cos phi, R sin phi, z)`.
+    #[default]
     Cylinder,
     /// Unrolled, `(R phi, z, 0)`.
     Developed,
 }
 
+/// Which fields a picture has.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum FieldChoice {
+    /// All but flow and shear stresses.
+    #[default]
+    Usual,
+    /// All.
+    All,
+}
+
+/// How a film is drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct PictureOptions {
+    /// Where.
+    pub surface: Surface,
+    /// By which fields.
+    pub fields: FieldChoice,
+}
+
 /// The fields of a solved film at its nodes, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`,
 /// where nodes on the cut of a ring are on both sides of it: pressure (nowhere below that of a cavity), film thickness,
-/// viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place, flow
-/// per width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is
+/// viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place and, where
+/// all are chosen, flow per width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is
 /// thicker on one. The indicator [N], a value for each triangle, is what each adds to the error of the load.
-pub fn picture(film: &Film, solved: &SolvedFilm, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
+pub fn picture(
+    film: &Film,
+    solved: &SolvedFilm,
+    indicator: Option<&[f64]>,
+    PictureOptions { surface, fields }: PictureOptions,
+) -> FilmPicture {
     let (nodes, cells) = numbered(film, surface);
     let radius = film.problem.bearing.radius;
     let place = |&[x, z]: &[f64; 2]| {
@@ -112,7 +137,9 @@ pub fn picture(film: &Film, solved: &SolvedFilm, indicator: Option<&[f64]>, surf
     };
     let mut point_data = pointwise(solved, &nodes);
     point_data.extend(places(film, &nodes, surface));
-    point_data.extend(streaming(solved, (&nodes, &cells), surface));
+    if fields == FieldChoice::All {
+        point_data.extend(streaming(solved, (&nodes, &cells), surface));
+    }
     let indicator = indicator.map(|values| scalars(&ERROR_INDICATOR, values.to_vec()));
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),

@@ -80,7 +80,7 @@ pub fn run_telling(scene: &Scene, options: &RunOptions, best: Option<&dyn Fn(Run
     let mut result = without_outcome(scene, (&answer.film, &answer.levels), options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
-            let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.surface());
+            let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
             report(scene, (&solved, estimated), options, &mut result);
             Some(picture)
         }
@@ -136,7 +136,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     };
     let Followed { solved, facts, .. } = followed;
     let estimated = estimate_errors(&solved);
-    let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.surface());
+    let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
     let (half_speed, turns) = (facts.half_speed_share, scene.journal.speed != 0.0);
     let limit = match followed.end {

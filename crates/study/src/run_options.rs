@@ -5,15 +5,15 @@ use oilwedge_bearing::{Clock, Deadline, Interrupt};
 use oilwedge_scene::Scene;
 
 use crate::observer::{RunObserver, Watch};
-use crate::picture::Surface;
+use crate::picture::PictureOptions;
 use crate::reasons::Cause;
 use crate::solved::Errors;
 
 /// How a scene is run.
 #[derive(Debug, Clone, Copy)]
 pub struct RunOptions {
-    /// Draw the film on the developed surface (x = R phi, y = z) instead of on the cylinder.
-    pub unrolled: bool,
+    /// How the film is drawn.
+    pub picture: PictureOptions,
     /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
     pub bars: bool,
     /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite
@@ -90,20 +90,12 @@ impl RunOptions {
             (false, Clock::Wall | Clock::Showing(_)) => Cause::GivenLimit(self.max_seconds),
         }
     }
-
-    /// Surface on which the film is drawn.
-    pub(crate) fn surface(&self) -> Surface {
-        match self.unrolled {
-            true => Surface::Developed,
-            false => Surface::Cylinder,
-        }
-    }
 }
 
 impl Default for RunOptions {
     fn default() -> Self {
         Self {
-            unrolled: false,
+            picture: PictureOptions::default(),
             bars: true,
             max_seconds: 60.0,
             clock: Clock::Processor,

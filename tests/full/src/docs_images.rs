@@ -1,6 +1,7 @@
 //! The pictures of `docs/images`, drawn by the program's own pictures of its scenes.
 
 use oilwedge_report::plot::{DrawnFilm, PlotOptions, film_figures};
+use oilwedge_study::picture::{PictureOptions, Surface};
 use oilwedge_study::{RunOptions, run};
 
 use oilwedge_tests::scenes::variant;
@@ -30,7 +31,11 @@ pub fn images() -> Vec<(String, String)> {
     let mut of_scene: Option<(&str, DrawnFilm)> = None;
     for (name, picture, file) in IMAGES {
         if of_scene.as_ref().is_none_or(|(other, _)| *other != name) {
-            let options = RunOptions { bars: false, unrolled: true, ..RunOptions::default() };
+            let options = RunOptions {
+                bars: false,
+                picture: PictureOptions { surface: Surface::Developed, ..PictureOptions::default() },
+                ..RunOptions::default()
+            };
             let run = run(&variant(name, |_| {}), &options).expect("a film");
             let film = DrawnFilm::new(run.result, &run.picture.expect("a picture")).expect("a film to draw");
             of_scene = Some((name, film));

@@ -10,6 +10,7 @@ use oilwedge_report::readable::{printed_unit, readable_unit, readable_unit_of};
 use oilwedge_report::sweep::{CaseRecord, SweepOptions, SweepReport, SweepResult};
 use oilwedge_scene::Scene;
 use oilwedge_study::column::Column;
+use oilwedge_study::picture::{PictureOptions, Surface};
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::headlines;
 use oilwedge_study::{RunOptions, run};
@@ -96,7 +97,11 @@ fn options() -> PlotOptions {
 
 /// Numbers, effects and picture of a film or an orbit.
 fn of_film(scene: &Scene, picture: &str) -> (String, String, String) {
-    let options_of_run = RunOptions { unrolled: true, curve: true, ..RunOptions::of(scene) };
+    let options_of_run = RunOptions {
+        picture: PictureOptions { surface: Surface::Developed, ..PictureOptions::default() },
+        curve: true,
+        ..RunOptions::of(scene)
+    };
     let run = run(scene, &options_of_run).expect("a mesh");
     let result = &run.result;
     let rows = headlines(&result.quantities, |quantity| quantity.row, &result.effects).into_iter();

@@ -9,6 +9,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, SolvedFilm};
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
+use oilwedge_study::picture::{FieldChoice, PictureOptions, Surface};
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{Interrupt, RunOptions, run};
@@ -79,7 +80,7 @@ pub(crate) fn answer(scene: &Scene, options: &RunOptions) -> RunResult {
 }
 
 pub(crate) const NO_BARS: RunOptions = RunOptions {
-    unrolled: false,
+    picture: PictureOptions { surface: Surface::Cylinder, fields: FieldChoice::Usual },
     bars: false,
     max_seconds: 60.0,
     clock: Clock::Wall,

@@ -235,6 +235,7 @@ impl Coarser {
 mod tests {
     use super::*;
     use oilwedge_scene::Scene;
+    use oilwedge_study::picture::{PictureOptions, Surface};
     use oilwedge_study::{RunOptions, run};
     use std::path::Path;
 
@@ -265,8 +266,11 @@ pressure = "0 bar"
     #[test]
     fn a_coarser_film_has_the_rims_the_sums_and_nearly_the_values() {
         let scene = Scene::parse(SCENE, Path::new("ring.toml"), &[]).expect("a scene");
-        for unrolled in [false, true] {
-            let options = RunOptions { unrolled, ..RunOptions::default() };
+        for surface in [Surface::Cylinder, Surface::Developed] {
+            let options = RunOptions {
+                picture: PictureOptions { surface, ..PictureOptions::default() },
+                ..RunOptions::default()
+            };
             let found = run(&scene, &options).expect("a film");
             let picture = found.picture.expect("a picture");
             let film = DrawnFilm::new(found.result, &picture).expect("a film");

@@ -36,8 +36,8 @@ pub(super) fn frames<'a>(
     let frame = |k: u32| {
         let time = period * f64::from(k) / f64::from(options.frames);
         let solved = sample::solved_at(film, motion, around(time), time, Errors::Omitted)?;
-        let mut picture = picture(&solved.film, &solved.primary, None, options.surface());
-        if options.surface() == Surface::Cylinder {
+        let mut picture = picture(&solved.film, &solved.primary, None, options.picture);
+        if options.picture.surface == Surface::Cylinder {
             let axis = axis(&solved.film.problem.journal, film.problem.bearing.length);
             picture.lines.push((JOURNAL_AXIS.to_owned(), vec![axis]));
         }
