@@ -115,6 +115,8 @@ pub fn to_vtu(picture: &FilmPicture, VtuForm { compression, precision }: VtuForm
                 let into = file.get_mut();
                 into.push(b'_');
                 bytes.iter().for_each(|bytes| into.extend_from_slice(bytes));
+                // meshio looks for the end of the numbers there.
+                into.push(b'\n');
                 Ok::<(), Xml>(())
             })?;
             Ok::<(), Xml>(())
