@@ -1,15 +1,20 @@
-//! A film: one scene compiled on one mesh. It never changes; at another temperature or position it is made anew and
-//! shares the system.
+//! A film: one model on one mesh. It never changes; at another temperature or position it is made anew and shares the
+//! system.
+
+mod made;
+mod reuse;
 
 use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
+use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
-use oilwedge_scene::{Dynamics, Scene};
+use oilwedge_scene::Dynamics;
 
+use crate::model::Model;
 use crate::observer::Watch;
-use crate::oil::{self, Oil};
+use crate::oil::Oil;
 use crate::position::Position;
 use crate::thermal_model::ThermalModel;
 
@@ -19,9 +24,9 @@ pub const DEGREE: usize = 2;
 /// A film, ready to be solved.
 #[derive(Debug, Clone)]
 pub struct Film {
-    /// The scene, with the temperature of the film.
-    pub scene: Arc<Scene>,
-    /// The oil at that temperature.
+    /// The model.
+    pub model: Arc<Model>,
+    /// The oil at the temperature of the film.
     pub oil: Oil,
     /// The physics.
     pub problem: FilmProblem,
@@ -85,10 +90,20 @@ impl Film {
         film.problem = film.problem.deflected(found.deflection());
         if let Some(temperature) = found.lubricant.temperature.filter(|found| Some(*found) != self.oil.temperature) {
             film.problem.lubricant = found.lubricant.clone();
-            film.scene = Arc::new(oil::at_temperature(&self.scene, temperature));
             film.oil = self.oil.at(temperature);
         }
         film
+    }
+
+    /// The film at another temperature [K].
+    pub(crate) fn at_temperature(&self, temperature: f64) -> Self {
+        let lubricant = self.lubricant_at(temperature);
+        self.as_found(&FilmProblem { lubricant, ..self.problem.clone() })
+    }
+
+    /// The oil of the film at another temperature [K].
+    pub(crate) fn lubricant_at(&self, temperature: f64) -> Lubricant {
+        Lubricant { temperature: Some(temperature), ..self.model.lubricant(&self.oil.at(temperature)) }
     }
 
     /// The film with the solution of one like it.
@@ -170,14 +185,14 @@ impl Film {
 
     /// The common pressure [Pa] of all feeds, if they have one.
     pub fn supply_pressure(&self) -> Option<f64> {
-        let mut pressures = self.scene.feeds.iter().filter_map(|feed| feed.pressure);
+        let mut pressures = self.model.mesh.outline.feeds.iter().filter_map(|feed| feed.pressure);
         let first = pressures.next()?;
         pressures.all(|pressure| pressure == first).then_some(first)
     }
 
     /// Groups of the pockets that deepen the film.
     pub fn pockets(&self) -> impl Iterator<Item = &str> {
-        let pockets = self.scene.feeds.iter().filter(|feed| feed.pressure.is_none());
+        let pockets = self.model.mesh.outline.feeds.iter().filter(|feed| feed.pressure.is_none());
         pockets.map(|feed| feed.group.as_str())
     }
 }

@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
-use oilwedge_scene::{HighShear, PointViscosity, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{HighShear, Oil as Described, PointViscosity, Scene, TemperatureLaw, Viscosity};
 
 /// The film's temperature is first taken to be so much above that of the oil fed [K].
 const FIRST_RISE: f64 = 10.0;
@@ -21,6 +21,8 @@ pub struct Oil {
     pub thermal: Option<ThermalOil>,
     /// Density, where the scene or its grade gives it.
     pub density: Option<Density>,
+    /// The multigrade oil that it is, where what high shear leaves of its viscosity is not given.
+    pub unsheared: Option<&'static str>,
 }
 
 impl Oil {
@@ -34,8 +36,9 @@ impl Oil {
                 Viscosity::ByTemperature(_) => f64::NAN,
             },
             temperature: scene.oil.temperature.or_else(first),
-            thermal: thermal(scene),
-            density: density(scene),
+            thermal: thermal(&scene.oil),
+            density: density(&scene.oil),
+            unsheared: unsheared_grade(&scene.oil),
         };
         oil.temperature.map_or(oil.clone(), |temperature| oil.at(temperature))
     }
@@ -60,32 +63,35 @@ pub fn first_temperature(inlet: f64) -> f64 {
     inlet + FIRST_RISE
 }
 
-/// The scene whose film has this temperature [K], at which the search for another one begins.
-pub fn at_temperature(scene: &Scene, temperature: f64) -> Scene {
-    let mut scene = scene.clone();
-    scene.oil.temperature = Some(temperature);
-    scene
-}
-
 /// The density that a scene gives, else that of its grade.
-fn density(scene: &Scene) -> Option<Density> {
-    let given = scene.oil.density.map(|density| {
+fn density(oil: &Described) -> Option<Density> {
+    let given = oil.density.map(|density| {
         let expansion = density.expansion.unwrap_or(EXPANSION);
         Density::of(density.value, density.at, expansion)
     });
-    let of_grade = || match &scene.oil.viscosity {
-        Viscosity::ByTemperature(TemperatureLaw::Grade(name)) => Some(Grade::named(name)?.oil()?.density),
+    given.or_else(|| Some(grade(oil)?.oil()?.density))
+}
+
+/// The grade by which a scene describes its oil.
+fn grade(oil: &Described) -> Option<Grade> {
+    match &oil.viscosity {
+        Viscosity::ByTemperature(TemperatureLaw::Grade(name)) => Grade::named(name),
         _ => None,
-    };
-    given.or_else(of_grade)
+    }
+}
+
+/// The multigrade oil whose viscosity at high shear is not given.
+fn unsheared_grade(oil: &Described) -> Option<&'static str> {
+    let multigrade = grade(oil).filter(|grade| grade.is_multigrade() && oil.high_shear.is_none());
+    multigrade.map(|grade| grade.name)
 }
 
 /// Viscosity and density by temperature; none of one viscosity, and of a law that has no meaning.
-fn thermal(scene: &Scene) -> Option<ThermalOil> {
-    let Viscosity::ByTemperature(described) = &scene.oil.viscosity else {
+fn thermal(oil: &Described) -> Option<ThermalOil> {
+    let Viscosity::ByTemperature(described) = &oil.viscosity else {
         return None;
     };
-    let density = density(scene).unwrap_or_default();
+    let density = density(oil).unwrap_or_default();
     let law = match described {
         TemperatureLaw::Grade(name) => Grade::named(name)?.oil()?.law,
         TemperatureLaw::Walther([one, other]) => law::TemperatureLaw::Walther(Walther::through(*one, *other)?),
@@ -95,13 +101,13 @@ fn thermal(scene: &Scene) -> Option<ThermalOil> {
         TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
     };
     let unsheared = ThermalOil { law, density, sheared: 1.0 };
-    Some(ThermalOil { sheared: sheared(scene, &unsheared), ..unsheared })
+    Some(ThermalOil { sheared: sheared(oil, &unsheared), ..unsheared })
 }
 
 /// What the shear rate of the film leaves of the viscosity [1]. A viscosity at 150 degrees C and 1e6 1/s is one part of
 /// that at low shear, which is taken for any temperature.
-fn sheared(scene: &Scene, unsheared: &ThermalOil) -> f64 {
-    match scene.oil.high_shear {
+fn sheared(oil: &Described, unsheared: &ThermalOil) -> f64 {
+    match oil.high_shear {
         None => 1.0,
         Some(HighShear::Factor(factor)) => factor,
         Some(HighShear::Viscosity(viscosity)) => viscosity / unsheared.viscosity(HIGH_SHEAR_AT),

@@ -42,7 +42,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "give more than 0.0632 mPa.s (is it in mPa.s?), or take another law of pressure",
     );
     if !complaints.concern_temperature() {
-        pressures(scene, complaints);
+        pressures(scene, oil.viscosity, complaints);
     }
 }
 
@@ -126,10 +126,11 @@ fn at_given_temperature(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
 
 /// The equation is one of reduced pressures, all of which lie below the limit of the law; a pressure that round-off
 /// puts there is lost.
-fn pressures(scene: &Scene, complaints: &mut Complaints) {
-    let Sockets { form: Form::Conservative, pressure_law: law, .. } = Sockets::of(scene) else {
+fn pressures(scene: &Scene, viscosity: f64, complaints: &mut Complaints) {
+    let Sockets { form: Form::Conservative, pressure_rule, .. } = Sockets::of(scene) else {
         return;
     };
+    let law = pressure_rule.at(viscosity);
     let feeds = scene.feeds.iter().enumerate();
     let feeds = feeds.filter_map(|(index, feed)| Some((format!("feed[{index}].pressure"), feed.pressure?)));
     for (key, pressure) in feeds.chain([("ends.pressure".to_owned(), scene.ends.pressure)]) {

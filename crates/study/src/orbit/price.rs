@@ -24,7 +24,7 @@ const TEMPERATURES: f64 = 5.0;
 
 /// Processor time that the orbit of a film will take, estimated [s]; none where the scene asks for no orbit.
 pub fn expected_seconds(film: &Film) -> Option<f64> {
-    let orbit = film.scene.orbit.as_ref()?;
+    let orbit = film.model.scope.orbit.as_ref()?;
     let per_unknown = match film.problem.cavitation.conserves_oil() {
         true => PER_UNKNOWN_CONSERVING,
         false => PER_UNKNOWN,

@@ -1,7 +1,9 @@
 //! The cap of a connecting rod: what its bolts must hold, and what the film's load makes of that.
 
 use oilwedge_bearing::{BoltForces, CapBolts};
-use oilwedge_scene::{Cap, Scene};
+use oilwedge_scene::Cap;
+
+use crate::scope::Scope;
 
 use super::row::{Measure::One, Table};
 use super::rule::ErrorRule;
@@ -30,7 +32,7 @@ rows! {
     /// protrusion, E modulus, F section, rho mean radius; none without `shell`
     SHELL_FORCE = "shell_force", "R_s", Newton, "presses one side of the shell into its seat":
         One(|film| joint(film).filter(|it| it.cap.shell.is_some()).map(|it| it.forces.shell_force)),
-        ErrorRule::Exact, only(|scene| scene.cap.is_some_and(|cap| cap.shell.is_some())) in_table(Table::Cap);
+        ErrorRule::Exact, only(|scope| scope.cap.is_some_and(|cap| cap.shell.is_some())) in_table(Table::Cap);
 
     /// `P_b = P_c/i`, i the number of bolts
     BOLT_FORCE = "bolt_force", "P_b", Newton, "pull on one bolt":
@@ -87,17 +89,17 @@ impl Joint {
     }
 }
 
-fn has_cap(scene: &Scene) -> bool {
-    scene.cap.is_some()
+fn has_cap(scope: &Scope) -> bool {
+    scope.cap.is_some()
 }
 
-fn opens(scene: &Scene) -> bool {
-    let cap = scene.cap.map(|cap| Joint::new(&cap, scene.journal.speed));
+fn opens(scope: &Scope) -> bool {
+    let cap = scope.cap.map(|cap| Joint::new(&cap, scope.speed));
     cap.is_some_and(|joint| joint.forces.opening > 0.0)
 }
 
 fn joint(film: &View) -> Option<Joint> {
-    Some(Joint::new(&film.base.scene.cap?, film.journal().speed))
+    Some(Joint::new(&film.base.model.scope.cap?, film.journal().speed))
 }
 
 /// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at

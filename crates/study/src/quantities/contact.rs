@@ -1,7 +1,7 @@
 //! What contact of rough surfaces carries, and how it rubs.
 
+use crate::scope::Scope;
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_scene::Scene;
 
 use super::cycle_view::At;
 use super::row::{Headline, Measure::One, Measure::OverCycle};
@@ -84,17 +84,17 @@ const MOMENT: ErrorRule =
         Some(integrated(at)?.scaled(0.5 * at.view.problem.bearing.length))
     });
 
-/// True of a scene with contact.
-pub(super) fn touches(scene: &Scene) -> bool {
-    scene.contact.is_some()
+/// True of films whose surfaces may touch.
+pub(super) fn touches(scope: &Scope) -> bool {
+    scope.touches
 }
 
-fn touches_on_orbit(scene: &Scene) -> bool {
-    touches(scene) && scene.orbit.is_some()
+fn touches_on_orbit(scope: &Scope) -> bool {
+    touches(scope) && scope.orbit.is_some()
 }
 
-fn touches_and_tilts(scene: &Scene) -> bool {
-    touches(scene) && scene.can_tilt()
+fn touches_and_tilts(scope: &Scope) -> bool {
+    touches(scope) && scope.can_tilt
 }
 
 /// Bar [N] of the quadrature of contact.

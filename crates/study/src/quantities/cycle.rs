@@ -1,13 +1,12 @@
 //! Numbers of a cycle: extremes and means over an orbit.
 
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_scene::Scene;
 
 use super::cycle_view::{At, CycleView, Judged};
 use super::row::{Headline, Measure::OverCycle, Row};
 use super::rule::ErrorRule;
 use super::{COOLING_FLOW, FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
-use crate::effects::Sockets;
+use crate::scope::Scope;
 
 rows! {
     /// `min h` over the liner and the cycle, between the steps of the orbit too
@@ -88,8 +87,8 @@ rows! {
 }
 
 /// There is a balance of heat; its temperatures are numbers of the balance around the orbit, not of one orbit.
-fn is_balanced(scene: &Scene) -> bool {
-    Sockets::of(scene).thermal.is_some()
+fn is_balanced(scope: &Scope) -> bool {
+    scope.thermal.is_some()
 }
 
 pub(super) const ORBIT: &str = "that of the film there; the mesh's and the steps' errors of the orbit, carried along it by the film's stiffness and damping";

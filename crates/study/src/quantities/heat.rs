@@ -4,7 +4,6 @@ use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::supply::BoundaryKind;
-use oilwedge_scene::{Scene, Viscosity};
 
 use super::friction::FRICTION_POWER;
 use super::motion::MOTION_POWER;
@@ -13,10 +12,9 @@ use super::row::{Headline, Measure::One, Row, Table};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use super::warming::Warming;
-use crate::effects::Sockets;
 use crate::estimate::{Estimate, Scaled};
+use crate::scope::Scope;
 use crate::thermal::flows::thermal_flows;
-use crate::thermal_model::ThermalModel;
 
 rows! {
     /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none
@@ -43,7 +41,7 @@ rows! {
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
         One(|film| film.base.thermal?.mixing.and_then(|_| end(film, 0))),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[0])),
-        in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.mixing.is_some()));
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some_and(|model| model.mixing.is_some()));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m
     /// the hot oil carried over for each part of fresh oil; none without `[heat]`
@@ -63,19 +61,15 @@ rows! {
     HEAT_HOUSING = "heat_housing", "P_h", Watt, "heat that the housing gives off":
         One(|film| found(film).and_then(|(balance, temperature, _)| balance.housing.map(|_| balance.given_off(temperature)))),
         ErrorRule::Temperature(|warming| warming.conductance()),
-        in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.balance.housing.is_some()));
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some_and(|model| model.balance.housing.is_some()));
 }
 
-fn is_by_temperature(scene: &Scene) -> bool {
-    matches!(scene.oil.viscosity, Viscosity::ByTemperature(_))
+fn is_by_temperature(scope: &Scope) -> bool {
+    scope.is_by_temperature
 }
 
-fn is_balanced(scene: &Scene) -> bool {
-    model(scene).is_some()
-}
-
-fn model(scene: &Scene) -> Option<ThermalModel> {
-    Sockets::of(scene).thermal
+fn is_balanced(scope: &Scope) -> bool {
+    scope.thermal.is_some()
 }
 
 /// The balance, the temperature [K] of the film, and what heats and cools it.

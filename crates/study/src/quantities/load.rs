@@ -1,8 +1,8 @@
 //! The load that a film carries.
 
+use crate::scope::Scope;
 use oilwedge_reynolds::quantities::load::Share;
 use oilwedge_reynolds::quantities::similarity;
-use oilwedge_scene::Scene;
 
 use super::row::{Headline, Measure::Each, Measure::One};
 use super::rule::ErrorRule;
@@ -76,6 +76,6 @@ fn cut_out(film: &View, axis: usize) -> Vec<(String, f64)> {
 }
 
 /// True if a feed of the scene has a pressure.
-pub(super) fn is_fed(scene: &Scene) -> bool {
-    scene.feeds.iter().any(|feed| feed.pressure.is_some())
+pub(super) fn is_fed(scope: &Scope) -> bool {
+    scope.is_fed
 }

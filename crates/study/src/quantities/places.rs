@@ -2,9 +2,10 @@
 
 use oilwedge_reynolds::Theory;
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_scene::{CavitationModel, Scene};
+use oilwedge_scene::CavitationModel;
 
-use super::cavity::has;
+use crate::scope::Scope;
+
 use super::position::is_eccentric;
 use super::row::Measure::One;
 use super::rule::{ErrorRule, Subject};
@@ -55,7 +56,7 @@ const OF_END: &str = "difference of the two films, and half of the triangle in w
 
 /// Whether the film is not the same everywhere.
 fn is_thinnest_somewhere(film: &View) -> bool {
-    is_eccentric(film) || !film.journal().is_parallel() || !film.base.scene.is_circular()
+    is_eccentric(film) || !film.journal().is_parallel() || !film.base.model.scope.is_circular
 }
 
 fn summit(film: &View) -> Option<[f64; 2]> {
@@ -85,6 +86,6 @@ fn per_metre(at: &Subject) -> f64 {
     (1.0 / at.view.problem.bearing.radius).to_degrees()
 }
 
-fn has_cavity(scene: &Scene) -> bool {
-    has(scene, |model| model != CavitationModel::None)
+fn has_cavity(scope: &Scope) -> bool {
+    scope.cavitation != CavitationModel::None
 }

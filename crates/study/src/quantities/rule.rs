@@ -173,7 +173,7 @@ pub(super) fn direction(estimate: &dyn Estimate) -> Bar {
 
 /// The bar of the place of the least film.
 fn place(film: &View, rounding: fn(&View) -> f64) -> Bar {
-    match film.base.scene.is_circular() {
+    match film.base.model.scope.is_circular {
         true => Bar::default(),
         false => Bar::of(rounding(film)),
     }

@@ -11,6 +11,7 @@ use oilwedge_bearing::shaft::{
 use oilwedge_scene::{self as scene, Journal, Orbit, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support};
 
 use super::error::ShaftError;
+use crate::compile::compile;
 use crate::compile_error::CompileError;
 use crate::duty::{NoDuty, crank_of};
 use crate::film::Film;
@@ -86,7 +87,7 @@ pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, 
 
 /// Coordinates of its journal that a film on a shaft sees.
 fn coordinates(film: &Film) -> Coordinates {
-    Coordinates { order: if film.scene.support.is_some() { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
+    Coordinates { order: if film.model.has_support { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
 }
 
 impl Bearing {
@@ -145,7 +146,12 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
         let film = match films.iter().find(|(other, _)| other == path) {
             Some((_, film)) => film.clone(),
             None => {
-                let film = on_mesh_for(&on_shaft(path, scene)?, eccentricity).map_err(failed(path))?;
+                let mut model = compile(&on_shaft(path, scene)?).map_err(failed(path))?;
+                if scene.crank.is_none() {
+                    // The loads do not change: the journal moves on the way to its place alone.
+                    Arc::make_mut(&mut model).scope.orbit = None;
+                }
+                let film = on_mesh_for(&model, &model.oil, eccentricity).map_err(failed(path))?;
                 films.push((path.clone(), film.clone()));
                 film
             }

@@ -157,11 +157,11 @@ impl BearingReport {
         Self {
             name: bearing.name.clone(),
             scene: bearing.path.display().to_string(),
-            scene_sha256: bearing.film.scene.sha256.clone(),
+            scene_sha256: bearing.film.model.description.sha256.clone(),
             mesh_sha256: bearing.film.origin.sha256.clone(),
             at: bearing.at,
             unknowns: bearing.film.unknowns(),
-            geometry: Geometry::of(&bearing.film.scene),
+            geometry: Geometry::of(&bearing.film.model),
             criteria: design_criteria(&bearing.film, None, &quantities, bars),
             quantities,
             ..Self::default()

@@ -3,7 +3,6 @@
 use oilwedge_bearing::ThermalFlows;
 
 use super::compile::{Bearing, Compiled};
-use crate::compile::at_temperature;
 use crate::quantities::Quantity;
 use crate::result::Status;
 use crate::thermal::FilmTemperature;
@@ -42,7 +41,7 @@ impl Temperatures {
     /// The shaft on films at these temperatures.
     pub(super) fn applied(&self, compiled: &Compiled) -> Compiled {
         compiled.with_films(|number, bearing| match &self.0[number] {
-            Some(search) => at_temperature(&bearing.film, search.temperature),
+            Some(search) => bearing.film.at_temperature(search.temperature),
             None => bearing.film.clone(),
         })
     }

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use oilwedge_study::compile::compile;
 use oilwedge_study::refinement::answer;
 use oilwedge_study::run_options::RunOptions;
 
@@ -179,7 +180,8 @@ fn scenes(most: usize) -> Vec<Vec<String>> {
 
 fn shipped_rows(bearing: &Bearing, reference: &Result<Reference, String>) -> Vec<Vec<String>> {
     let clock = Instant::now();
-    let Ok(answer) = answer(&bearing.scene(None), &RunOptions::default()) else {
+    let answer = compile(&bearing.scene(None)).and_then(|model| answer(&model, &RunOptions::default()));
+    let Ok(answer) = answer else {
         return Vec::new();
     };
     let (seconds, size) = (clock.elapsed().as_secs_f64(), answer.film.unknowns());
