@@ -9,14 +9,12 @@ use std::sync::Arc;
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
 use oilwedge_reynolds::lubricant::Lubricant;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
-use oilwedge_scene::Dynamics;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
 
 use crate::model::Model;
 use crate::observer::Watch;
 use crate::oil::Oil;
 use crate::position::Position;
-use crate::thermal_model::ThermalModel;
 
 /// Degree of the unknown of a film [1].
 pub const DEGREE: usize = 2;
@@ -32,17 +30,8 @@ pub struct Film {
     pub problem: FilmProblem,
     /// Mesh, unknowns and given pressures.
     pub system: Arc<FilmSystem>,
-    /// Force on the journal, and what tilts it, under which its position is found, from that of the problem;
-    /// `None` at a given position.
-    pub load: Option<Load>,
-    /// What is known of that position.
+    /// What is known of the position under a load.
     pub start: Start,
-    /// How its temperature is found; `None`: it is given, or has no effect.
-    pub thermal: Option<ThermalModel>,
-    /// What is asked about small motions of the journal; `None`: nothing.
-    pub dynamics: Option<Dynamics>,
-    /// Velocity of the journal's centre.
-    pub centre_velocity: CentreVelocity,
     /// Origin of the mesh.
     pub origin: MeshOrigin,
     /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
@@ -77,6 +66,12 @@ pub struct MeshOrigin {
 }
 
 impl Film {
+    /// Force on the journal, and what tilts it, under which its position is found, from that of the problem; `None` at a
+    /// given position.
+    pub fn load(&self) -> Option<Load> {
+        self.model.sockets.load()
+    }
+
     /// The film with the journal elsewhere.
     pub fn with_journal(&self, journal: JournalState) -> Self {
         let mut film = self.clone();
@@ -165,7 +160,7 @@ impl Film {
     /// How its position is sought under a load, without a neighbouring film.
     pub(crate) fn search_options(&self, watch: Watch) -> SearchOptions<'_> {
         SearchOptions {
-            centre_velocity: self.centre_velocity,
+            centre_velocity: self.model.sockets.centre_velocity,
             deadline: watch.deadline,
             observer: watch.observer.map(|observer| observer as &dyn SearchObserver),
             guess: match &self.start {

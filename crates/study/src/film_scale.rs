@@ -6,6 +6,8 @@
 //! profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all
 //! graded meshes.
 
+use oilwedge_reynolds::Bearing;
+
 use crate::mesh_plan::MeshPlan;
 use crate::position::Position;
 
@@ -39,15 +41,9 @@ impl<'a> FilmScale<'a> {
         Self { plan, position }
     }
 
-    /// Radius and length of the liner, and clearance [m].
-    fn sizes(&self) -> [f64; 3] {
-        let liner = &self.plan.outline.liner;
-        [liner.radius, liner.length, self.plan.clearance]
-    }
-
     /// Scale [radii] at `(x, z)` [m].
     pub(crate) fn at(&self, [x, z]: [f64; 2]) -> f64 {
-        let [radius, _, clearance] = self.sizes();
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let scale = match (self.plan.is_of_orbit, self.plan.profiles.is_empty()) {
             (true, true) => self.on_orbit(),
             (true, false) => self.on_orbit().min(self.by_profiles([x, z])),
@@ -65,7 +61,7 @@ impl<'a> FilmScale<'a> {
     fn by_contact(&self, [x, z]: [f64; 2], touching: f64) -> f64 {
         /// Gaps within which surfaces carry by contact, in scales of its law.
         const IN_CONTACT: f64 = 4.0;
-        let [radius, _, clearance] = self.sizes();
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let here = self.position.at(z, clearance);
         let circles = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
         let thickness = (self.plan.profiles.iter()).fold(circles, |sum, profile| sum + profile.at([x, z]).depth);
@@ -77,7 +73,7 @@ impl<'a> FilmScale<'a> {
 
     /// The least scale [radii] all along the axis.
     pub(crate) fn all_along(&self, x: f64) -> f64 {
-        let half = 0.5 * self.plan.outline.liner.length;
+        let half = 0.5 * self.plan.bearing.length;
         let at_ends = self.at([x, -half]).min(self.at([x, half]));
         match self.plan.profiles.is_empty() {
             true => at_ends,
@@ -103,7 +99,7 @@ impl<'a> FilmScale<'a> {
         if !self.has_two_scales() {
             return self.all_along(x);
         }
-        let [radius, length, clearance] = self.sizes();
+        let Bearing { radius, length, clearance, .. } = self.plan.bearing;
         let half = 0.5 * length;
         let at = |z: f64| around(self.position.at(z, clearance), x / radius);
         at(-half).min(at(half))
@@ -111,7 +107,7 @@ impl<'a> FilmScale<'a> {
 
     /// Scale [radii] of a tilted journal's film along the axis.
     pub(crate) fn along_by_tilt(&self, [x, z]: [f64; 2]) -> f64 {
-        let [radius, _, clearance] = self.sizes();
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let (sin, cos) = (x / radius).sin_cos();
         let [g_x, g_y] = self.position.tilt;
         let slope = (g_x * cos + g_y * sin).abs();
@@ -122,7 +118,7 @@ impl<'a> FilmScale<'a> {
 
     /// Scale of a film between surfaces that are no circles.
     fn by_profiles(&self, [x, z]: [f64; 2]) -> f64 {
-        let [radius, _, clearance] = self.sizes();
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let (sin, cos) = (x / radius).sin_cos();
         let [g_x, g_y] = self.position.tilt;
         let here = self.position.at(z, clearance);

@@ -95,7 +95,7 @@ pub fn graded_within(
         None => model.film_near(longest, &model.start())?,
         Some(Shown { position, way }) => near(&model.state_at(*position))?.along(way.clone()),
     };
-    let Some(load) = film.load.filter(|_| model.mesh.is_graded()) else {
+    let Some(load) = film.load().filter(|_| model.mesh.is_graded()) else {
         return Ok(film.into());
     };
     let mut middle = Some(Position::middle(model));

@@ -1,13 +1,15 @@
-//! One scene to one answer: a compiled film, its analysis, its quantities with error bars, and the result as data.
+//! One scene to one answer: a model, its film on a mesh, its analysis, its quantities with error bars, and the result
+//! as data.
 //!
 //! ```text
-//! Scene -> compile (sockets) -> analysis (position, temperature) -> film
+//! Scene -> compile -> Model (sockets, plan of meshes)
+//! Model -> film on a mesh -> analysis (position, temperature) -> solved film
 //! film  -> quantities, bars -> RunResult + FilmPicture
 //! ```
 //!
-//! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`],
-//! [`estimate`], [`refinement`], [`mod@run`], [`result`], [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the
-//! load over a cycle), [`mod@orbit`], [`shaft`] (many bearings).
+//! Reading order: [`mod@compile`], [`model`], [`mesh_plan`], [`film`], [`isothermal`], [`thermal`], [`analysis`],
+//! [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`], [`mod@picture`],
+//! [`film_lines`], [`fields`]; [`duty`] (the load over a cycle), [`mod@orbit`], [`shaft`] (many bearings).
 
 pub mod analysis;
 mod cap_joint;
@@ -16,7 +18,6 @@ pub mod checks;
 pub mod column;
 pub mod compile;
 pub mod compile_error;
-pub mod duty;
 pub mod effects;
 pub mod estimate;
 pub mod fields;
@@ -61,7 +62,7 @@ pub use oilwedge_bearing::orbit::OrbitObserver;
 pub use oilwedge_bearing::{Clock, Interrupt, SearchObserver, pool};
 
 pub use checks::{CHECKS, check_columns, complaints, parse, read};
-pub use compile::compile;
+pub use compile::{compile, duty};
 pub use compile_error::CompileError;
 pub use observer::{Reached, RunObserver};
 pub use run::{Run, run, run_telling};

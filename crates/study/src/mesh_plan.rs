@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use oilwedge_reynolds::Bearing;
 use oilwedge_reynolds::film_thickness::Profile;
 use oilwedge_scene::{Bore, MeshSource};
 
@@ -20,12 +21,10 @@ pub struct MeshPlan {
     pub longest: f64,
     /// Longest edges [m] that the film needs.
     pub needed: f64,
-    /// Radial clearance [m].
-    pub clearance: f64,
+    /// Radius, length, clearance and end pressure.
+    pub bearing: Bearing,
     /// Angular speed of the journal [rad/s].
     pub speed: f64,
-    /// Pressure of the ends [Pa].
-    pub end_pressure: f64,
     /// Shapes of the bore.
     pub bores: Vec<Bore>,
     /// Profiles of bore and journal, if they are no circles.

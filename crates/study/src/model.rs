@@ -4,11 +4,10 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::duty_cycle::DutyCycle;
-use oilwedge_reynolds::Bearing;
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::wall::Wall;
 use oilwedge_scene::surface_table::Covered;
-use oilwedge_scene::{Arc as LinerArc, Criteria, Position as Placed};
+use oilwedge_scene::{Criteria, Position as Placed};
 
 use crate::effects::sockets::Sockets;
 use crate::mesh_plan::MeshPlan;
@@ -27,20 +26,18 @@ pub struct Model {
     pub sockets: Sockets,
     /// The meshes that it may have.
     pub mesh: MeshPlan,
-    /// Radius, length, clearance and end pressure.
-    pub bearing: Bearing,
     /// How the wall gives way to the pressure; `None`: it is rigid.
     pub wall: Option<Arc<Wall>>,
     /// The oil at the temperature that is given or, with a heat balance, at which the search for it begins.
     pub oil: Oil,
-    /// Angular speed of the journal [rad/s].
-    pub speed: f64,
     /// Where the journal is, or what load leads it.
     pub placed: Placed,
     /// Slope of the journal's axis [rad], as far as it is given.
     pub tilt: [f64; 2],
     /// Whether a support holds the journal against tilt.
     pub has_support: bool,
+    /// What a measured surface has to cover.
+    pub covered: Covered,
     /// Combined roughness of the surfaces [m], where it is given.
     pub roughness: Option<f64>,
     /// Young's modulus of journal and liner [Pa], where it is given.
@@ -79,11 +76,5 @@ impl Model {
             pressure_law: self.sockets.pressure_rule.at(oil.viscosity),
             temperature: oil.temperature,
         }
-    }
-
-    /// What a measured surface has to cover.
-    pub(crate) fn covered(&self) -> Covered {
-        let arc = self.mesh.outline.liner.arc.map(|(from, to)| LinerArc { from, to });
-        Covered { length: self.bearing.length, arc }
     }
 }

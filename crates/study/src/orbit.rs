@@ -43,7 +43,6 @@ use temperature::CycleTemperature;
 pub(crate) use temperature::{BALANCED, add_temperature};
 
 use crate::compile_error::CompileError;
-use crate::duty::DutyCycle;
 use crate::film::Film;
 use crate::model::Model;
 use crate::no_answer::NoAnswer;
@@ -51,6 +50,7 @@ use crate::quantities::cycle_view::{Sample, WallOnPath};
 use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
+use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// Place at which an orbit ends its search, as results have it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

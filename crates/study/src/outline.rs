@@ -6,7 +6,7 @@
 
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{Feature, Meeting, Shape, meeting};
-use oilwedge_scene::{Feed, Scene};
+use oilwedge_scene::Feed;
 
 /// The liner and its feeds.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,7 @@ pub struct LinerOutline {
     /// Angle [rad] at which the film of a ring is cut; `None` where it is not.
     pub film_start: Option<f64>,
     /// True where a mesh is made here; in a mesh file that is used as it is each group is a region.
-    is_drawn: bool,
+    pub is_drawn: bool,
 }
 
 /// One or several feeds that are one region of the film.
@@ -38,18 +38,6 @@ impl FeedRegion<'_> {
 }
 
 impl LinerOutline {
-    /// The outline that a scene describes.
-    pub fn of(scene: &Scene) -> Self {
-        let bearing = &scene.bearing;
-        let arc = bearing.arc.map(|arc| (arc.from, arc.to));
-        Self {
-            liner: Liner { radius: bearing.radius(), length: bearing.length, arc },
-            feeds: scene.feeds.clone(),
-            film_start: bearing.film_start,
-            is_drawn: scene.mesh.is_graded(),
-        }
-    }
-
     /// The regions that the feeds are, in the order of their first feeds.
     pub fn regions(&self) -> Vec<FeedRegion<'_>> {
         let meet = |one: &Feed, other: &Feed| match (self.shape(one), self.shape(other)) {

@@ -64,7 +64,7 @@ impl Position {
                 None => model.tilt,
             },
         };
-        Some(position.clear_of_the_ends(&model.bearing))
+        Some(position.clear_of_the_ends(&model.mesh.bearing))
     }
 
     /// This position as one that a search visited at an operating point.
@@ -85,7 +85,7 @@ impl Position {
     /// The position at which a computation begins: the one given, or the one that a closed estimate finds for the load;
     /// [`Self::middle`] where nothing turns.
     pub fn start(model: &Model) -> Self {
-        let (bearing, speed) = (&model.bearing, model.speed);
+        let (bearing, speed) = (&model.mesh.bearing, model.scope.speed);
         let Placed::Load { force, angle } = model.placed else {
             return Self::middle(model);
         };
@@ -116,10 +116,10 @@ impl Position {
             // The orbit is not known yet: a mesh is graded as for a journal in the middle.
             Placed::Cycle => Self { eccentricity: 0.0, min_film_angle: 0.0, tilt },
             Placed::Load { angle, .. } => {
-                let sense = if model.speed < 0.0 { -1.0 } else { 1.0 };
+                let sense = if model.scope.speed < 0.0 { -1.0 } else { 1.0 };
                 let position =
                     Self { eccentricity: START_ECCENTRICITY, min_film_angle: angle + sense * START_ATTITUDE, tilt };
-                position.clear_of_the_ends(&model.bearing)
+                position.clear_of_the_ends(&model.mesh.bearing)
             }
         }
     }

@@ -127,7 +127,7 @@ impl Regime {
                 warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
             }),
         ];
-        let rise = self.temperature_rise.filter(|rise| film.thermal.is_none() && *rise > WARM);
+        let rise = self.temperature_rise.filter(|rise| film.model.sockets.thermal.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
             warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; check that oil.viscosity (or oil.temperature) is that of the film, or give [heat] with a grade or another law of temperature", rounded(rise)))
         });
@@ -185,7 +185,7 @@ fn deflection(film: &Film, measured: &Measured) -> f64 {
 
 /// Friction and power of a moving centre over the heat that the oil which leaves takes up for each kelvin.
 fn temperature_rise(film: &Film, measured: &Measured) -> Option<f64> {
-    let capacity = film.thermal.map_or(HEAT_CAPACITY, |model| model.balance.heat_capacity);
+    let capacity = film.model.sockets.thermal.map_or(HEAT_CAPACITY, |model| model.balance.heat_capacity);
     let Film { problem, system, .. } = film;
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let flow = leaving(problem, system, &measured.flows);

@@ -116,10 +116,10 @@ const TOWARDS_EDGE: f64 = 0.2;
 /// `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
 fn layers(plan: &MeshPlan, viscosity: f64, cavity: f64) -> Vec<(f64, f64)> {
     let drag = 3.0 * viscosity * plan.speed.abs();
-    let thickness = |pressure: f64| plan.clearance * ((pressure - cavity) / drag).sqrt();
+    let thickness = |pressure: f64| plan.bearing.clearance * ((pressure - cavity) / drag).sqrt();
     let outline = &plan.outline;
     let half = 0.5 * outline.liner.length;
-    let at_ends = [-half, half].map(|z| (z, plan.end_pressure));
+    let at_ends = [-half, half].map(|z| (z, plan.bearing.end_pressure));
     let at_grooves = outline.feeds.iter().flat_map(|feed| {
         let shape = outline.shape(feed).filter(|shape| shape.is_full_turn());
         let edges = shape.map(|shape| [-1.0, 1.0].map(|side| shape.centre[1] + side * shape.half[1]));

@@ -14,7 +14,6 @@ use oilwedge_scene::wording::percent;
 
 use crate::compile::compile;
 use crate::compile_error::CompileError;
-use crate::duty::DutyCycle;
 use crate::effects::Effects;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::{DEGREE, Film};
@@ -36,6 +35,7 @@ use crate::solved::Solved;
 use crate::thermal::{cycle_temperature_report, temperature_report, work_of};
 use crate::warning::{self, Warning};
 use crate::warnings::all_warnings;
+use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// What a run found.
 #[derive(Debug, Clone, PartialEq)]
@@ -149,7 +149,7 @@ fn on_orbit(
     let estimated = estimate_errors(&solved);
     let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.surface());
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
-    let (half_speed, turns) = (facts.half_speed_share, model.speed != 0.0);
+    let (half_speed, turns) = (facts.half_speed_share, model.scope.speed != 0.0);
     let limit = match followed.end {
         OrbitEnd::Closed => None,
         OrbitEnd::NotClosed if half_speed > MOST_AT_HALF_SPEED => {

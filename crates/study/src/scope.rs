@@ -21,6 +21,8 @@ pub struct Scope {
     pub is_circular: bool,
     /// Whether the shapes of bore and journal change along the axis.
     pub has_shape_along_the_axis: bool,
+    /// Groups of feeds and pockets, in the order of the scene.
+    pub groups: Vec<String>,
     /// Whether a feed has a pressure.
     pub is_fed: bool,
     /// What happens where the film would break.

@@ -297,7 +297,7 @@ impl<'a> StudyRun<'a> {
             self.drawn = Some(MarkedMesh {
                 level: number,
                 mesh: mesh.clone(),
-                radius: self.model.bearing.radius,
+                radius: self.model.mesh.bearing.radius,
                 indicator: level.indicator,
             });
         }

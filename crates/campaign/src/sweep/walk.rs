@@ -64,7 +64,7 @@ pub struct Found {
 
 impl Found {
     fn of((solved, estimated): (&Solved, Estimated), limit: Option<&Limit>, options: &RunOptions) -> Self {
-        let model = solved.film.thermal.as_ref();
+        let model = solved.film.model.sockets.thermal.as_ref();
         let criteria = design_criteria(&solved.film, model, &estimated.quantities, options.bars);
         Self {
             status: CaseStatus::Run(match limit {
@@ -310,11 +310,11 @@ fn redrawn(model: &Arc<Model>, position: Position) -> Result<Held, CompileError>
 
 /// Coordinate and duty of a case, by which its position is predicted from those of its neighbours.
 fn point(model: &Model, coordinate: f64) -> Point {
-    let bearing = &model.bearing;
+    let bearing = &model.mesh.bearing;
     let [x, y] = model.sockets.load.unwrap_or_default();
     let slenderness = bearing.radius / bearing.clearance;
     let diameter = 2.0 * bearing.radius;
-    let drag = model.oil.viscosity * model.speed.abs() * slenderness.powi(2) * diameter * bearing.length;
+    let drag = model.oil.viscosity * model.scope.speed.abs() * slenderness.powi(2) * diameter * bearing.length;
     let duty = (x.hypot(y) / drag).ln();
     Point { coordinate, duty: if duty.is_finite() { duty } else { 0.0 } }
 }

@@ -10,8 +10,9 @@ use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::wording::celsius;
 use oilwedge_scene::{Complaints, HighShear, PressureLaw, Scene, TemperatureLaw, Viscosity};
 
+use crate::compile::oil::{HIGH_SHEAR_AT, points};
 use crate::effects::Sockets;
-use crate::oil::{HIGH_SHEAR_AT, Oil, points};
+use crate::oil::Oil;
 
 /// Parts of a viscosity that high shear leaves; a law through other points may be off by some percent at 150 degrees C.
 const LEAST_SHEARED: f64 = 0.3;

@@ -17,6 +17,7 @@ impl Scope {
             can_tilt: scene.can_tilt(),
             is_circular: scene.is_circular(),
             has_shape_along_the_axis: scene.has_shape_along_the_axis(),
+            groups: scene.feeds.iter().map(|feed| feed.group.clone()).collect(),
             is_fed: scene.feeds.iter().any(|feed| feed.pressure.is_some()),
             cavitation: scene.cavitation.map_or(CavitationModel::None, |cavitation| cavitation.model),
             touches: scene.contact.is_some(),

@@ -32,7 +32,7 @@ fn a_centre_that_rests_squeezes_nothing() {
         let study = journal(&format!("{plain}{squeeze}"));
         assert_eq!(Effects::of(&study.model.effects).simulated, ["poiseuille", "couette"]);
         assert!(Effects::of(&study.model.effects).not_simulated.iter().any(|kind| kind == "squeeze"));
-        assert_eq!((study.problem.journal.velocity, study.load), ([0.0; 2], None));
+        assert_eq!((study.problem.journal.velocity, study.load()), ([0.0; 2], None));
     }
 }
 
@@ -57,7 +57,7 @@ fn under_a_load_the_search_begins_behind_it() {
     for (speed, sense) in [("10 rad/s", 1.0), ("-10 rad/s", -1.0)] {
         let tables = format!("journal.speed = \"{speed}\"\nload = {{ force = \"5 kN\", angle = \"270 deg\" }}");
         let study = study(&tables);
-        assert!(is_near(study.load.expect("a load").force, [0.0, -5e3]), "{:?}", study.load);
+        assert!(is_near(study.load().expect("a load").force, [0.0, -5e3]), "{:?}", study.load());
         assert_eq!(Effects::of(&study.model.effects).simulated, ["poiseuille", "couette", "equilibrium"]);
         // A full film: at right angles to the load, as far out as a closed estimate says.
         let [x, y] = study.problem.journal.offset;

@@ -37,7 +37,7 @@ fn sheared(film: &Film, measured: &Measured) -> Option<Warning> {
 /// The warning that a temperature that was sought lies outside the table of viscosities.
 fn outside_table(film: &Film) -> Option<Warning> {
     let oil = &film.oil;
-    film.thermal?;
+    film.model.sockets.thermal?;
     let (temperature, TemperatureLaw::Table(table)) = (oil.temperature?, &oil.thermal.as_ref()?.law) else {
         return None;
     };

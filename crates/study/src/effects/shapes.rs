@@ -53,7 +53,7 @@ pub(super) const ROW: Effect = Effect {
 /// Measured surfaces of a film with their points; a file that cannot be read any more has been told when the film was
 /// compiled.
 fn measurements(film: &Film) -> impl Iterator<Item = (&Path, SurfacePoints)> {
-    let covered = film.model.covered();
+    let covered = film.model.covered;
     film.model.sockets.surfaces.iter().filter_map(move |surface| match surface {
         ShapedSurface::Bore(Bore::Measured(path)) => Some((path.as_path(), read_bore(path, covered).ok()?)),
         ShapedSurface::Shaft(Shaft::Measured(path)) => Some((path.as_path(), read_shaft(path, covered).ok()?)),

@@ -63,14 +63,15 @@ impl Model {
         let clock = Instant::now();
         let (mesh, flips) = suited(&self.mesh, mesh);
         check_feed_groups(&self.mesh, &mesh)?;
-        let (load, sockets, is_of_orbit) = (self.sockets.load(), &self.sockets, self.mesh.is_of_orbit);
+        let (load, is_of_orbit) = (self.sockets.load(), self.mesh.is_of_orbit);
         let regions = supply(self, &mesh)?;
         let problem = problem(self, &mesh, state);
         let system = FilmSystem::new(Arc::new(mesh), degree, regions)
             .map_err(|faults| CompileError::Supply { mesh: self.mesh.name(), faults })?;
         check_gap(self, &problem, &system, load)?;
         // A position is sought on coarser meshes first, and by many films; so are a deflection and a temperature.
-        let is_sought = load.is_some() || sockets.thermal.is_some() || is_of_orbit || problem.deflection().is_some();
+        let is_sought =
+            load.is_some() || self.sockets.thermal.is_some() || is_of_orbit || problem.deflection().is_some();
         let system = match is_sought {
             true => system.for_many_solves(),
             false => system,
@@ -80,30 +81,36 @@ impl Model {
             true => system.with_coarser(&problem, coarser_layout(is_of_orbit)),
             false => system,
         };
-        Ok(Film {
-            model: self.clone(),
+        let mut film = Film::made(self, state, problem, Arc::new(system));
+        film.origin.flips = flips;
+        film.seconds.push(("order", clock.elapsed().as_secs_f64()));
+        Ok(film)
+    }
+}
+
+impl Film {
+    /// The film of a model in a state, whose position is an estimate.
+    pub(super) fn made(model: &Arc<Model>, state: &FilmState, problem: FilmProblem, system: Arc<FilmSystem>) -> Self {
+        Self {
+            model: model.clone(),
             oil: state.oil.clone(),
             problem,
-            system: Arc::new(system),
-            load,
+            system,
             start: Start::default(),
-            thermal: sockets.thermal,
-            dynamics: sockets.dynamics.clone(),
-            centre_velocity: sockets.centre_velocity,
-            origin: MeshOrigin { flips, ..MeshOrigin::default() },
-            seconds: vec![("order", clock.elapsed().as_secs_f64())],
-        })
+            origin: MeshOrigin::default(),
+            seconds: Vec::new(),
+        }
     }
 }
 
 /// The film of a model in a state or, under a load, where the search for its position begins.
 pub(super) fn problem(model: &Model, mesh: &Mesh, state: &FilmState) -> FilmProblem {
-    let (bearing, sockets) = (model.bearing, &model.sockets);
+    let (bearing, sockets) = (model.mesh.bearing, &model.sockets);
     let Position { eccentricity, min_film_angle, tilt } = state.position;
     let journal = JournalState {
         tilt,
         tilt_rate: sockets.tilt_rate,
-        ..JournalState::at_eccentricity(eccentricity, min_film_angle, bearing.clearance, model.speed)
+        ..JournalState::at_eccentricity(eccentricity, min_film_angle, bearing.clearance, model.scope.speed)
     };
     let eccentric: Arc<dyn FilmContribution> =
         Arc::new(Eccentricity { radius: bearing.radius, clearance: bearing.clearance });
@@ -201,7 +208,7 @@ fn supply(model: &Model, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
             film_fraction: None,
         }
     };
-    let p_e = model.bearing.end_pressure;
+    let p_e = model.mesh.bearing.end_pressure;
     let end = match sockets.theory {
         Theory::Long => BoundaryKind::Sealed,
         Theory::Full | Theory::Short => BoundaryKind::End,

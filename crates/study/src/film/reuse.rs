@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 
+use super::Film;
 use super::made::problem;
-use super::{Film, Start};
 use crate::model::Model;
 use crate::outline::LinerOutline;
 use crate::position::FilmState;
@@ -49,22 +49,10 @@ impl Film {
         let fed = |name: &str| regions.iter().find(|region| region.name == name)?.pressure();
         let pressure = |region: &SupplyRegion| match region.kind {
             BoundaryKind::Feed => fed(&region.name).unwrap_or(region.pressure),
-            BoundaryKind::End | BoundaryKind::Line | BoundaryKind::Sealed => model.bearing.end_pressure,
+            BoundaryKind::End | BoundaryKind::Line | BoundaryKind::Sealed => model.mesh.bearing.end_pressure,
         };
         let is_renewed = Arc::get_mut(&mut system)?.renew(&pressure, &problem.film_thickness);
-        // Every field by name: what another operating point may change must not stay by being forgotten here.
-        is_renewed.then(|| Self {
-            model: model.clone(),
-            oil: state.oil.clone(),
-            problem,
-            system,
-            load: model.sockets.load(),
-            start: Start::default(),
-            thermal: model.sockets.thermal,
-            dynamics: model.sockets.dynamics.clone(),
-            centre_velocity: model.sockets.centre_velocity,
-            origin: self.origin,
-            seconds: self.seconds,
-        })
+        let film = |system| Self::made(model, state, problem, system);
+        is_renewed.then(|| Self { origin: self.origin, seconds: self.seconds, ..film(system) })
     }
 }

@@ -69,7 +69,7 @@ pub fn no_map(model: &Model) -> Option<&'static str> {
         (scope.orbit.is_some_and(|orbit| orbit.mass > 0.0), "the rotor has a mass"),
         (!is_constant, "the viscosity depends on the pressure"),
         (!scope.cavitation.drops_pressures(), "the cavitation model is neither guembel nor reynolds"),
-        (cavity != Some(model.bearing.end_pressure), "the cavity has another pressure than the ends"),
+        (cavity != Some(model.mesh.bearing.end_pressure), "the cavity has another pressure than the ends"),
     ];
     reasons.into_iter().find_map(|(is_so, reason)| is_so.then_some(reason))
 }
@@ -80,7 +80,7 @@ pub fn no_map(model: &Model) -> Option<&'static str> {
 /// The model does not become a film, or the reason why a map does not exist or leads nowhere.
 pub fn by_maps(model: &Arc<Model>, path: &OrbitPath) -> Result<Vec<Result<ByMap, String>>, CompileError> {
     let Some(cycle) = &model.duty else { return Ok(Vec::new()) };
-    let beside = Beside { bearing: model.bearing, cycle, path };
+    let beside = Beside { bearing: model.mesh.bearing, cycle, path };
     let short = beside.by("short", &ShortMap, 0, 0.0);
     let clock = Instant::now();
     let greatest = 1.0 - ROOM * (1.0 - path.greatest_eccentricity());

@@ -76,9 +76,7 @@ pub fn film_of_orbit(model: &Arc<Model>) -> Result<Film, CompileError> {
 /// The model does not become a film.
 pub(crate) fn on_mesh_for(model: &Arc<Model>, oil: &Oil, eccentricity: f64) -> Result<Film, CompileError> {
     let position = Position { eccentricity, min_film_angle: 0.0, tilt: model.tilt };
-    let film = model.film_near(model.mesh.longest, &FilmState { position, oil: oil.clone() })?;
-    // The journal is where the motion leads it.
-    Ok(Film { load: None, ..film })
+    model.film_near(model.mesh.longest, &FilmState { position, oil: oil.clone() })
 }
 
 /// An orbit on the next coarser mesh, and its greatest eccentricity at an end; `None` where there is none.

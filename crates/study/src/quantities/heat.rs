@@ -39,7 +39,7 @@ rows! {
     /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without
     /// `heat.mixing`
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
-        One(|film| film.base.thermal?.mixing.and_then(|_| end(film, 0))),
+        One(|film| film.base.model.sockets.thermal?.mixing.and_then(|_| end(film, 0))),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[0])),
         in_table(Table::Temperature) only(|scope| scope.thermal.is_some_and(|model| model.mixing.is_some()));
 
@@ -74,7 +74,7 @@ fn is_balanced(scope: &Scope) -> bool {
 
 /// The balance, the temperature [K] of the film, and what heats and cools it.
 fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
-    let (model, temperature) = (film.base.thermal?, film.base.oil.temperature?);
+    let (model, temperature) = (film.base.model.sockets.thermal?, film.base.oil.temperature?);
     Some((model.balance, temperature, thermal_flows(&model, film.base, film.measured)))
 }
 

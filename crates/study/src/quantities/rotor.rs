@@ -51,7 +51,7 @@ fn ratio(of: &Coefficients, film: &View) -> Option<f64> {
 }
 
 fn decrement(of: &Coefficients, film: &View) -> Option<f64> {
-    let mass = film.base.dynamics.as_ref()?.mass?;
+    let mass = film.base.model.sockets.dynamics.as_ref()?.mass?;
     Some(whirling(of, mass)?.decrement)
 }
 

@@ -71,8 +71,10 @@ impl ErrorRule {
         match self {
             Self::Exact | Self::Temperature(_) | Self::Balance(..) => Some(Bar::default()),
             Self::Rim => Some(rim(subject)),
-            Self::Position if subject.view.base.load.is_none() => Some(Bar::default()),
-            Self::LeastFilmPlace(rounding) if subject.view.base.load.is_none() => Some(place(subject.view, *rounding)),
+            Self::Position if subject.view.base.load().is_none() => Some(Bar::default()),
+            Self::LeastFilmPlace(rounding) if subject.view.base.load().is_none() => {
+                Some(place(subject.view, *rounding))
+            }
             _ if !estimate.is_resolved() => None,
             Self::Position => Some(Bar::default()),
             Self::LeastFilmPlace(rounding) => Some(place(subject.view, *rounding)),

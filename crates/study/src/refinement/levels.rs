@@ -300,7 +300,7 @@ impl Refining<'_> {
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
         let film = &level.solved.film;
-        let most_unknowns = match film.load {
+        let most_unknowns = match film.load() {
             Some(_) if film.problem.deflection().is_some() => MOST_WANTED_ON_WALL,
             Some(load) if film.problem.cavitation.conserves_oil() && load.tilting.is_some() => MOST_WANTED_EXPENSIVE,
             _ => MOST_WANTED_UNKNOWNS,

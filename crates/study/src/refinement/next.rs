@@ -146,11 +146,11 @@ pub(super) struct Known {
 impl Known {
     fn of(film: &Film) -> Self {
         Self {
-            position: match film.load {
+            position: match film.load() {
                 None => Position::start(&film.model),
                 Some(_) => film.position(),
             },
-            temperature: film.thermal.and(film.oil.temperature),
+            temperature: film.model.sockets.thermal.and(film.oil.temperature),
             deflection: film.problem.deflection().cloned(),
         }
     }

@@ -25,14 +25,14 @@ pub struct Geometry {
 impl Geometry {
     /// The geometry of a model.
     pub fn of(model: &Model) -> Self {
-        let (outline, bearing) = (&model.mesh.outline, &model.bearing);
+        let (outline, bearing) = (&model.mesh.outline, &model.mesh.bearing);
         Self {
             radius: bearing.radius,
             length: bearing.length,
             clearance: bearing.clearance,
             arc: outline.liner.arc.map(|(from, to)| [from.to_degrees(), to.to_degrees()]),
             film_start: outline.film_start.map(f64::to_degrees),
-            speed: model.speed,
+            speed: model.scope.speed,
         }
     }
 }

@@ -12,8 +12,8 @@ use oilwedge_scene::{self as scene, Journal, Orbit, Scene, ShaftPiece, ShaftScen
 
 use super::error::ShaftError;
 use crate::compile::compile;
+use crate::compile::duty::{NoDuty, crank_of};
 use crate::compile_error::CompileError;
-use crate::duty::{NoDuty, crank_of};
 use crate::film::Film;
 use crate::orbit::on_mesh_for;
 
@@ -111,6 +111,22 @@ impl Compiled {
     /// This shaft on films of the vertices of their meshes alone.
     pub(super) fn on_vertices(&self) -> Self {
         self.with_films(|_, Bearing { film, .. }| Film { system: Arc::new(film.system.on_vertices()), ..film.clone() })
+    }
+
+    /// This shaft on films that are meshed for another greatest eccentricity [1].
+    ///
+    /// # Errors
+    /// [`ShaftError::Film`]: a bearing cannot be meshed for it.
+    pub(super) fn meshed_for(&self, eccentricity: f64) -> Result<Self, ShaftError> {
+        let mut films: Vec<Film> = Vec::new();
+        for (number, Bearing { path, film, .. }) in self.bearings.iter().enumerate() {
+            let first = self.bearings[..number].iter().position(|other| other.path == *path);
+            films.push(match first {
+                Some(first) => films[first].clone(),
+                None => on_mesh_for(&film.model, &film.model.oil, eccentricity).map_err(failed(path))?,
+            });
+        }
+        Ok(self.with_films(|number, _| films[number].clone()))
     }
 
     /// This shaft with another film of each bearing, by its number.

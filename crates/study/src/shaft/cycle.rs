@@ -92,7 +92,7 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
         start = end;
         let is_graded = compiled.bearings.iter().any(|bearing| bearing.film.model.mesh.is_graded());
         if is_graded && !suits(USUAL, greatest) {
-            compiled = compile_shaft(scene, greatest)?;
+            compiled = compiled.meshed_for(greatest)?;
         }
     }
     temperatures.begin_again();

@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 use super::compile::Bearing;
 use super::deflection::ShaftDeflection;
 use super::weights::CounterweightReport;
-use crate::duty::DutyCycle;
 use crate::limits::design_criteria;
 use crate::orbit::OrbitPath;
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
 use crate::result::{Criterion, Geometry, ResultHead, in_order, named};
 use crate::warning::Warning;
+use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// Name and version of the form of `result.json` of a crankshaft.
 pub const SHAFT_FORMAT: &str = "oilwedge-crankshaft/1";

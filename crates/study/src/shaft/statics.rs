@@ -61,7 +61,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
             break found;
         }
         (eccentricity, meshes) = (greatest, meshes + 1);
-        compiled = compile_shaft(scene, eccentricity)?;
+        compiled = compiled.meshed_for(eccentricity)?;
     };
     let mut temperatures = Temperatures::of(&compiled);
     let found = found.map_err(|reason| without(&reason, &compiled, options.cause()));
@@ -114,7 +114,7 @@ fn shown(at: &Compiled, balance: &Balance) -> Vec<Shown> {
     let of_film = |(bearing, here): (&Bearing, &Instant)| {
         let film = bearing.film.with_journal(here.film.problem.journal);
         let measured = measure(&here.film);
-        let flows = film.thermal.map(|model| thermal_flows(&model, &film, &measured));
+        let flows = film.model.sockets.thermal.map(|model| thermal_flows(&model, &film, &measured));
         (flows, quantities::measured(&View::new(&film, &here.film.problem, &measured)))
     };
     at.bearings.iter().zip(&balance.instants).map(of_film).collect()
@@ -196,7 +196,9 @@ fn report(
     let films = compiled.films();
     let Reported { balance, mut solved, carried, more } = reported(compiled, &films, found, options)?;
     for (number, solved) in solved.iter_mut().enumerate() {
-        let Some((search, model)) = temperatures.of_bearing(number).zip(solved.film.thermal) else { continue };
+        let Some((search, model)) = temperatures.of_bearing(number).zip(solved.film.model.sockets.thermal) else {
+            continue;
+        };
         let flows = thermal_flows_of(&model, solved.reported());
         solved.temperature = Some(TemperatureFound {
             balanced: search.balanced(flows),

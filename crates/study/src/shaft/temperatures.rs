@@ -19,7 +19,8 @@ pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
 impl Temperatures {
     /// The temperatures of the bearings of a shaft before the first run.
     pub(super) fn of(compiled: &Compiled) -> Self {
-        let of = |Bearing { film, .. }: &Bearing| film.thermal.map(|model| FilmTemperature::of(film, model));
+        let of =
+            |Bearing { film, .. }: &Bearing| film.model.sockets.thermal.map(|model| FilmTemperature::of(film, model));
         Self(compiled.bearings.iter().map(of).collect())
     }
 

@@ -18,7 +18,7 @@ pub(crate) struct Heating<'a> {
 impl<'a> Heating<'a> {
     /// None of a film whose temperature is given, or has no effect.
     pub(crate) fn of(film: &'a Film) -> Option<Self> {
-        Some(Self { film, model: film.thermal? })
+        Some(Self { film, model: film.model.sockets.thermal? })
     }
 }
 

@@ -78,7 +78,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         slopes: slopes.numbers,
         seconds: clock.elapsed().as_secs_f64(),
     });
-    solved.balance = film.load.and(balance);
+    solved.balance = film.load().and(balance);
     Ok(solved)
 }
 

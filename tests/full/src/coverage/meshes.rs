@@ -71,7 +71,7 @@ impl Solve {
     pub fn on(&self, scene: &Scene, mesh: Mesh) -> Result<Self, String> {
         let film = &self.solved.film;
         let model = compile(scene).map_err(|error| error.to_string())?;
-        let state = match film.load {
+        let state = match film.load() {
             None => model.start(),
             Some(_) => model.state_at(film.position()),
         };

@@ -188,7 +188,7 @@ fn shipped_rows(bearing: &Bearing, reference: &Result<Reference, String>) -> Vec
     let (Ok((_, judged)), Ok(reference)) = (answer.outcome, reference) else {
         return Vec::new();
     };
-    let asked = match answer.film.load {
+    let asked = match answer.film.load() {
         Some(_) => ["eccentricity", "attitude_angle", "pressure_max", "side_flow"],
         None => ["load", "attitude_angle", "pressure_max", "side_flow"],
     };

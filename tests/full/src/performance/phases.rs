@@ -109,8 +109,8 @@ pub fn film(study: &Film) -> SolvedFilm {
 /// # Panics
 /// If there is none.
 pub fn equilibrium(study: &Film) -> Equilibrium {
-    let load = study.load.expect("a load");
-    let options = SearchOptions { centre_velocity: study.centre_velocity, ..SearchOptions::default() };
+    let load = study.load().expect("a load");
+    let options = SearchOptions { centre_velocity: study.model.sockets.centre_velocity, ..SearchOptions::default() };
     find(&study.problem, &study.system, load, &options).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
