@@ -114,19 +114,9 @@ impl Film {
         film
     }
 
-    /// The film, at whose position a coarser mesh balances the load.
-    pub(crate) fn nearly_balanced(self) -> Self {
-        Self { start: Start::NearlyBalanced, ..self }
-    }
-
-    /// This film, of which another mesh has shown where a growing moment leads.
-    pub(crate) fn along(self, way: Arc<Waypoint>) -> Self {
-        Self { start: Start::Along(way), ..self }
-    }
-
-    /// This film, on whose mesh a rough search has found no balance.
-    pub(crate) fn failed(self) -> Self {
-        Self { start: Start::Failed, ..self }
+    /// This film, of whose position so much is known.
+    pub(crate) fn begun(self, start: Start) -> Self {
+        Self { start, ..self }
     }
 
     /// The way along which its position is sought, if another mesh has shown one.

@@ -93,7 +93,7 @@ pub fn graded_within(
     };
     let mut film = match shown {
         None => model.film_near(longest, &model.start())?,
-        Some(Shown { position, way }) => near(&model.state_at(*position))?.along(way.clone()),
+        Some(Shown { position, way }) => near(&model.state_at(*position))?.begun(Start::Along(way.clone())),
     };
     let Some(load) = film.load().filter(|_| model.mesh.is_graded()) else {
         return Ok(film.into());
@@ -104,23 +104,25 @@ pub fn graded_within(
             break;
         }
         match suited(&film, load, watch, &mut middle) {
-            Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced().into()),
+            Suited::To(found) => return Ok(film.as_found(&found).begun(Start::NearlyBalanced).into()),
             Suited::Unknown(way) => {
                 let film = match way {
-                    Some(way) => film.along(way),
+                    Some(way) => film.begun(Start::Along(way)),
                     None => film,
                 };
                 return Ok(film.into());
             }
-            Suited::Failed => return Ok(film.failed().into()),
+            Suited::Failed => return Ok(film.begun(Start::Failed).into()),
             Suited::Refused(reason) => {
                 return Ok(Graded { film, refused: Some(reason) });
             }
             Suited::Not(position, known) => {
                 let graded = near(&FilmState { position, oil: model.oil_at(known.temperature()) })?;
                 film = match known {
-                    Known::Balance(found) if takes_long(&found, load) => graded.as_found(&found).nearly_balanced(),
-                    Known::Way(way) => graded.along(way),
+                    Known::Balance(found) if takes_long(&found, load) => {
+                        graded.as_found(&found).begun(Start::NearlyBalanced)
+                    }
+                    Known::Way(way) => graded.begun(Start::Along(way)),
                     Known::Balance(_) | Known::Nothing => graded,
                 };
             }

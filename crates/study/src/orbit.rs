@@ -77,7 +77,7 @@ pub struct OrbitFacts {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct CycleFacts {
-    /// Distance between beginning and end, over the clearance [1].
+    /// Distance between beginning and end, over the clearance [1]; on a shaft the greatest of all journals.
     pub closure: f64,
     /// Steps made.
     pub steps: usize,
@@ -299,7 +299,7 @@ pub(crate) fn measured(
             closed: end == OrbitEnd::Closed,
             earlier_cycles: options.earlier.map_or(0, |earlier| earlier.cycles),
             end: steps.last().map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
-            cycles: cycles.iter().map(facts).collect(),
+            cycles: cycles.iter().map(CycleFacts::of).collect(),
             half_speed_share: load.half_speed_share,
         },
         path: OrbitPath {
@@ -322,13 +322,15 @@ pub(crate) fn measured(
     })
 }
 
-fn facts(cycle: &Cycle) -> CycleFacts {
-    CycleFacts {
-        closure: cycle.closure,
-        steps: cycle.steps,
-        rejected: cycle.rejected,
-        films: cycle.films,
-        oil_closure: cycle.oil.map(|oil| oil.closure),
-        oil_imbalance: cycle.oil.map(|oil| oil.imbalance),
+impl CycleFacts {
+    pub(crate) fn of(cycle: &Cycle) -> Self {
+        Self {
+            closure: cycle.closure,
+            steps: cycle.steps,
+            rejected: cycle.rejected,
+            films: cycle.films,
+            oil_closure: cycle.oil.map(|oil| oil.closure),
+            oil_imbalance: cycle.oil.map(|oil| oil.imbalance),
+        }
     }
 }

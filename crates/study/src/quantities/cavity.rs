@@ -1,6 +1,5 @@
 //! Extent of the cavity, and the oil that it makes.
 
-use crate::scope::Scope;
 use oilwedge_reynolds::error_bar::Bar;
 
 use super::row::Measure::One;
@@ -25,15 +24,10 @@ rows! {
     CAVITY_FLOW = "cavity_flow", "Q_c", CubicMetrePerSecond, "oil created by a cavity model that does not conserve oil":
         One(|film| drops(film).then_some(film.measured.flows.cavity)),
         ErrorRule::Of("sum of those of all flows that it balances", |estimate, at| estimate.cavity_flow(at.change)),
-        only(drops_in);
+        only(|scope| scope.cavitation.drops_pressures());
 }
 
 /// True of a film whose cavity keeps no oil.
 pub(super) fn drops(film: &super::view::View) -> bool {
     film.problem.cavitation.drops_pressures()
-}
-
-/// True of a scene with such films.
-pub(super) fn drops_in(scope: &Scope) -> bool {
-    scope.cavitation.drops_pressures()
 }

@@ -4,8 +4,6 @@ use oilwedge_reynolds::Theory;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_scene::CavitationModel;
 
-use crate::scope::Scope;
-
 use super::position::is_eccentric;
 use super::row::Measure::One;
 use super::rule::{ErrorRule, Subject};
@@ -39,7 +37,7 @@ rows! {
     FILM_START_ANGLE = "film_start_angle", "phi_1", Degree, "where the loaded film begins, at z = 0":
         One(|film| end(film, ExtentEnd::Begins)),
         ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Begins)),
-        only(has_cavity);
+        only(|scope| scope.cavitation != CavitationModel::None);
 
     /// `phi_2` in [0, 360): downstream end of the loaded film on the mid-plane z = 0, where it ruptures: from the
     /// greatest pressure with the rotation the first place in the cavity, at the film start or at the edge of an arc;
@@ -47,7 +45,7 @@ rows! {
     FILM_END_ANGLE = "film_end_angle", "phi_2", Degree, "where the loaded film ruptures, at z = 0":
         One(|film| end(film, ExtentEnd::Ends)),
         ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Ends)),
-        only(has_cavity);
+        only(|scope| scope.cavitation != CavitationModel::None);
 }
 
 /// Angle [deg] that values of a smooth film leave open about its least place: the root of rounding.
@@ -84,8 +82,4 @@ fn of_end(estimate: &dyn Estimate, at: &Subject, end: ExtentEnd) -> Option<Bar> 
 /// Degrees for each metre around the bearing.
 fn per_metre(at: &Subject) -> f64 {
     (1.0 / at.view.problem.bearing.radius).to_degrees()
-}
-
-fn has_cavity(scope: &Scope) -> bool {
-    scope.cavitation != CavitationModel::None
 }

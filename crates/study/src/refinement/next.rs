@@ -158,7 +158,7 @@ impl Known {
     /// A film at the position known, under the wall known.
     fn begun(&self, mut film: Film) -> Film {
         film.problem = film.problem.deflected(self.deflection.as_ref());
-        film.nearly_balanced()
+        film.begun(crate::film::Start::NearlyBalanced)
     }
 
     /// The state, whose temperature is sought from that found.

@@ -12,11 +12,12 @@ use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
-use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
+use super::result::{BearingPath, BearingReport, ShaftRun, found_with_shaft};
 use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
-    BALANCED, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion, suits,
+    BALANCED, CycleFacts, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion,
+    suits,
 };
 use crate::reasons::{Cause, Limit};
 use crate::result::Status;
@@ -274,12 +275,7 @@ fn report(
     run.result.cycles = orbit
         .cycles
         .iter()
-        .map(|cycle| CycleReport {
-            closure: cycle.closure,
-            steps: cycle.steps,
-            rejected: cycle.rejected,
-            films: cycle.films,
-        })
+        .map(|cycle| CycleFacts { oil_closure: None, oil_imbalance: None, ..CycleFacts::of(cycle) })
         .collect();
     Ok(())
 }

@@ -7,7 +7,7 @@ use super::compile::Bearing;
 use super::deflection::ShaftDeflection;
 use super::weights::CounterweightReport;
 use crate::limits::design_criteria;
-use crate::orbit::OrbitPath;
+use crate::orbit::{CycleFacts, OrbitPath};
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
 use crate::result::{Criterion, Geometry, ResultHead, in_order, named};
 use crate::warning::Warning;
@@ -64,7 +64,7 @@ pub struct ShaftResult {
     /// The shaft as it is bent; `null` where it is cut, or has no answer.
     pub deflection: Option<ShaftDeflection>,
     /// The cycles that were followed; none for a shaft at rest or cut.
-    pub cycles: Vec<CycleReport>,
+    pub cycles: Vec<CycleFacts>,
     /// Counterweights that would serve the bearings better; `null` where they were not sought.
     pub counterweights: Option<CounterweightReport>,
     /// Films solved to find the balance, on the meshes of the result.
@@ -100,20 +100,6 @@ impl Default for ShaftBalances {
     fn default() -> Self {
         Self { force: 0.0, moment: 0.0, journals: 0.0, power: Some(0.0), thermal: 0.0 }
     }
-}
-
-/// One cycle of the shaft.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct CycleReport {
-    /// Greatest distance between beginning and end of a journal, over its clearance [1].
-    pub closure: f64,
-    /// Steps made.
-    pub steps: usize,
-    /// Steps tried in vain.
-    pub rejected: usize,
-    /// Films solved, of all bearings.
-    pub films: usize,
 }
 
 /// One bearing.
