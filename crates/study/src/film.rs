@@ -66,8 +66,7 @@ pub struct MeshOrigin {
 }
 
 impl Film {
-    /// Force on the journal, and what tilts it, under which its position is found, from that of the problem; `None` at a
-    /// given position.
+    /// Force on the journal, and what tilts it, under which its position is found; `None` at a given position.
     pub fn load(&self) -> Option<Load> {
         self.model.sockets.load()
     }

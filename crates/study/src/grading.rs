@@ -45,9 +45,9 @@ impl From<Film> for Graded {
     }
 }
 
-/// The film of a model on a mesh with edges of at most `longest` [m]; under a load a mesh that is made here is graded for
-/// the position that the load leads to, as far as the deadline allows, and the journal is where a coarser mesh balances
-/// the load.
+/// The film of a model on a mesh with edges of at most `longest` [m]. Under a load a mesh that is made here is graded
+/// for the position that the load leads to, as far as the deadline allows, and the journal is where a coarser mesh
+/// balances the load.
 ///
 /// # Errors
 /// The model does not become a film.
@@ -88,7 +88,8 @@ pub fn graded_within(
     watch: Watch,
 ) -> Result<Graded, CompileError> {
     let near = |state: &FilmState| {
-        let share = expected_triangles(&model.mesh, longest, state) / most_triangles;
+        let expected = |most: f64| expected_triangles(&model.mesh, longest, state) / most;
+        let share = Some(most_triangles).filter(|most| most.is_finite()).map_or(0.0, expected);
         model.film_near(if share > 1.0 { share.sqrt() * longest } else { longest }, state)
     };
     let mut film = match shown {

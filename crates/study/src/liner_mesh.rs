@@ -32,8 +32,8 @@ pub struct LinerMesh {
 }
 
 /// The mesh of the liner. A mesh made here has edges of at most `longest` [m], shorter where the film is thin in this
-/// state. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as
-/// long as the edges are there, unless the scene keeps them or its features are none that can be drawn.
+/// state. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew,
+/// as long as the edges are there, unless the scene keeps them or its features are none that can be drawn.
 ///
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
@@ -128,8 +128,8 @@ fn blueprint(outline: &LinerOutline) -> Blueprint {
     Blueprint { liner: outline.liner, features: outline.features(), line: outline.film_start }
 }
 
-/// About how many unknowns at least a film has on a drawn liner with edges of at most `longest` [m], its mesh graded for
-/// the film in this state.
+/// About how many unknowns at least a film has on a drawn liner with edges of at most `longest` [m], its mesh graded
+/// for the film in this state.
 ///
 /// # Errors
 /// The liner cannot be meshed.

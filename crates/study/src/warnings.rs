@@ -14,8 +14,9 @@ use crate::warning::{self, Warning};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
-/// All warnings beside the result of a solved film: about the film, its errors, and assumptions that it breaks; `oil` is
-/// that whose density counts.
+
+/// All warnings beside the result of a solved film: about the film, its errors, and assumptions that it breaks. The
+/// density of `oil` decides whether the film is laminar.
 pub fn all_warnings(oil: &Oil, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
     let regime = Regime::of(oil, &solved.film, &estimated.measured);
     let mut warnings = result_warnings(solved, estimated, errors);
