@@ -10,7 +10,7 @@ use oilwedge_fuzz::mutate_words;
 use oilwedge_mesh::Quality;
 use oilwedge_scene::MeshSource;
 use oilwedge_scene::Scene;
-use oilwedge_study::liner_mesh::mesh_scene;
+use oilwedge_study::compile::compile;
 
 /// Edges along the axis; more would take too long.
 const ACROSS: f64 = 4.0;
@@ -45,8 +45,8 @@ fuzz_target!(|text: &str| {
         size: Some(size.unwrap_or(coarse).max(coarse)),
     };
     scene.tolerance = None;
-    match mesh_scene(&scene) {
-        Ok(mesh) => assert!(Quality::of(&mesh).area.is_finite()),
+    match compile(&scene).and_then(|model| model.first_mesh()) {
+        Ok(made) => assert!(Quality::of(&made.mesh).area.is_finite()),
         Err(error) => assert!(!error.to_string().is_empty()),
     }
 });

@@ -80,7 +80,7 @@ impl Solved {
 /// # Errors
 /// The reason why there is no film.
 pub fn solve(scene: &Scene) -> Result<Solved, NoFilm> {
-    let study = compile(scene).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile(scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
     let film = study.problem.solve(&study.system)?;
     let measured = measure(&film);
     Ok(Solved { study, film, measured })

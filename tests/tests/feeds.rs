@@ -3,7 +3,7 @@
 use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 use oilwedge_mesh::{developed::Liner, quality::Quality};
 use oilwedge_scene::Scene;
-use oilwedge_study::feed_region::feed_regions;
+use oilwedge_study::outline::LinerOutline;
 use oilwedge_study::warnings::warnings;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
@@ -166,7 +166,7 @@ fn regions_follow_the_pressures() {
         let far = r#"hole = { diameter = "5 mm", angle = "200 deg" }"#;
         let feeds = [("a", GROOVE, "2"), ("b", far, pressure), ("c", HOLE, "2")];
         let scene = scene("reynolds", &feeds);
-        feed_regions(&scene).into_iter().map(|region| region.name).collect::<Vec<String>>()
+        LinerOutline::of(&scene).regions().into_iter().map(|region| region.name).collect::<Vec<String>>()
     };
     assert_eq!(names("2"), ["a+c", "b"]);
     assert_eq!(names("1"), ["a+c", "b"]);

@@ -248,7 +248,7 @@ cavitation = {{ model = "jfo" }}
     let scene = folder.path().join("scene.toml");
     std::fs::write(&scene, text).expect("written");
     let scene = oilwedge_study::read(&scene).unwrap_or_else(|error| panic!("{error}"));
-    compile(&scene).unwrap_or_else(|error| panic!("{error}"))
+    compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]

@@ -9,6 +9,7 @@ use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MA
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
+use oilwedge_study::scope::Scope;
 
 use crate::add_on::{AddOn, Alternative, Comparison, by_name};
 use crate::records::{Change, CostRecord, Records};
@@ -171,7 +172,7 @@ fn changes(scene: &Scene, with: &RunResult, without: &RunResult) -> Vec<Comparis
     if without.quantities.is_empty() {
         return Vec::new();
     }
-    let main = main_quantity(scene);
+    let main = main_quantity(&Scope::of(scene));
     let rows = [main, &ATTITUDE_ANGLE, &PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW];
     let pairs = rows.map(|row| Comparison::between(with.quantity(row), without.quantity(row)));
     pairs.into_iter().flatten().collect()

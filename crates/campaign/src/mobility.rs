@@ -1,7 +1,9 @@
 //! An orbit by maps of its film: the short-film map and that of the finite film, beside the orbit of the film itself.
 
-use oilwedge_scene::Scene;
+use std::sync::Arc;
+
 use oilwedge_study::CompileError;
+use oilwedge_study::model::Model;
 use oilwedge_study::orbit::{ByMap, OrbitPath, by_maps};
 use oilwedge_study::quantities::{
     CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_ANGLE, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, Row,
@@ -17,13 +19,13 @@ const COMPARED: [&Row; 3] =
 /// Part of the time that following the orbit took.
 const ORBIT: &str = "orbit";
 
-/// The orbit of a scene by maps, beside that of its film, whose `result` and `path` are given. A map that does not
+/// The orbit of a model by maps, beside that of its film, whose `result` and `path` are given. A map that does not
 /// exist has its reason.
 ///
 /// # Errors
-/// The scene does not become a film.
-pub fn mobility(scene: &Scene, result: &RunResult, path: &OrbitPath) -> Result<AddOn, CompileError> {
-    let orbits = by_maps(scene, path)?;
+/// The model does not become a film.
+pub fn mobility(model: &Arc<Model>, result: &RunResult, path: &OrbitPath) -> Result<AddOn, CompileError> {
+    let orbits = by_maps(model, path)?;
     let direct = (result.timing_s.iter()).find(|(part, _)| part == ORBIT).map_or(0.0, |(_, seconds)| *seconds);
     let found: Vec<&ByMap> = orbits.iter().filter_map(|orbit| orbit.as_ref().ok()).collect();
     let alternatives: Vec<Alternative> = found.iter().map(|orbit| alternative(orbit, result, direct)).collect();

@@ -8,7 +8,7 @@ use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::{CentreVelocity, Theory};
 use oilwedge_scene::Scene;
-use oilwedge_study::effects::{Socket, Sockets};
+use oilwedge_study::effects::{PressureRule, Socket, Sockets};
 use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::{self, Quantity, Row, VISCOSITY_EFFECTIVE};
 use oilwedge_study::result::RunResult;
@@ -181,7 +181,7 @@ fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
         outside("B/D", twin.lands.slenderness, SLENDERNESS),
         outside(quantities::ECCENTRICITY.name, twin.eccentricity, ECCENTRICITY),
         edge.map(|edge| format!("{edge}; that of the standard has the Swift-Stieber boundary")),
-        (!matches!(sockets.pressure_law, PressureLaw::Constant))
+        (sockets.pressure_rule != PressureRule::Fixed(PressureLaw::Constant))
             .then(|| "the standard has no viscosity that grows with pressure".to_owned()),
         (sockets.centre_velocity != CentreVelocity::default())
             .then(|| "the standard's load is steady: the centre of its journal is at rest".to_owned()),

@@ -13,7 +13,6 @@ use oilwedge_scene::{Position, Scene, Theory};
 use oilwedge_study::complaints;
 use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
 use oilwedge_study::effects::{Socket, present, without_conservation};
-use oilwedge_study::oil::at_temperature;
 use oilwedge_study::quantities::{
     ATTITUDE_ANGLE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, ECCENTRICITY, FILM_THICKNESS_MIN,
     FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
@@ -158,7 +157,8 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
     let given =
         present(&bare).find_map(|effect| (effect.remove)(&bare).filter(|_| effect.socket == Socket::Temperature));
     if let (false, Some(given), Some(celsius)) = (without.is_empty(), given, temperature) {
-        bare = at_temperature(&given, celsius.value + ZERO_CELSIUS);
+        bare = given;
+        bare.oil.temperature = Some(celsius.value + ZERO_CELSIUS);
         without.push("balance of temperature (the oil as warm as found)");
     }
     (bare, without)

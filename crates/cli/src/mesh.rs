@@ -4,7 +4,7 @@ use crate::complain::Failure;
 use crate::terminal::print;
 use oilwedge_report::write_mesh;
 use oilwedge_scene::Scene;
-use oilwedge_study::liner_mesh::mesh_scene;
+use oilwedge_study::compile::compile;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -37,7 +37,7 @@ impl Mesh {
         let scene = oilwedge_study::read(&self.scene)?;
         self.check_output(&scene)?;
         self.check_form()?;
-        let mesh = mesh_scene(&scene).map_err(Failure::of(&self.scene))?;
+        let mesh = compile(&scene).and_then(|model| model.first_mesh()).map_err(Failure::of(&self.scene))?.mesh;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
         let text = format!("{}: {cells} triangles, {nodes} nodes\n", self.output.display());

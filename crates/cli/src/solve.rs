@@ -20,11 +20,12 @@ use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, Precision, VtuForm, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::Plan;
+use oilwedge_study::model::Model;
 use oilwedge_study::orbit::{Frame, no_map};
 use oilwedge_study::picture::{FieldChoice, FilmPicture, PictureOptions, Surface};
 use oilwedge_study::result::Status;
 use oilwedge_study::shaft::Variant;
-use oilwedge_study::{RunOptions, run_telling};
+use oilwedge_study::{RunOptions, compile, run_telling};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -185,9 +186,10 @@ impl Solve {
         };
         let working = Progress::of(Self::task(&scene));
         let observed = RunOptions { observer: Some(working.observer()), ..options };
-        self.check_add_ons(&scene)?;
+        let model = compile(&scene).map_err(Failure::of(path))?;
+        self.check_add_ons(&model)?;
         let keep = |result| interrupt::keep(Best { result, orbit: None });
-        let run = run_telling(&scene, &observed, Some(&keep)).map_err(Failure::of(path))?;
+        let run = run_telling(&model, &observed, Some(&keep)).map_err(Failure::of(path))?;
         if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
             return Err(Failure::Interrupted(format!(
                 "ended before the next cycle was complete; the results in {} stay those of the cycles before",
@@ -208,7 +210,7 @@ impl Solve {
         }
         if let (true, Some(path)) = (self.mobility, &run.orbit) {
             working.turns_to("the orbit by maps of the film");
-            add_ons.push(mobility(&scene, &run.result, path)?);
+            add_ons.push(mobility(&model, &run.result, path)?);
         }
         drop(working);
         let json = result_json(&run.result, &add_ons)?;
@@ -336,7 +338,7 @@ impl Solve {
     }
 
     /// Refuses what cannot stand beside the film of this scene.
-    fn check_add_ons(&self, scene: &Scene) -> Result<(), Failure> {
+    fn check_add_ons(&self, model: &Model) -> Result<(), Failure> {
         let of_shaft = [(self.counterweights, "--counterweights"), (self.cut, "--cut")];
         if let Some((_, argument)) = of_shaft.iter().find(|(is_given, _)| *is_given) {
             return Err(Failure::Message(format!(
@@ -344,13 +346,13 @@ impl Solve {
                 self.run.scene.display()
             )));
         }
-        if self.frames.is_some() && scene.orbit.is_none() {
+        if self.frames.is_some() && model.scope.orbit.is_none() {
             return Err(Failure::Message(format!(
                 "--frames: the scene {} has no [orbit], so there is no cycle to draw; leave out --frames",
                 self.run.scene.display()
             )));
         }
-        match no_map(scene).filter(|_| self.mobility) {
+        match no_map(model).filter(|_| self.mobility) {
             Some(reason) => Err(Failure::Message(format!(
                 "--mobility: no map stands for the film of {}, since {reason}; leave out --mobility",
                 self.run.scene.display()

@@ -56,20 +56,21 @@ pub(crate) fn solve<'py>(py: Python<'py>, scene: &Scene, asked: Asked, add_ons: 
     let (own, path) = (scene.scene.clone(), scene.path.clone());
     let found = done(py, asked.threads, move |interrupt| {
         let options = asked.options(&own, interrupt);
-        if let Some(reason) = no_map(&own).filter(|_| add_ons.iter().any(|name| name == MOBILITY)) {
+        let model = oilwedge_study::compile(&own).map_err(Failure::of(&path))?;
+        if let Some(reason) = no_map(&model).filter(|_| add_ons.iter().any(|name| name == MOBILITY)) {
             return Err(Failure::Argument(format!(
                 "add_ons: no map stands for the film of {}, since {reason}; leave out \"{MOBILITY}\"",
                 path.display()
             )));
         }
-        let run = oilwedge_study::run(&own, &options).map_err(Failure::of(&path))?;
+        let run = oilwedge_study::run_telling(&model, &options, None).map_err(Failure::of(&path))?;
         let mut tables: Vec<AddOn> = Vec::new();
         for name in &add_ons {
             let table = match (name.as_str(), &run.orbit) {
                 ("cost", _) => Some(effect_costs(&own, &options, &run.result).map_err(Failure::of(&path))?),
                 ("standard", _) => Some(standard(&own, &run.result)),
                 ("theories", _) => Some(theories(&own, &options, &run.result)),
-                (MOBILITY, Some(orbit)) => Some(mobility(&own, &run.result, orbit).map_err(Failure::of(&path))?),
+                (MOBILITY, Some(orbit)) => Some(mobility(&model, &run.result, orbit).map_err(Failure::of(&path))?),
                 _ => None,
             };
             tables.extend(table);

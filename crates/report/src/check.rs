@@ -8,11 +8,10 @@ use std::path::Path;
 use oilwedge_mesh::{Mesh, developed, gmsh};
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
-use oilwedge_study::checks::targets;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::orbit::{expected_seconds, film_of_orbit};
-use oilwedge_study::refinement::at_first;
+use oilwedge_study::refinement::first_film;
 use oilwedge_study::regime::unusual_clearance;
 use oilwedge_study::result::{MeshFacts, in_order};
 use oilwedge_study::run::facts;
@@ -96,9 +95,10 @@ pub struct RegionFacts {
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
 pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
-    let film = match scene.orbit {
-        Some(_) => film_of_orbit(scene)?,
-        None => compile(&at_first(scene))?,
+    let model = compile(scene)?;
+    let film = match model.scope.orbit {
+        Some(_) => film_of_orbit(&model)?,
+        None => first_film(&model)?,
     };
     let mesh = film.system.space().mesh();
     let drawn = if scene.tolerance.is_some() { FIRST_DRAWN } else { DRAWN };
@@ -107,13 +107,13 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     let pockets: Vec<_> = film.pockets().filter_map(|name| mesh.region(name)).collect();
     report.sketch = sketch(mesh, &film.system.supply, &pockets, scene.bearing.radius());
     report.liner = words(scene);
-    report.tolerance = (targets(scene).into_iter().flat_map(|targets| targets.required))
-        .map(|target| (target.quantity, target.relative))
+    report.tolerance = (model.targets.iter().flat_map(|targets| &targets.required))
+        .map(|target| (target.quantity.clone(), target.relative))
         .collect();
     report.title = Some(scene.title.clone());
     report.sweep =
         (scene.sweep.iter()).flat_map(|plan| &plan.axes).map(|axis| (axis.heading(), axis.values.len())).collect();
-    report.effects = Some(Effects::of(&film.scene));
+    report.effects = Some(Effects::of(&model.effects));
     report.warnings.extend(huge(mesh).map(|size| {
         format!("the liner is {size}, larger than any bearing: are bearing.diameter and bearing.length in millimetres, as in diameter = \"60 mm\"?")
     }));

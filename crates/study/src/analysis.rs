@@ -13,7 +13,7 @@ use crate::thermal;
 /// [`NoAnswer`]: the reason why there is no film or no position; from near another operating point also where a cold
 /// start finds an answer.
 pub fn solve(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    match &film.thermal {
+    match &film.model.sockets.thermal {
         Some(model) => thermal::solve(film, model, options),
         None => isothermal(film, options),
     }

@@ -13,7 +13,7 @@ use std::path::Path;
 use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 
 pub use columns::check_columns;
-pub use tolerance::{Targets, targets};
+pub use tolerance::targets;
 
 /// All checks.
 pub const CHECKS: [Check; 6] =

@@ -8,6 +8,7 @@ use oilwedge_scene::sweep::WantedColumn;
 use oilwedge_scene::unit::{Dimension, unit_size};
 
 use crate::quantities::{CATALOGUE, Row, Unit, row};
+use crate::scope::Scope;
 
 /// A quantity and its unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,12 +34,12 @@ impl Column {
         Self { name: quantity.clone(), quantity, row, unit: row.unit.name().to_owned(), scale: [1.0, 0.0] }
     }
 
-    /// The column that a scene asks for.
+    /// The column that is asked for.
     ///
     /// # Errors
     /// There is no such quantity, or it has no such unit.
-    pub fn wanted(wanted: &WantedColumn, scene: &Scene) -> Result<Self, Fault> {
-        let (quantity, row) = named(&wanted.name, scene)?;
+    pub fn wanted(wanted: &WantedColumn, scope: &Scope) -> Result<Self, Fault> {
+        let (quantity, row) = named(&wanted.name, scope)?;
         let own = match &*wanted.unit {
             "" => Self::of(quantity, row),
             unit => Self::in_unit(quantity, row, unit)?,
@@ -49,8 +50,8 @@ impl Column {
     /// The column that a sweep asks for: that of the first scene that has it, else why the first one has not. `None`
     /// without a scene.
     pub fn wanted_in(scenes: &[Scene], wanted: &WantedColumn) -> Option<Result<Self, Fault>> {
-        let found = scenes.iter().find_map(|scene| Self::wanted(wanted, scene).ok());
-        let first = || Some(Self::wanted(wanted, scenes.first()?));
+        let found = scenes.iter().find_map(|scene| Self::wanted(wanted, &Scope::of(scene)).ok());
+        let first = || Some(Self::wanted(wanted, &Scope::of(scenes.first()?)));
         found.map(Ok).or_else(first)
     }
 
@@ -91,17 +92,16 @@ impl Column {
 }
 
 /// The quantity of this name or symbol.
-fn named(name: &str, scene: &Scene) -> Result<(Cow<'static, str>, &'static Row), Fault> {
-    let single = || CATALOGUE.into_iter().filter(|row| !row.is_family() && row.is_of_cycle() == scene.orbit.is_some());
+fn named(name: &str, scope: &Scope) -> Result<(Cow<'static, str>, &'static Row), Fault> {
+    let single = || CATALOGUE.into_iter().filter(|row| !row.is_family() && row.is_of_cycle() == scope.orbit.is_some());
     if let Some(row) = row(name) {
         let region = &name[row.name.len()..];
-        if !row.is_family() || scene.feeds.iter().any(|feed| feed.group == region) {
+        if !row.is_family() || scope.groups.iter().any(|group| group == region) {
             return Ok((name.to_owned().into(), row));
         }
-        let groups: Vec<&str> = scene.feeds.iter().map(|feed| &*feed.group).collect();
-        let help = match groups.is_empty() {
+        let help = match scope.groups.is_empty() {
             true => "leave it out, or give a [[feed]] of this group".to_owned(),
-            false => format!("groups of feeds: {}", groups.join(", ")),
+            false => format!("groups of feeds: {}", scope.groups.join(", ")),
         };
         return Err((format!("\"{name}\" names no feed of the scene"), help));
     }

@@ -1,17 +1,20 @@
-//! A film: one scene compiled on one mesh. It never changes; at another temperature or position it is made anew and
-//! shares the system.
+//! A film: one model on one mesh. It never changes; at another temperature or position it is made anew and shares the
+//! system.
+
+mod made;
+mod reuse;
 
 use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
-use oilwedge_scene::{Dynamics, Scene};
+use oilwedge_reynolds::lubricant::Lubricant;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
 
+use crate::model::Model;
 use crate::observer::Watch;
-use crate::oil::{self, Oil};
+use crate::oil::Oil;
 use crate::position::Position;
-use crate::thermal_model::ThermalModel;
 
 /// Degree of the unknown of a film [1].
 pub const DEGREE: usize = 2;
@@ -19,25 +22,16 @@ pub const DEGREE: usize = 2;
 /// A film, ready to be solved.
 #[derive(Debug, Clone)]
 pub struct Film {
-    /// The scene, with the temperature of the film.
-    pub scene: Arc<Scene>,
-    /// The oil at that temperature.
+    /// The model.
+    pub model: Arc<Model>,
+    /// The oil at the temperature of the film.
     pub oil: Oil,
     /// The physics.
     pub problem: FilmProblem,
     /// Mesh, unknowns and given pressures.
     pub system: Arc<FilmSystem>,
-    /// Force on the journal, and what tilts it, under which its position is found, from that of the problem;
-    /// `None` at a given position.
-    pub load: Option<Load>,
-    /// What is known of that position.
+    /// What is known of the position under a load.
     pub start: Start,
-    /// How its temperature is found; `None`: it is given, or has no effect.
-    pub thermal: Option<ThermalModel>,
-    /// What is asked about small motions of the journal; `None`: nothing.
-    pub dynamics: Option<Dynamics>,
-    /// Velocity of the journal's centre.
-    pub centre_velocity: CentreVelocity,
     /// Origin of the mesh.
     pub origin: MeshOrigin,
     /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
@@ -72,6 +66,11 @@ pub struct MeshOrigin {
 }
 
 impl Film {
+    /// Force on the journal, and what tilts it, under which its position is found; `None` at a given position.
+    pub fn load(&self) -> Option<Load> {
+        self.model.sockets.load()
+    }
+
     /// The film with the journal elsewhere.
     pub fn with_journal(&self, journal: JournalState) -> Self {
         let mut film = self.clone();
@@ -85,10 +84,20 @@ impl Film {
         film.problem = film.problem.deflected(found.deflection());
         if let Some(temperature) = found.lubricant.temperature.filter(|found| Some(*found) != self.oil.temperature) {
             film.problem.lubricant = found.lubricant.clone();
-            film.scene = Arc::new(oil::at_temperature(&self.scene, temperature));
             film.oil = self.oil.at(temperature);
         }
         film
+    }
+
+    /// The film at another temperature [K].
+    pub(crate) fn at_temperature(&self, temperature: f64) -> Self {
+        let lubricant = self.lubricant_at(temperature);
+        self.as_found(&FilmProblem { lubricant, ..self.problem.clone() })
+    }
+
+    /// The oil of the film at another temperature [K].
+    pub(crate) fn lubricant_at(&self, temperature: f64) -> Lubricant {
+        Lubricant { temperature: Some(temperature), ..self.model.lubricant(&self.oil.at(temperature)) }
     }
 
     /// The film with the solution of one like it.
@@ -104,19 +113,9 @@ impl Film {
         film
     }
 
-    /// The film, at whose position a coarser mesh balances the load.
-    pub(crate) fn nearly_balanced(self) -> Self {
-        Self { start: Start::NearlyBalanced, ..self }
-    }
-
-    /// This film, of which another mesh has shown where a growing moment leads.
-    pub(crate) fn along(self, way: Arc<Waypoint>) -> Self {
-        Self { start: Start::Along(way), ..self }
-    }
-
-    /// This film, on whose mesh a rough search has found no balance.
-    pub(crate) fn failed(self) -> Self {
-        Self { start: Start::Failed, ..self }
+    /// This film, of whose position so much is known.
+    pub(crate) fn begun(self, start: Start) -> Self {
+        Self { start, ..self }
     }
 
     /// The way along which its position is sought, if another mesh has shown one.
@@ -150,7 +149,7 @@ impl Film {
     /// How its position is sought under a load, without a neighbouring film.
     pub(crate) fn search_options(&self, watch: Watch) -> SearchOptions<'_> {
         SearchOptions {
-            centre_velocity: self.centre_velocity,
+            centre_velocity: self.model.sockets.centre_velocity,
             deadline: watch.deadline,
             observer: watch.observer.map(|observer| observer as &dyn SearchObserver),
             guess: match &self.start {
@@ -170,14 +169,14 @@ impl Film {
 
     /// The common pressure [Pa] of all feeds, if they have one.
     pub fn supply_pressure(&self) -> Option<f64> {
-        let mut pressures = self.scene.feeds.iter().filter_map(|feed| feed.pressure);
+        let mut pressures = self.model.mesh.outline.feeds.iter().filter_map(|feed| feed.pressure);
         let first = pressures.next()?;
         pressures.all(|pressure| pressure == first).then_some(first)
     }
 
     /// Groups of the pockets that deepen the film.
     pub fn pockets(&self) -> impl Iterator<Item = &str> {
-        let pockets = self.scene.feeds.iter().filter(|feed| feed.pressure.is_none());
+        let pockets = self.model.mesh.outline.feeds.iter().filter(|feed| feed.pressure.is_none());
         pockets.map(|feed| feed.group.as_str())
     }
 }

@@ -6,14 +6,9 @@
 //! profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all
 //! graded meshes.
 
-use std::sync::Arc;
+use oilwedge_reynolds::Bearing;
 
-use oilwedge_reynolds::film_thickness::Profile;
-use oilwedge_scene::Scene;
-
-use crate::compile_error::CompileError;
-use crate::contact::contact;
-use crate::effects::Sockets;
+use crate::mesh_plan::MeshPlan;
 use crate::position::Position;
 
 /// Bounds of the scale, in radii.
@@ -29,44 +24,33 @@ const PART: f64 = 0.65;
 /// moment only, and at one place.
 const ON_ORBIT: f64 = 2.0;
 
-/// Longest edges [m] of a mesh without a wanted size.
-pub(crate) fn needed_size(scene: &Scene) -> f64 {
-    (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS)
+/// Longest edges [m] of a mesh without a wanted size, in a bearing of this radius [m] and length [m].
+pub(crate) fn needed_size(radius: f64, length: f64) -> f64 {
+    (FINENESS * LONGEST * radius).min(length / ACROSS)
 }
 
 /// The scale of a film.
 pub(crate) struct FilmScale<'a> {
-    scene: &'a Scene,
+    plan: &'a MeshPlan,
     position: Position,
-    profiles: Vec<Arc<dyn Profile>>,
-    /// Scale [m] of the gap in which the pressure of contact changes, where surfaces touch.
-    touching: Option<f64>,
 }
 
 impl<'a> FilmScale<'a> {
-    /// The scale of the film of a scene with the journal at `position`.
-    ///
-    /// # Errors
-    /// A table of a measured surface cannot be used.
-    pub(crate) fn of(scene: &'a Scene, position: Position) -> Result<Self, CompileError> {
-        Ok(Self {
-            scene,
-            position,
-            profiles: Sockets::of(scene).profiles()?,
-            touching: contact(scene).map(|contact| contact.law.scale()),
-        })
+    /// The scale of a film with the journal at `position`.
+    pub(crate) fn of(plan: &'a MeshPlan, position: Position) -> Self {
+        Self { plan, position }
     }
 
     /// Scale [radii] at `(x, z)` [m].
     pub(crate) fn at(&self, [x, z]: [f64; 2]) -> f64 {
-        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
-        let scale = match (&self.scene.orbit, self.profiles.is_empty()) {
-            (Some(_), true) => self.on_orbit(),
-            (Some(_), false) => self.on_orbit().min(self.by_profiles([x, z])),
-            (None, true) => around(self.position.at(z, clearance), x / radius).min(self.along_by_tilt([x, z])),
-            (None, false) => self.by_profiles([x, z]),
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
+        let scale = match (self.plan.is_of_orbit, self.plan.profiles.is_empty()) {
+            (true, true) => self.on_orbit(),
+            (true, false) => self.on_orbit().min(self.by_profiles([x, z])),
+            (false, true) => around(self.position.at(z, clearance), x / radius).min(self.along_by_tilt([x, z])),
+            (false, false) => self.by_profiles([x, z]),
         };
-        match self.touching {
+        match self.plan.touching {
             None => scale,
             Some(touching) => scale.min(self.by_contact([x, z], touching)),
         }
@@ -77,12 +61,11 @@ impl<'a> FilmScale<'a> {
     fn by_contact(&self, [x, z]: [f64; 2], touching: f64) -> f64 {
         /// Gaps within which surfaces carry by contact, in scales of its law.
         const IN_CONTACT: f64 = 4.0;
-        let clearance = self.scene.bearing.clearance;
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let here = self.position.at(z, clearance);
-        let circles =
-            clearance * (1.0 - here.eccentricity * (x / self.scene.bearing.radius() - here.min_film_angle).cos());
-        let thickness = (self.profiles.iter()).fold(circles, |sum, profile| sum + profile.at([x, z]).depth);
-        match thickness < IN_CONTACT * touching && self.scene.orbit.is_none() {
+        let circles = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
+        let thickness = (self.plan.profiles.iter()).fold(circles, |sum, profile| sum + profile.at([x, z]).depth);
+        match thickness < IN_CONTACT * touching && !self.plan.is_of_orbit {
             true => (PART * (2.0 * touching / clearance).sqrt()).clamp(SHORTEST, LONGEST),
             false => LONGEST,
         }
@@ -90,9 +73,9 @@ impl<'a> FilmScale<'a> {
 
     /// The least scale [radii] all along the axis.
     pub(crate) fn all_along(&self, x: f64) -> f64 {
-        let half = 0.5 * self.scene.bearing.length;
+        let half = 0.5 * self.plan.bearing.length;
         let at_ends = self.at([x, -half]).min(self.at([x, half]));
-        match self.profiles.is_empty() {
+        match self.plan.profiles.is_empty() {
             true => at_ends,
             false => at_ends.min(self.at([x, 0.0])),
         }
@@ -106,7 +89,8 @@ impl<'a> FilmScale<'a> {
     /// True of steady films between circles that do not touch, of a tilted journal: they change around, and along the
     /// axis, by lengths of their own.
     pub(crate) fn has_two_scales(&self) -> bool {
-        let is_between_circles = self.profiles.is_empty() && self.touching.is_none() && self.scene.orbit.is_none();
+        let plan = self.plan;
+        let is_between_circles = plan.profiles.is_empty() && plan.touching.is_none() && !plan.is_of_orbit;
         is_between_circles && self.position.tilt != [0.0; 2]
     }
 
@@ -115,15 +99,15 @@ impl<'a> FilmScale<'a> {
         if !self.has_two_scales() {
             return self.all_along(x);
         }
-        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
-        let half = 0.5 * self.scene.bearing.length;
+        let Bearing { radius, length, clearance, .. } = self.plan.bearing;
+        let half = 0.5 * length;
         let at = |z: f64| around(self.position.at(z, clearance), x / radius);
         at(-half).min(at(half))
     }
 
     /// Scale [radii] of a tilted journal's film along the axis.
     pub(crate) fn along_by_tilt(&self, [x, z]: [f64; 2]) -> f64 {
-        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let (sin, cos) = (x / radius).sin_cos();
         let [g_x, g_y] = self.position.tilt;
         let slope = (g_x * cos + g_y * sin).abs();
@@ -134,7 +118,7 @@ impl<'a> FilmScale<'a> {
 
     /// Scale of a film between surfaces that are no circles.
     fn by_profiles(&self, [x, z]: [f64; 2]) -> f64 {
-        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
+        let Bearing { radius, clearance, .. } = self.plan.bearing;
         let (sin, cos) = (x / radius).sin_cos();
         let [g_x, g_y] = self.position.tilt;
         let here = self.position.at(z, clearance);
@@ -142,7 +126,7 @@ impl<'a> FilmScale<'a> {
         let mut thickness = clearance * (1.0 - here.eccentricity * along);
         let mut slopes = [here.eccentricity * clearance * across / radius, -(g_x * cos + g_y * sin)];
         let (mut bends, mut finest) = ([here.eccentricity * clearance / (radius * radius), 0.0], f64::INFINITY);
-        for profile in &self.profiles {
+        for profile in &self.plan.profiles {
             let relief = profile.at([x, z]);
             thickness += relief.depth;
             let of_profile = profile.bends([x, z]);
@@ -150,11 +134,11 @@ impl<'a> FilmScale<'a> {
             finest = finest.min(profile.finest([x, z]));
         }
         // An orbit passes through films of all thicknesses.
-        let thickness = match self.scene.orbit {
-            Some(_) => clearance,
+        let thickness = match self.plan.is_of_orbit {
+            true => clearance,
             // Where the journal lies in the bore there is nothing to resolve.
-            None if thickness <= 0.0 => return LONGEST,
-            None => thickness,
+            false if thickness <= 0.0 => return LONGEST,
+            false => thickness,
         };
         let by_bends = bends.map(|bend| PART * (2.0 * thickness / bend.abs()).sqrt());
         let by_slopes = [2.0, 1.0].map(|times| PART * times * thickness);

@@ -1,6 +1,5 @@
 //! Meshes graded for the position that a load leads to.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
@@ -10,16 +9,14 @@ use oilwedge_bearing::{
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, Gap, JournalState};
-use oilwedge_scene::Scene;
 
-use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
 use crate::film::{Film, Start};
-use crate::liner_mesh::{expected_triangles, resized};
+use crate::liner_mesh::expected_triangles;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
-use crate::oil::at_temperature;
-use crate::position::Position;
+use crate::position::{FilmState, Position};
 use crate::thermal::heating::Heating;
 
 /// Factor between the least film found and the one that a mesh was graded for, from which on it is graded anew.
@@ -48,13 +45,14 @@ impl From<Film> for Graded {
     }
 }
 
-/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as
-/// the deadline allows, and the journal is where a coarser mesh balances the load.
+/// The film of a model on a mesh with edges of at most `longest` [m]. Under a load a mesh that is made here is graded
+/// for the position that the load leads to, as far as the deadline allows, and the journal is where a coarser mesh
+/// balances the load.
 ///
 /// # Errors
-/// The scene does not become a film.
-pub fn graded(scene: &Scene, watch: Watch) -> Result<Film, CompileError> {
-    Ok(graded_within(scene, f64::INFINITY, None, watch)?.film)
+/// The model does not become a film.
+pub fn graded(model: &Arc<Model>, longest: f64, watch: Watch) -> Result<Film, CompileError> {
+    Ok(graded_within(model, (longest, f64::INFINITY), None, watch)?.film)
 }
 
 /// Where another mesh has shown that a growing moment leads, under a wall that gives way.
@@ -78,68 +76,60 @@ impl Shown {
     }
 }
 
-/// The film of [`graded`] with no more than about so many triangles on a mesh graded anew: a film found much thinner
+/// The film of [`graded`] with no more than about `most_triangles` on a mesh graded anew: a film found much thinner
 /// than expected asks for shorter edges everywhere. The search begins where another mesh has shown the way.
 ///
 /// # Errors
-/// The scene does not become a film.
+/// The model does not become a film.
 pub fn graded_within(
-    scene: &Scene,
-    most_triangles: f64,
+    model: &Arc<Model>,
+    (longest, most_triangles): (f64, f64),
     shown: Option<&Shown>,
     watch: Watch,
 ) -> Result<Graded, CompileError> {
-    let mut film = match shown {
-        None => compile(scene)?,
-        Some(Shown { position, way }) => {
-            let scene = coarsened(scene, most_triangles, *position)?;
-            compile_near(&scene, *position)?.along(way.clone())
-        }
+    let near = |state: &FilmState| {
+        let expected = |most: f64| expected_triangles(&model.mesh, longest, state) / most;
+        let share = Some(most_triangles).filter(|most| most.is_finite()).map_or(0.0, expected);
+        model.film_near(if share > 1.0 { share.sqrt() * longest } else { longest }, state)
     };
-    let Some(load) = film.load.filter(|_| scene.mesh.is_graded()) else {
+    let mut film = match shown {
+        None => model.film_near(longest, &model.start())?,
+        Some(Shown { position, way }) => near(&model.state_at(*position))?.begun(Start::Along(way.clone())),
+    };
+    let Some(load) = film.load().filter(|_| model.mesh.is_graded()) else {
         return Ok(film.into());
     };
-    let mut middle = Some(Position::middle(scene));
+    let mut middle = Some(Position::middle(model));
     for _ in 1..GRADINGS {
         if watch.deadline.is_over() {
             break;
         }
         match suited(&film, load, watch, &mut middle) {
-            Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced().into()),
+            Suited::To(found) => return Ok(film.as_found(&found).begun(Start::NearlyBalanced).into()),
             Suited::Unknown(way) => {
                 let film = match way {
-                    Some(way) => film.along(way),
+                    Some(way) => film.begun(Start::Along(way)),
                     None => film,
                 };
                 return Ok(film.into());
             }
-            Suited::Failed => return Ok(film.failed().into()),
+            Suited::Failed => return Ok(film.begun(Start::Failed).into()),
             Suited::Refused(reason) => {
                 return Ok(Graded { film, refused: Some(reason) });
             }
             Suited::Not(position, known) => {
-                let warmed = known.temperature().map(|temperature| at_temperature(scene, temperature));
-                let scene = coarsened(warmed.as_ref().unwrap_or(scene), most_triangles, position)?;
-                let graded = compile_near(&scene, position)?;
+                let graded = near(&FilmState { position, oil: model.oil_at(known.temperature()) })?;
                 film = match known {
-                    Known::Balance(found) if takes_long(&found, load) => graded.as_found(&found).nearly_balanced(),
-                    Known::Way(way) => graded.along(way),
+                    Known::Balance(found) if takes_long(&found, load) => {
+                        graded.as_found(&found).begun(Start::NearlyBalanced)
+                    }
+                    Known::Way(way) => graded.begun(Start::Along(way)),
                     Known::Balance(_) | Known::Nothing => graded,
                 };
             }
         }
     }
     Ok(film.into())
-}
-
-/// The scene with edges so long that its mesh has no more than about so many triangles for the film at `position`.
-fn coarsened(scene: &Scene, most_triangles: f64, position: Position) -> Result<Cow<'_, Scene>, CompileError> {
-    if most_triangles.is_infinite() {
-        return Ok(Cow::Borrowed(scene));
-    }
-    let share = expected_triangles(scene, position)? / most_triangles;
-    let coarser = (share > 1.0).then(|| resized(scene, share.sqrt())).flatten();
-    Ok(coarser.map_or(Cow::Borrowed(scene), Cow::Owned))
 }
 
 /// Whether the search for the position of a film takes long, so that it does not begin anew on each mesh.

@@ -20,7 +20,7 @@ use crate::solved::{Balance, Errors, SolveOptions, Solved};
 /// # Errors
 /// [`NoAnswer`]: the reason why there is no film or no position.
 pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    match film.load {
+    match film.load() {
         None => at_given_position(film, options),
         Some(load) => sought(film, Some(load), None, options),
     }
@@ -31,7 +31,7 @@ pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswe
 /// # Errors
 /// [`NoAnswer`]: the reason why none was found.
 pub fn heated(film: &Film, warming: &dyn Heated, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    sought(film, film.load, Some(warming), options)
+    sought(film, film.load(), Some(warming), options)
 }
 
 fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
@@ -180,7 +180,7 @@ fn with_reference(film: &Film, found: SolvedFilm, errors: Errors) -> Result<Solv
     };
     // A balance of heat is that of the film.
     if let Some(ReferenceFilm::Coarse { error: Some(error), hill, .. }) =
-        reference.as_mut().filter(|_| film.thermal.is_none())
+        reference.as_mut().filter(|_| film.model.sockets.thermal.is_none())
         && sharp::is_of_use(error, &primary)
     {
         // The film stands without its hill.

@@ -1,21 +1,21 @@
-//! One level: a scene solved on one mesh with elements of one degree, and what that gives.
+//! One level: a model solved on one mesh with elements of one degree, and what that gives.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::solve;
-use crate::compile::compile_on;
 use crate::compile_error::CompileError;
 use crate::estimate::estimate_errors;
 use crate::film::DEGREE;
 use crate::film::Film;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::position::Position;
 use crate::quantities::Quantity;
 use crate::solved::{Errors, SolveOptions, Solved};
-use oilwedge_scene::Scene;
 
 /// What one mesh gives.
 pub struct Level {
@@ -44,20 +44,20 @@ pub enum LevelError {
     NoAnswer(#[from] NoAnswer),
 }
 
-/// Solves `scene` on `mesh` with elements of the given degree, the journal at `position` or, under a load, sought from
+/// Solves `model` on `mesh` with elements of the given degree, the journal at `position` or, under a load, sought from
 /// there. Errors are estimated where they can be, on quadratic elements.
 ///
 /// # Errors
 /// [`LevelError`]: the scene does not become a film on this mesh, or there is no film or position.
 pub fn solve_level(
-    scene: &Scene,
+    model: &Arc<Model>,
     mesh: Mesh,
     position: Position,
     degree: usize,
     deadline: Deadline,
 ) -> Result<Level, LevelError> {
     let clock = Instant::now();
-    let film = compile_on(scene, mesh, position, degree)?;
+    let film = model.film_on(mesh, &model.state_at(position), degree)?;
     let order = clock.elapsed().as_secs_f64();
     let options = SolveOptions {
         errors: if degree == DEGREE { Errors::Estimated } else { Errors::Omitted },

@@ -2,7 +2,7 @@
 //! limit: in an engine, and where heat is balanced.
 
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::{Engine, Scene};
+use oilwedge_scene::{Criteria, Engine};
 
 use crate::film::Film;
 use crate::quantities::{
@@ -62,7 +62,7 @@ pub fn design_criteria(
     bars: bool,
 ) -> Vec<Criterion> {
     let compared = Compared { quantities, temperature: film.oil.temperature, bars };
-    let mut all = criteria(&film.scene, model.is_some(), &compared);
+    let mut all = criteria(&film.model.criteria, model.is_some(), &compared);
     if let Some((model, engine)) = model.and_then(|model| Some((model, model.engine?))) {
         all.extend(usual(film, model, engine));
     }
@@ -108,12 +108,11 @@ impl Limited<'_> {
 }
 
 /// What the scene judges the bearing by, and what is usual where its heat `is_balanced`.
-fn criteria(scene: &Scene, is_balanced: bool, compared: &Compared) -> Vec<Criterion> {
+fn criteria(asked: &Criteria, is_balanced: bool, compared: &Compared) -> Vec<Criterion> {
     let of = |what, unit, scale, value| Limited { what, unit, scale, value };
     let length = |what, rows: [&Row; 2]| of(what, "um", 1e6, compared.value(&rows));
     let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
     let usual = |value: f64| is_balanced.then_some(value);
-    let asked = &scene.criteria;
     let outlet = compared.value(&[&TEMPERATURE_OUTLET, &CYCLE_TEMPERATURE_OUTLET]);
     let pressure = compared.value(&[&PRESSURE_MAX, &CYCLE_PRESSURE_MAX]);
     let contact = compared.value(&[&CONTACT_SHARE, &CYCLE_CONTACT_SHARE_MAX]);

@@ -78,7 +78,7 @@ impl Measured {
     /// measured: at the frequencies of another film that stands for it too, if there is one.
     pub fn with_dynamics(self, film: &Film, solved: &SolvedFilm, beside: Option<&Self>) -> Self {
         let of = || {
-            let asked = film.dynamics.as_ref()?;
+            let asked = film.model.sockets.dynamics.as_ref()?;
             Some(match beside {
                 Some(other) => Dynamics::beside(solved, other.dynamics()?),
                 None => Dynamics::of(solved, &asked.whirl),

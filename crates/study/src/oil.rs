@@ -1,14 +1,10 @@
-//! The oil of a film at the temperature of the film, made of the description in the scene.
+//! The oil of a film at the temperature of the film.
 
-use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
-use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
-use oilwedge_scene::{HighShear, PointViscosity, Scene, TemperatureLaw, Viscosity};
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use oilwedge_reynolds::lubricant::{Density, ThermalOil};
 
 /// The film's temperature is first taken to be so much above that of the oil fed [K].
 const FIRST_RISE: f64 = 10.0;
-
-/// Temperature [K] at which the viscosity of engine oils at high shear is measured (SAE J300; ASTM D4683).
-pub(crate) const HIGH_SHEAR_AT: f64 = ZERO_CELSIUS + 150.0;
 
 /// An oil at one temperature.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,25 +17,11 @@ pub struct Oil {
     pub thermal: Option<ThermalOil>,
     /// Density, where the scene or its grade gives it.
     pub density: Option<Density>,
+    /// The multigrade oil that it is, where what high shear leaves of its viscosity is not given.
+    pub unsheared: Option<&'static str>,
 }
 
 impl Oil {
-    /// The oil of a scene at the temperature that the scene gives or, with a heat balance, at which the search for it
-    /// begins.
-    pub fn of(scene: &Scene) -> Self {
-        let first = || scene.inlet_temperature().map(first_temperature);
-        let oil = Self {
-            viscosity: match scene.oil.viscosity {
-                Viscosity::Constant(viscosity) => viscosity,
-                Viscosity::ByTemperature(_) => f64::NAN,
-            },
-            temperature: scene.oil.temperature.or_else(first),
-            thermal: thermal(scene),
-            density: density(scene),
-        };
-        oil.temperature.map_or(oil.clone(), |temperature| oil.at(temperature))
-    }
-
     /// The oil at this temperature [K]; an oil whose viscosity does not depend on it as it is.
     pub fn at(&self, temperature: f64) -> Self {
         let Some(thermal) = &self.thermal else {
@@ -58,66 +40,4 @@ impl Oil {
 /// Temperature [K] at which the search for that of a film begins; `inlet` [K] is that of the oil fed.
 pub fn first_temperature(inlet: f64) -> f64 {
     inlet + FIRST_RISE
-}
-
-/// The scene whose film has this temperature [K], at which the search for another one begins.
-pub fn at_temperature(scene: &Scene, temperature: f64) -> Scene {
-    let mut scene = scene.clone();
-    scene.oil.temperature = Some(temperature);
-    scene
-}
-
-/// The density that a scene gives, else that of its grade.
-fn density(scene: &Scene) -> Option<Density> {
-    let given = scene.oil.density.map(|density| {
-        let expansion = density.expansion.unwrap_or(EXPANSION);
-        Density::of(density.value, density.at, expansion)
-    });
-    let of_grade = || match &scene.oil.viscosity {
-        Viscosity::ByTemperature(TemperatureLaw::Grade(name)) => Some(Grade::named(name)?.oil()?.density),
-        _ => None,
-    };
-    given.or_else(of_grade)
-}
-
-/// Viscosity and density by temperature; none of one viscosity, and of a law that has no meaning.
-fn thermal(scene: &Scene) -> Option<ThermalOil> {
-    let Viscosity::ByTemperature(described) = &scene.oil.viscosity else {
-        return None;
-    };
-    let density = density(scene).unwrap_or_default();
-    let law = match described {
-        TemperatureLaw::Grade(name) => Grade::named(name)?.oil()?.law,
-        TemperatureLaw::Walther([one, other]) => law::TemperatureLaw::Walther(Walther::through(*one, *other)?),
-        TemperatureLaw::Vogel { a, b, c } => {
-            law::TemperatureLaw::Vogel(Vogel { factor: *a, exponent: *b, singular: ZERO_CELSIUS - c })
-        }
-        TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
-    };
-    let unsheared = ThermalOil { law, density, sheared: 1.0 };
-    Some(ThermalOil { sheared: sheared(scene, &unsheared), ..unsheared })
-}
-
-/// What the shear rate of the film leaves of the viscosity [1]. A viscosity at 150 degrees C and 1e6 1/s is one part of
-/// that at low shear, which is taken for any temperature.
-fn sheared(scene: &Scene, unsheared: &ThermalOil) -> f64 {
-    match scene.oil.high_shear {
-        None => 1.0,
-        Some(HighShear::Factor(factor)) => factor,
-        Some(HighShear::Viscosity(viscosity)) => viscosity / unsheared.viscosity(HIGH_SHEAR_AT),
-    }
-}
-
-/// The points `(T [K], nu [m2/s])` of a law that is given by points; the density makes dynamic viscosities kinematic.
-pub(crate) fn points(law: &TemperatureLaw, density: Density) -> Vec<(f64, f64)> {
-    match law {
-        TemperatureLaw::Grade(_) | TemperatureLaw::Vogel { .. } => Vec::new(),
-        TemperatureLaw::Walther(points) => points.to_vec(),
-        TemperatureLaw::Table(points) => (points.iter())
-            .map(|point| match point.viscosity {
-                PointViscosity::Kinematic(nu) => (point.temperature, nu),
-                PointViscosity::Dynamic(mu) => (point.temperature, mu / density.at(point.temperature)),
-            })
-            .collect(),
-    }
 }

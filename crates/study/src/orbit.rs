@@ -24,11 +24,12 @@ mod sample;
 mod start;
 mod temperature;
 
+use std::sync::Arc;
+
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, Step, TiltSupport};
 use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_scene::Scene;
 use serde::{Deserialize, Serialize};
 
 use balances::CycleBalances;
@@ -42,14 +43,14 @@ use temperature::CycleTemperature;
 pub(crate) use temperature::{BALANCED, add_temperature};
 
 use crate::compile_error::CompileError;
-use crate::duty::{DutyCycle, load_of_orbit};
-use crate::effects::Sockets;
 use crate::film::Film;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::{Sample, WallOnPath};
 use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
+use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// Place at which an orbit ends its search, as results have it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -76,7 +77,7 @@ pub struct OrbitFacts {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct CycleFacts {
-    /// Distance between beginning and end, over the clearance [1].
+    /// Distance between beginning and end, over the clearance [1]; on a shaft the greatest of all journals.
     pub closure: f64,
     /// Steps made.
     pub steps: usize,
@@ -153,41 +154,28 @@ pub(crate) struct Followed {
     pub(crate) seconds: [f64; 2],
 }
 
-/// Follows the orbit of a scene.
+/// Follows the orbit of a model's journal under a load.
 ///
 /// # Errors
-/// The scene does not become a film.
-pub(crate) fn follow(
-    scene: &Scene,
-    model: &oilwedge_scene::Orbit,
-    options: &RunOptions,
-) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
-    follow_under(scene, model, &load_of_orbit(scene)?, options)
-}
-
-/// Follows the orbit of a scene's journal under a load that may not be that of the scene.
-///
-/// # Errors
-/// The scene does not become a film.
+/// The model does not become a film.
 pub(crate) fn follow_under(
-    scene: &Scene,
-    model: &oilwedge_scene::Orbit,
-    cycle: &DutyCycle,
+    model: &Arc<Model>,
+    (orbit, cycle): (&oilwedge_scene::Orbit, &DutyCycle),
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
     let watch = options.watch();
     let deadline = watch.deadline;
-    if let Some(thermal) = Sockets::of(scene).thermal {
-        return temperature::balanced((scene, model, cycle), thermal, watch, options);
+    if let Some(thermal) = model.sockets.thermal {
+        return temperature::balanced((model, orbit, cycle), thermal, watch, options);
     }
-    let (film, begin) = start::prepared(scene, model, cycle, watch)?;
+    let (film, begin) = start::prepared(model, &model.oil, (orbit, cycle), watch)?;
     if let Some(observer) = options.observer {
         observer.expects(film.unknowns(), expected_seconds(&film));
         observer.turns_to("the orbit");
     }
     let clearance = film.problem.bearing.clearance;
     let begin = options.earlier.map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
-    let outcome = followed(&film, (scene, model, cycle), (Begin::At(begin), deadline), options);
+    let outcome = followed(&film, (orbit, cycle), (Begin::At(begin), deadline), options);
     Ok((film, outcome))
 }
 
@@ -203,12 +191,12 @@ enum Begin<'a> {
 /// Follows the orbit of a film until a deadline, and measures it.
 fn followed(
     film: &Film,
-    (scene, model, cycle): (&Scene, &oilwedge_scene::Orbit, &DutyCycle),
+    (model, cycle): (&oilwedge_scene::Orbit, &DutyCycle),
     (begin, deadline): (Begin, Deadline),
     options: &RunOptions,
 ) -> Result<Followed, NoAnswer> {
     let clock = std::time::Instant::now();
-    let motion = motion(film, scene, model, cycle);
+    let motion = motion(film, model, cycle);
     let orbit_options = OrbitOptions {
         tolerance: model.tolerance,
         closure: model.closure,
@@ -238,22 +226,15 @@ fn followed(
     Ok(Followed { last, seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
 
-/// The equation of motion of a scene's journal on a film.
-pub(crate) fn motion<'a>(
-    film: &'a Film,
-    scene: &Scene,
-    model: &oilwedge_scene::Orbit,
-    cycle: &'a DutyCycle,
-) -> Motion<'a> {
+/// The equation of motion of the journal on a film.
+pub(crate) fn motion<'a>(film: &'a Film, model: &oilwedge_scene::Orbit, cycle: &'a DutyCycle) -> Motion<'a> {
     Motion {
         problem: &film.problem,
         system: &film.system,
         gap: film.gap(),
         cycle,
-        support: scene.tilting().map(|tilting| TiltSupport {
-            stiffness: tilting.support.map_or(0.0, |support| support.tilt_stiffness),
-            slope: tilting.support.map_or([0.0; 2], |support| support.tilt),
-        }),
+        support: (film.model.sockets.tilting)
+            .map(|tilting| TiltSupport { stiffness: tilting.stiffness, slope: tilting.support }),
         mass: model.mass,
     }
 }
@@ -291,7 +272,7 @@ pub(crate) fn measured(
         angular_speed: motion.cycle.angular_speed(),
         between: 0.0,
         peak_load: peak[0].hypot(peak[1]),
-        deviation_scale: film.scene.deviation_scale(),
+        deviation_scale: film.model.scope.deviation_scale,
     };
     let (_, thinnest_at) = view.thinnest();
     let around = |time: f64| {
@@ -318,7 +299,7 @@ pub(crate) fn measured(
             closed: end == OrbitEnd::Closed,
             earlier_cycles: options.earlier.map_or(0, |earlier| earlier.cycles),
             end: steps.last().map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
-            cycles: cycles.iter().map(facts).collect(),
+            cycles: cycles.iter().map(CycleFacts::of).collect(),
             half_speed_share: load.half_speed_share,
         },
         path: OrbitPath {
@@ -341,13 +322,15 @@ pub(crate) fn measured(
     })
 }
 
-fn facts(cycle: &Cycle) -> CycleFacts {
-    CycleFacts {
-        closure: cycle.closure,
-        steps: cycle.steps,
-        rejected: cycle.rejected,
-        films: cycle.films,
-        oil_closure: cycle.oil.map(|oil| oil.closure),
-        oil_imbalance: cycle.oil.map(|oil| oil.imbalance),
+impl CycleFacts {
+    pub(crate) fn of(cycle: &Cycle) -> Self {
+        Self {
+            closure: cycle.closure,
+            steps: cycle.steps,
+            rejected: cycle.rejected,
+            films: cycle.films,
+            oil_closure: cycle.oil.map(|oil| oil.closure),
+            oil_imbalance: cycle.oil.map(|oil| oil.imbalance),
+        }
     }
 }

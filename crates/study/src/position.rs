@@ -3,11 +3,10 @@
 use std::f64::consts::FRAC_PI_4;
 
 use oilwedge_bearing::{Point, Visited, first_contact, first_position, predicted};
-use oilwedge_reynolds::{Bearing, JournalState};
-use oilwedge_scene::{self as scene, CavitationModel, Scene};
+use oilwedge_reynolds::{Bearing, Cavitation, JournalState};
+use oilwedge_scene::Position as Placed;
 
-use crate::contact::contact;
-use crate::dimensions;
+use crate::model::Model;
 use crate::oil::Oil;
 
 /// Eccentricity ratio at which the search for the position under a load begins where nothing is known.
@@ -53,19 +52,19 @@ impl Position {
         Self::of(&JournalState { offset, ..journal }, clearance)
     }
 
-    /// Where the journal of a scene under a load will be, predicted from positions visited before; `None` where there
+    /// Where the journal of a model under a load will be, predicted from positions visited before; `None` where there
     /// are none.
-    pub fn predicted(scene: &Scene, visited: &[Visited], point: Point) -> Option<Self> {
+    pub fn predicted(model: &Model, visited: &[Visited], point: Point) -> Option<Self> {
         let predicted = predicted(visited, point)?;
         let position = Self {
             eccentricity: predicted.eccentricity,
             min_film_angle: predicted.angle,
-            tilt: match scene.tilting() {
+            tilt: match model.sockets.tilting {
                 Some(_) => predicted.tilt,
-                None => scene.journal.tilt.unwrap_or_default(),
+                None => model.tilt,
             },
         };
-        Some(position.clear_of_the_ends(&dimensions::bearing(scene)))
+        Some(position.clear_of_the_ends(&model.mesh.bearing))
     }
 
     /// This position as one that a search visited at an operating point.
@@ -85,47 +84,65 @@ impl Position {
 
     /// The position at which a computation begins: the one given, or the one that a closed estimate finds for the load;
     /// [`Self::middle`] where nothing turns.
-    pub fn start(scene: &Scene) -> Self {
-        let (bearing, speed) = (&scene.bearing, scene.journal.speed);
-        let scene::Position::Load { force, angle } = scene.journal.position else {
-            return Self::middle(scene);
+    pub fn start(model: &Model) -> Self {
+        let (bearing, speed) = (&model.mesh.bearing, model.scope.speed);
+        let Placed::Load { force, angle } = model.placed else {
+            return Self::middle(model);
         };
-        let psi = bearing.clearance / bearing.radius();
-        let drag = Oil::of(scene).viscosity * speed.abs() / (psi * psi);
-        let number = force / (drag * bearing.diameter * bearing.length);
-        let full = scene.cavitation.is_none_or(|it| it.model == CavitationModel::None);
-        let by_film = first_position(number, bearing.length / bearing.diameter, full);
+        let diameter = 2.0 * bearing.radius;
+        let psi = bearing.clearance / bearing.radius;
+        let drag = model.oil.viscosity * speed.abs() / (psi * psi);
+        let number = force / (drag * diameter * bearing.length);
+        let full = matches!(model.sockets.cavitation, Cavitation::None);
+        let by_film = first_position(number, bearing.length / diameter, full);
         // Both together carry more than each of them.
-        let by_contact = contact(scene).map(|contact| first_contact(&contact.law, &dimensions::bearing(scene), force));
+        let by_contact = (model.sockets.contact.as_ref()).map(|contact| first_contact(&contact.law, bearing, force));
         let (eccentricity, attitude) = match (by_film, by_contact) {
             (Some((film, attitude)), Some(contact)) => (film.min(contact), attitude),
             (Some(found), None) => found,
             (None, Some(contact)) => (contact, 0.0),
-            (None, None) => return Self::middle(scene),
+            (None, None) => return Self::middle(model),
         };
-        let position = Self {
-            eccentricity,
-            min_film_angle: angle + speed.signum() * attitude,
-            tilt: scene.journal.tilt.unwrap_or_default(),
-        };
-        position.clear_of_the_ends(&dimensions::bearing(scene))
+        let position = Self { eccentricity, min_film_angle: angle + speed.signum() * attitude, tilt: model.tilt };
+        position.clear_of_the_ends(bearing)
     }
 
     /// The position at which a computation begins where nothing else is known: the one given, for a load eps = 0.5 at
     /// 45 degrees from the load in the sense of the rotation, and under a load that changes the middle of the bearing.
-    pub fn middle(scene: &Scene) -> Self {
-        let tilt = scene.journal.tilt.unwrap_or_default();
-        match scene.journal.position {
-            scene::Position::Given { eccentricity, min_film_angle } => Self { eccentricity, min_film_angle, tilt },
+    pub fn middle(model: &Model) -> Self {
+        let tilt = model.tilt;
+        match model.placed {
+            Placed::Given { eccentricity, min_film_angle } => Self { eccentricity, min_film_angle, tilt },
             // The orbit is not known yet: a mesh is graded as for a journal in the middle.
-            scene::Position::Cycle => Self { eccentricity: 0.0, min_film_angle: 0.0, tilt },
-            scene::Position::Load { angle, .. } => {
-                let sense = if scene.journal.speed < 0.0 { -1.0 } else { 1.0 };
+            Placed::Cycle => Self { eccentricity: 0.0, min_film_angle: 0.0, tilt },
+            Placed::Load { angle, .. } => {
+                let sense = if model.scope.speed < 0.0 { -1.0 } else { 1.0 };
                 let position =
                     Self { eccentricity: START_ECCENTRICITY, min_film_angle: angle + sense * START_ATTITUDE, tilt };
-                position.clear_of_the_ends(&dimensions::bearing(scene))
+                position.clear_of_the_ends(&model.mesh.bearing)
             }
         }
+    }
+}
+
+/// The state of a film for which a mesh is graded, and from which its search begins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmState {
+    /// Position of the journal.
+    pub position: Position,
+    /// The oil at the temperature of the film.
+    pub oil: Oil,
+}
+
+impl Model {
+    /// The state in which a computation begins.
+    pub fn start(&self) -> FilmState {
+        self.state_at(Position::start(self))
+    }
+
+    /// The state with the journal at `position`.
+    pub fn state_at(&self, position: Position) -> FilmState {
+        FilmState { position, oil: self.oil.clone() }
     }
 }
 
@@ -133,17 +150,18 @@ impl Position {
 mod tests {
     use super::*;
     use std::path::Path;
+    use std::sync::Arc;
 
-    fn scene(keys: &str) -> Scene {
+    fn model(keys: &str) -> Arc<Model> {
         let text = format!(
             "bearing = {{ diameter = \"75 mm\", length = \"37.5 mm\", clearance = \"37.5 um\" }}\n{keys}\n\
              oil = {{ viscosity = \"20 mPa.s\" }}\ncavitation = {{ model = \"reynolds\" }}\n"
         );
-        crate::parse(&text, Path::new("a.toml")).expect("a scene")
+        crate::compile::compile(&crate::parse(&text, Path::new("a.toml")).expect("a scene")).expect("a model")
     }
 
-    fn loaded(force: &str, speed: &str) -> Scene {
-        scene(&format!("journal = {{ speed = \"{speed}\" }}\nload = {{ force = \"{force}\", angle = \"0 deg\" }}"))
+    fn loaded(force: &str, speed: &str) -> Arc<Model> {
+        model(&format!("journal = {{ speed = \"{speed}\" }}\nload = {{ force = \"{force}\", angle = \"0 deg\" }}"))
     }
 
     fn at(eccentricity: f64, min_film_angle: f64) -> Position {
@@ -152,7 +170,7 @@ mod tests {
 
     #[test]
     fn the_middle_is_the_position_or_lies_behind_the_load() {
-        let given = scene("journal = { speed = \"1 rpm\", eccentricity = 0.6, min_film_angle = \"3 rad\" }");
+        let given = model("journal = { speed = \"1 rpm\", eccentricity = 0.6, min_film_angle = \"3 rad\" }");
         assert_eq!((Position::middle(&given), Position::start(&given)), (at(0.6, 3.0), at(0.6, 3.0)));
         for (speed, sense) in [("10 rpm", 1.0), ("-10 rpm", -1.0), ("0 rpm", 1.0)] {
             assert_eq!(Position::middle(&loaded("5 kN", speed)), at(0.5, sense * FRAC_PI_4));
@@ -161,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_tilted_journal_begins_clear_of_the_ends() {
-        let tilted = scene(
+        let tilted = model(
             "journal = { speed = \"1000 rpm\", tilt = { x = \"1.5 mrad\" } }\nload = { force = \"1 MN\", angle = \"0 deg\" }",
         );
         let start = Position::start(&tilted);

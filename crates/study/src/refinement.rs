@@ -14,29 +14,30 @@ mod next;
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
+
 use crate::analysis::solve;
-use crate::checks::targets;
 use crate::compile_error::CompileError;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::Film;
 use crate::grading::graded;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
 use crate::reasons::Limit;
 use crate::result::LevelFacts;
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, SolveOptions, Solved};
-use oilwedge_scene::Scene;
 
 pub(crate) use distance::wide_bars;
-pub use next::at_first;
+pub use next::first_film;
 
 /// Heat left over beyond this part of the friction is no balance.
 const UNBALANCED: f64 = 1e-6;
 
-/// A scene answered.
+/// A model answered.
 pub struct Answer {
-    /// The scene on the last mesh.
+    /// The film on the last mesh.
     pub film: Film,
     /// The film solved there with its errors, or why there is none.
     pub outcome: Result<(Solved, Estimated), NoAnswer>,
@@ -50,25 +51,26 @@ pub struct Answer {
 /// ends there.
 pub(crate) type Tell<'a> = &'a dyn Fn((&Solved, Estimated), &[LevelFacts], Option<&Limit>);
 
-/// Answers a scene, on meshes as fine as its tolerance asks for if errors are estimated.
+/// Answers a model, on meshes as fine as its tolerance asks for if errors are estimated.
 ///
 /// # Errors
-/// The scene does not become a film.
-pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
-    answer_telling(scene, options, None)
+/// The model does not become a film.
+pub fn answer(model: &Arc<Model>, options: &RunOptions) -> Result<Answer, CompileError> {
+    answer_telling(model, options, None)
 }
 
-/// Answers a scene as [`answer`] does, and tells of each mesh but the last.
-pub(crate) fn answer_telling(scene: &Scene, options: &RunOptions, tell: Option<Tell>) -> Result<Answer, CompileError> {
-    let targets = targets(scene).filter(|_| options.bars);
-    if targets.is_some() {
-        next::check_first(scene, options.watch())?;
-    }
-    if let Some(targets) = targets {
-        return levels::towards(scene, &targets, options, tell);
+/// Answers a model as [`answer`] does, and tells of each mesh but the last.
+pub(crate) fn answer_telling(
+    model: &Arc<Model>,
+    options: &RunOptions,
+    tell: Option<Tell>,
+) -> Result<Answer, CompileError> {
+    if let Some(targets) = model.targets.as_ref().filter(|_| options.bars) {
+        next::check_first(model, options.watch())?;
+        return levels::towards(model, targets, options, tell);
     }
     let watch = options.watch();
-    let film = graded(scene, watch)?;
+    let film = graded(model, model.mesh.longest, watch)?;
     let outcome = solved(&film, options.errors(), watch);
     let limit = outcome.as_ref().ok().and_then(|(solved, _)| ended(solved, options));
     Ok(Answer {

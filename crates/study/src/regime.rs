@@ -17,7 +17,6 @@ use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::thermal::flows::leaving;
 use crate::warning::{self, Warning};
-use oilwedge_scene::Scene;
 use oilwedge_scene::wording::micrometres;
 
 /// Clearance over radius of a film that curvature does not touch.
@@ -81,12 +80,12 @@ pub fn unusual_clearance(bearing: &Bearing) -> Option<Warning> {
 }
 
 impl Regime {
-    /// The numbers of a solved film; the density is that at the temperature of `scene`.
-    pub fn of(scene: &Scene, film: &Film, measured: &Measured) -> Self {
+    /// The numbers of a solved film; the density is that of `oil`.
+    pub fn of(oil: &Oil, film: &Film, measured: &Measured) -> Self {
         let problem = &film.problem;
         let bearing = &problem.bearing;
         let speed = problem.journal.speed.abs() * bearing.radius;
-        let density = Oil::of(scene).film_density().unwrap_or(MINERAL_OIL);
+        let density = oil.film_density().unwrap_or(MINERAL_OIL);
         let reynolds_number = density * speed * bearing.clearance / problem.lubricant.viscosity;
         let clearance_ratio = bearing.clearance / bearing.radius;
         Self {
@@ -96,8 +95,8 @@ impl Regime {
             density,
             clearance_ratio,
             pressure_exponent: growth(&problem.lubricant.pressure_law).map(|alpha| alpha * measured.extremes.greatest),
-            roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.thinnest.thickness / roughness),
-            deflection: deflection(scene, measured),
+            roughness_ratio: (film.model.roughness).map(|roughness| measured.thinnest.thickness / roughness),
+            deflection: deflection(film, measured),
             temperature_rise: temperature_rise(film, measured),
         }
     }
@@ -128,7 +127,7 @@ impl Regime {
                 warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
             }),
         ];
-        let rise = self.temperature_rise.filter(|rise| film.thermal.is_none() && *rise > WARM);
+        let rise = self.temperature_rise.filter(|rise| film.model.sockets.thermal.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
             warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; check that oil.viscosity (or oil.temperature) is that of the film, or give [heat] with a grade or another law of temperature", rounded(rise)))
         });
@@ -177,16 +176,16 @@ pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<Warnin
 }
 
 /// How far journal and liner yield elastically under the load [m].
-fn deflection(scene: &Scene, measured: &Measured) -> f64 {
+fn deflection(film: &Film, measured: &Measured) -> f64 {
     let [steel, poisson] = STEEL;
-    let modulus = scene.bearing.elastic_modulus.unwrap_or(steel);
+    let modulus = film.model.elastic_modulus.unwrap_or(steel);
     let mean_pressure = 0.5 * measured.extremes.greatest.max(0.0);
     2.0 * OF_SQUARE * (1.0 - poisson * poisson) / modulus * (measured.load.magnitude() * mean_pressure).sqrt()
 }
 
 /// Friction and power of a moving centre over the heat that the oil which leaves takes up for each kelvin.
 fn temperature_rise(film: &Film, measured: &Measured) -> Option<f64> {
-    let capacity = film.thermal.map_or(HEAT_CAPACITY, |model| model.balance.heat_capacity);
+    let capacity = film.model.sockets.thermal.map_or(HEAT_CAPACITY, |model| model.balance.heat_capacity);
     let Film { problem, system, .. } = film;
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let flow = leaving(problem, system, &measured.flows);

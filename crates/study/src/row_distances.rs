@@ -8,11 +8,9 @@
 
 use oilwedge_mesh::developed::Liner;
 
-use crate::effects::Sockets;
-use crate::feed_region::shape;
-use crate::film_scale::{FilmScale, LONGEST, needed_size};
-use crate::oil::Oil;
-use oilwedge_scene::Scene;
+use crate::film_scale::{FilmScale, LONGEST};
+use crate::mesh_plan::MeshPlan;
+use crate::position::FilmState;
 
 /// Distance [m] of columns of a mesh in rows.
 pub(crate) fn column(longest: f64, scale: &FilmScale, x: f64) -> f64 {
@@ -37,17 +35,16 @@ pub(crate) struct RowDistances {
 
 impl RowDistances {
     /// The distances for a film that conserves its oil, none for other films.
-    pub(crate) fn of(scene: &Scene, liner: &Liner, longest: f64, scale: &FilmScale) -> Option<Self> {
-        let cavitation = Sockets::of(scene).cavitation;
-        let cavity = cavitation.pressure().filter(|_| cavitation.conserves_oil())?;
-        let usual = |x: f64| needed_size(scene) / longest * column(longest, scale, x);
+    pub(crate) fn of(plan: &MeshPlan, state: &FilmState, longest: f64, scale: &FilmScale) -> Option<Self> {
+        let (cavity, liner) = (plan.carrying?, &plan.outline.liner);
+        let usual = |x: f64| plan.needed / longest * column(longest, scale, x);
         Some(Self {
             far: spacing(liner, &|x| column(longest, scale, x)),
             usual: spacing(liner, &usual),
-            layers: layers(scene, cavity),
+            layers: layers(plan, state.oil.viscosity, cavity),
             by_tilt: by_tilt(liner, longest, scale),
             half: 0.5 * liner.length,
-            is_orbit: scene.orbit.is_some(),
+            is_orbit: plan.is_of_orbit,
         })
     }
 
@@ -117,13 +114,14 @@ const TOWARDS_EDGE: f64 = 0.2;
 /// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of
 /// pressure `P` presses in over one radian of the circumference: `c sqrt(P R/(3 mu U))`, from
 /// `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
-fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
-    let drag = 3.0 * Oil::of(scene).viscosity * scene.journal.speed.abs();
-    let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
-    let half = 0.5 * scene.bearing.length;
-    let at_ends = [-half, half].map(|z| (z, scene.ends.pressure));
-    let at_grooves = scene.feeds.iter().flat_map(|feed| {
-        let shape = shape(scene, feed).filter(|shape| shape.is_full_turn());
+fn layers(plan: &MeshPlan, viscosity: f64, cavity: f64) -> Vec<(f64, f64)> {
+    let drag = 3.0 * viscosity * plan.speed.abs();
+    let thickness = |pressure: f64| plan.bearing.clearance * ((pressure - cavity) / drag).sqrt();
+    let outline = &plan.outline;
+    let half = 0.5 * outline.liner.length;
+    let at_ends = [-half, half].map(|z| (z, plan.bearing.end_pressure));
+    let at_grooves = outline.feeds.iter().flat_map(|feed| {
+        let shape = outline.shape(feed).filter(|shape| shape.is_full_turn());
         let edges = shape.map(|shape| [-1.0, 1.0].map(|side| shape.centre[1] + side * shape.half[1]));
         edges.into_iter().flatten().filter_map(|z| Some((z, feed.pressure?)))
     });

@@ -1,5 +1,6 @@
 //! The run of a scene, to its numbers and fields: what a caller asks, and what it is given.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::NoEquilibrium;
@@ -11,13 +12,15 @@ use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_scene::Scene;
 use oilwedge_scene::wording::percent;
 
+use crate::compile::compile;
 use crate::compile_error::CompileError;
 use crate::effects::Effects;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::{DEGREE, Film};
 use crate::limits::design_criteria;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
-use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
+use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow_under};
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::{Quantity, left_over};
 use crate::reasons::Limit;
@@ -32,6 +35,7 @@ use crate::solved::Solved;
 use crate::thermal::{cycle_temperature_report, temperature_report, work_of};
 use crate::warning::{self, Warning};
 use crate::warnings::all_warnings;
+use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// What a run found.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,19 +55,23 @@ pub struct Run {
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or does not fit the scene.
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
-    run_telling(scene, options, None)
+    run_telling(&compile(scene)?, options, None)
 }
 
-/// Computes the film of a scene as [`run`] does. Each time that a mesh is solved which is not the last, `best` is given
+/// Computes the film of a model as [`run`] does. Each time that a mesh is solved which is not the last, `best` is given
 /// what the run answers if it ends before the next one is solved.
 ///
 /// # Errors
-/// [`CompileError`] where the mesh cannot be read or does not fit the scene.
-pub fn run_telling(scene: &Scene, options: &RunOptions, best: Option<&dyn Fn(RunResult)>) -> Result<Run, CompileError> {
+/// [`CompileError`] where the mesh cannot be read or does not fit the model.
+pub fn run_telling(
+    model: &Arc<Model>,
+    options: &RunOptions,
+    best: Option<&dyn Fn(RunResult)>,
+) -> Result<Run, CompileError> {
     let clock = Instant::now();
-    if let Some(orbit) = &scene.orbit {
-        let mut run = on_orbit(scene, orbit, options)?;
-        let before = match (&run.orbit, scene.inlet_temperature()) {
+    if let Some(asked) = model.scope.orbit.as_ref().zip(model.duty.as_ref()) {
+        let mut run = on_orbit(model, asked, options)?;
+        let before = match (&run.orbit, model.sockets.thermal) {
             (Some(_), Some(_)) => SECONDS_KEY,
             (Some(_), None) => "start",
             (None, _) => "orbit",
@@ -73,15 +81,15 @@ pub fn run_telling(scene: &Scene, options: &RunOptions, best: Option<&dyn Fn(Run
     }
     let told = best.map(|best| {
         |found: (&Solved, Estimated), levels: &[LevelFacts], limit: Option<&Limit>| {
-            best(result_of(scene, found, levels, limit, options));
+            best(result_of(found, levels, limit, options));
         }
     });
-    let answer = answer_telling(scene, options, told.as_ref().map(|told| told as Tell))?;
-    let mut result = without_outcome(scene, (&answer.film, &answer.levels), options);
+    let answer = answer_telling(model, options, told.as_ref().map(|told| told as Tell))?;
+    let mut result = without_outcome(&answer.film, &answer.levels, options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
             let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
-            report(scene, (&solved, estimated), options, &mut result);
+            report((&solved, estimated), options, &mut result);
             Some(picture)
         }
         Err(reason) => {
@@ -96,17 +104,16 @@ pub fn run_telling(scene: &Scene, options: &RunOptions, best: Option<&dyn Fn(Run
     Ok(Run { result, picture, orbit: None, frames: Vec::new() })
 }
 
-/// The result of a scene that is `solved` on the last of some meshes, with the limit that ends it, if one does; what
+/// The result of a model that is `solved` on the last of some meshes, with the limit that ends it, if one does; what
 /// takes a search is left out.
 fn result_of(
-    scene: &Scene,
     (solved, estimated): (&Solved, Estimated),
     levels: &[LevelFacts],
     limit: Option<&Limit>,
     options: &RunOptions,
 ) -> RunResult {
-    let mut result = without_outcome(scene, (&solved.film, levels), options);
-    report(scene, (solved, estimated), &options.limited(Some(0.0)), &mut result);
+    let mut result = without_outcome(&solved.film, levels, options);
+    report((solved, estimated), &options.limited(Some(0.0)), &mut result);
     if let Some(limit) = limit {
         result.head.end(Status::NotConverged, limit);
     }
@@ -124,9 +131,13 @@ fn add_total(result: &mut RunResult, before: &str, total: f64) {
 const MOST_AT_HALF_SPEED: f64 = 0.5;
 
 /// Follows the journal over cycles.
-fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) -> Result<Run, CompileError> {
-    let (film, outcome) = follow(scene, orbit, options)?;
-    let mut result = without_outcome(scene, (&film, &[]), options);
+fn on_orbit(
+    model: &Arc<Model>,
+    (orbit, duty): (&oilwedge_scene::Orbit, &DutyCycle),
+    options: &RunOptions,
+) -> Result<Run, CompileError> {
+    let (film, outcome) = follow_under(model, (orbit, duty), options)?;
+    let mut result = without_outcome(&film, &[], options);
     let followed = match outcome {
         Ok(followed) => followed,
         Err(reason) => {
@@ -138,7 +149,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     let estimated = estimate_errors(&solved);
     let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
-    let (half_speed, turns) = (facts.half_speed_share, scene.journal.speed != 0.0);
+    let (half_speed, turns) = (facts.half_speed_share, model.scope.speed != 0.0);
     let limit = match followed.end {
         OrbitEnd::Closed => None,
         OrbitEnd::NotClosed if half_speed > MOST_AT_HALF_SPEED => {
@@ -153,7 +164,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     };
     // Bars of a film that conserves its oil are those of its orbit.
     let of_film = RunOptions { bars: options.bars && solved.reference.is_some(), ..*options };
-    report(scene, (&solved, estimated), &of_film, &mut result);
+    report((&solved, estimated), &of_film, &mut result);
     if half_speed > MOST_AT_HALF_SPEED {
         let share = percent(half_speed);
         result.warnings.push(warning::HALF_SPEED.says(match turns {
@@ -239,14 +250,15 @@ fn contracts(facts: &OrbitFacts) -> bool {
 }
 
 /// What is known of a run whatever its outcome.
-fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), options: &RunOptions) -> RunResult {
+fn without_outcome(film: &Film, levels: &[LevelFacts], options: &RunOptions) -> RunResult {
+    let Model { description, effects, .. } = &*film.model;
     RunResult {
         head: ResultHead {
             mesh_sha256: Some(film.origin.sha256.clone()),
-            ..ResultHead::of(RESULT_FORMAT, [&scene.title, &scene.text, &scene.sha256])
+            ..ResultHead::of(RESULT_FORMAT, [&description.title, &description.text, &description.sha256])
         },
-        effects: Effects::of(&film.scene),
-        geometry: Geometry::of(&film.scene),
+        effects: Effects::of(effects),
+        geometry: Geometry::of(&film.model),
         mesh: facts(film.system.space().mesh()),
         bars: options.bars,
         levels: levels.to_vec(),
@@ -281,9 +293,10 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 }
 
 /// Fills in the numbers of a solved film.
-fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
-    result.warnings = all_warnings(scene, solved, &estimated, options.errors());
-    result.regime = Some(Regime::of(scene, &solved.film, &estimated.measured));
+fn report((solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
+    let oil = &solved.film.model.oil;
+    result.warnings = all_warnings(oil, solved, &estimated, options.errors());
+    result.regime = Some(Regime::of(oil, &solved.film, &estimated.measured));
     result.history = history(&solved.primary.solution.history);
     result.counts = counts(solved);
     result.linear_solver = Some(LinearSolver {

@@ -30,7 +30,7 @@ mod weights;
 pub use compile::{Bearing, Compiled, bearing_scenes, compile_shaft, engine};
 pub use deflection::ShaftDeflection;
 pub use error::ShaftError;
-pub use result::{BearingPath, BearingReport, CycleReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};
+pub use result::{BearingPath, BearingReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};
 pub use variant::{Variant, run_cut};
 pub use weights::{CounterweightReport, NoWeights, WebReport, best_counterweights};
 

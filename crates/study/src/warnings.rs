@@ -1,13 +1,12 @@
 //! Warnings beside a result, in sentences.
 
 use oilwedge_reynolds::error_bar::UNRESOLVED;
-use oilwedge_scene::Scene;
 
-use crate::checks::targets;
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::Measured;
+use crate::oil::Oil;
 use crate::refinement::wide_bars;
 use crate::regime::{Regime, constant_viscosity};
 use crate::solved::{Errors, Solved};
@@ -15,12 +14,13 @@ use crate::warning::{self, Warning};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
-/// All warnings beside the result of a solved film of `scene`: about the film, its errors, and assumptions that it
-/// breaks.
-pub fn all_warnings(scene: &Scene, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
-    let regime = Regime::of(scene, &solved.film, &estimated.measured);
+
+/// All warnings beside the result of a solved film: about the film, its errors, and assumptions that it breaks. The
+/// density of `oil` decides whether the film is laminar.
+pub fn all_warnings(oil: &Oil, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
+    let regime = Regime::of(oil, &solved.film, &estimated.measured);
     let mut warnings = result_warnings(solved, estimated, errors);
-    warnings.extend(wide_bar(scene, solved, estimated));
+    warnings.extend(wide_bar(solved, estimated));
     warnings.extend(regime.warnings(&solved.film, &estimated.measured));
     warnings
 }
@@ -50,8 +50,8 @@ fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Ve
 }
 
 /// The warning that bars which an engineer wants narrow are not.
-fn wide_bar(scene: &Scene, solved: &Solved, estimated: &Estimated) -> Option<Warning> {
-    let targets = targets(scene)?;
+fn wide_bar(solved: &Solved, estimated: &Estimated) -> Option<Warning> {
+    let targets = solved.film.model.targets.as_ref()?;
     let wide = wide_bars(&solved.film, estimated, &targets.wanted);
     let (name, _) = wide.first()?;
     let told: Vec<String> = (wide.iter()).map(|(name, bar)| format!("{name} ({})", percent(*bar))).collect();
@@ -179,7 +179,7 @@ mod tests {
             oil = { viscosity = \"0.4 Pa.s\" }\njournal = { speed = \"10 rad/s\", eccentricity = 0.4, min_film_angle = \"0 rad\" }\n\
             cavitation = { model = \"reynolds\" }\ndynamics = {}\n";
         let scene = crate::parse(text, Path::new("ring.toml")).expect("a scene");
-        let film = compile(&scene).expect("a film");
+        let film = compile(&scene).and_then(|model| model.film()).expect("a film");
         let solved = film.problem.solve(&film.system).expect("a solution");
         let plain = measure(&solved);
         let said = |measured: &Measured| {

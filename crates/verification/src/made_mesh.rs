@@ -6,7 +6,7 @@ use std::path::Path;
 
 use oilwedge_mesh::{Mesh, RawMesh, gmsh};
 use oilwedge_scene::Scene;
-use oilwedge_study::liner_mesh::mesh_scene;
+use oilwedge_study::compile::compile;
 
 use crate::family::{MeshRecipe, Rows};
 
@@ -17,7 +17,7 @@ use crate::family::{MeshRecipe, Rows};
 pub(crate) fn write(recipe: &MeshRecipe, scene: &Scene, path: &Path) -> Result<(), String> {
     let mesh = match &recipe.rows {
         Some(rows) => in_rows(rows, scene)?,
-        None => mesh_scene(scene).map_err(|error| error.to_string())?,
+        None => compile(scene).and_then(|model| model.first_mesh()).map_err(|error| error.to_string())?.mesh,
     };
     let unit = match recipe.unit.as_str() {
         "m" => 1.0,

@@ -3,7 +3,7 @@
 
 use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, Row};
-use oilwedge_study::{Run, RunOptions, run};
+use oilwedge_study::{Run, RunOptions, compile, run};
 use oilwedge_tests::big_end::{FINITE, Known, MAKE_SHORT, SHORT, changed};
 
 use crate::tables::{replace, row};
@@ -19,7 +19,7 @@ pub fn page(page: &str) -> String {
     let page = replace(page, "finite", &table(&finite, &FINITE));
     let page = replace(&page, "short", &table(&short, &SHORT));
     let mut maps = vec![row(["map", "least film [um]", "its crank angle [deg]", "films"])];
-    for by in by_maps(&scene, finite.orbit.as_ref().expect("a path")).expect("a film") {
+    for by in by_maps(&compile(&scene).expect("a model"), finite.orbit.as_ref().expect("a path")).expect("a film") {
         let by = by.unwrap_or_else(|reason| panic!("{reason}"));
         let value = |row: &Row| by.quantities.iter().find(|it| it.row == row).expect("a number").value;
         maps.push(vec![

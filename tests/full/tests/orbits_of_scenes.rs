@@ -5,7 +5,7 @@ use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::{RunResult, Status, Verdict};
 use oilwedge_study::run_options::EarlierOrbit;
-use oilwedge_study::{RunOptions, read, run, warning};
+use oilwedge_study::{RunOptions, compile, read, run, warning};
 use oilwedge_tests::scenes::parsed;
 use oilwedge_tests::scenes::path;
 
@@ -154,7 +154,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
     assert!(result.balances.thermal < 1e-3, "{:?}", result.balances);
     // Maps have the viscosity at the temperature that was found.
     let path = found.orbit.as_ref().expect("a path");
-    for map in by_maps(&scene, path).expect("maps") {
+    for map in by_maps(&compile(&scene).expect("a model"), path).expect("maps") {
         let map = map.expect("an orbit");
         assert!(map.film_difference < 1e-2, "{map:?}");
     }

@@ -5,16 +5,15 @@ use oilwedge_reynolds::quantities::flow::flows;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::similarity::sommerfeld_number;
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{compile, compile_on};
+use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
-use oilwedge_study::position::Position;
 use oilwedge_tests::journal_bearings::{Ring, block, number, reference};
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{path, table, variant};
 
 /// Loads of linear elements on the mesh of `scene` and on that mesh refined so often.
 fn loads(scene: &Scene, times: usize) -> Vec<f64> {
-    let drawn = compile(scene).unwrap_or_else(|error| panic!("{error}"));
+    let drawn = compile(scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
     let mut mesh = (**drawn.system.space().mesh()).clone();
     let mut loads = Vec::new();
     for _ in 0..=times {
@@ -28,7 +27,7 @@ fn loads(scene: &Scene, times: usize) -> Vec<f64> {
 }
 
 fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Film {
-    compile_on(scene, mesh, Position::start(scene), 1).unwrap_or_else(|error| panic!("{error}"))
+    compile(scene).and_then(|model| model.film_on(mesh, &model.start(), 1)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change:
@@ -44,7 +43,7 @@ fn flooded_ring_converges_with_order_two() {
         let order = (pair[0] / pair[1]).log2();
         assert!((1.7..2.6).contains(&order), "order {order:.2} of {errors:?}");
     }
-    let problem = compile(&scene).unwrap_or_else(|error| panic!("{error}")).problem;
+    let problem = compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}")).problem;
     let (bearing, viscosity) = (&problem.bearing, problem.lubricant.viscosity);
     let found = sommerfeld_number(bearing, viscosity, &problem.journal, limit).expect("a turning journal");
     let expected = number(&reference("plain360_swift_stieber", "rows")[18], "So");
@@ -69,7 +68,9 @@ fn groove_bearing_has_the_load_of_the_structured_code() {
 fn companions_conserve_oil() {
     let mut none = 0;
     for number in 1000..1040 {
-        let study = compile(&RandomBearing::new(number).scene()).unwrap_or_else(|error| panic!("{error}"));
+        let study = compile(&RandomBearing::new(number).scene())
+            .and_then(|model| model.film())
+            .unwrap_or_else(|error| panic!("{error}"));
         let film = study.problem.solve(&study.system).expect("a film");
         let system = study.system.vertices_only();
         assert_eq!(system.space().dofs(), study.system.space().mesh().points().len());
@@ -97,7 +98,9 @@ fn companion_is_the_film_of_linear_elements() {
                 table(scene, "bearing").insert("film_start".into(), "180 deg".into());
             }
         });
-        let quadratic = compile(&scene).unwrap_or_else(|error| panic!("{}: {error}", path(name).display()));
+        let quadratic = compile(&scene)
+            .and_then(|model| model.film())
+            .unwrap_or_else(|error| panic!("{}: {error}", path(name).display()));
         let film = quadratic.problem.solve(&quadratic.system).expect("a film");
         let companion = film.coarse_comparison().expect("a film");
         let study = linear(&scene, (**quadratic.system.space().mesh()).clone());

@@ -32,7 +32,7 @@ fn fed(size: f64, region: &str) -> String {
 }
 
 fn film(text: &str) -> Film {
-    compile(&written(text)).unwrap_or_else(|error| panic!("{error}"))
+    compile(&written(text)).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn hill(study: &Film) -> SharpFilm {

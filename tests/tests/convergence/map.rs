@@ -9,9 +9,9 @@ use oilwedge_study::level::{Level, solve_level};
 use oilwedge_tests::scenes::written;
 
 fn level(scene: &Scene) -> Level {
-    let film = compile(scene).expect("a film");
+    let film = compile(scene).and_then(|model| model.film()).expect("a film");
     let mesh = Mesh::build(film.system.space().mesh().to_raw()).expect("the same mesh");
-    solve_level(scene, mesh, film.position(), DEGREE, Deadline::default()).expect("a level")
+    solve_level(&film.model, mesh, film.position(), DEGREE, Deadline::default()).expect("a level")
 }
 
 /// Sum of the map over the bar of a quantity.

@@ -32,7 +32,8 @@ impl Judged {
     }
 
     pub(crate) fn of_scene(scene: &Scene) -> Self {
-        let Film { problem, system, .. } = compile(scene).unwrap_or_else(|error| panic!("{error}"));
+        let Film { problem, system, .. } =
+            compile(scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
         Self::of(problem, &system)
     }
 

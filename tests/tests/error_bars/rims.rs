@@ -25,7 +25,7 @@ fn chords() -> Judged {
         feeds[0].as_table_mut().expect("a feed").remove("hole");
         constant(scene);
     });
-    let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
     let mesh = study.system.space().mesh();
     let feed = mesh.region("feed_hole").expect("the hole");
     assert!(feed.edges.iter().all(|&edge| mesh.bulge(edge) == [0.0; 2]));

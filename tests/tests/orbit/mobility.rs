@@ -12,7 +12,7 @@ use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, Gap, Theory};
 use oilwedge_study::orbit::{by_maps, no_map};
 use oilwedge_study::quantities::CYCLE_FILM_THICKNESS_MIN;
-use oilwedge_study::{RunOptions, parse, run};
+use oilwedge_study::{RunOptions, compile, parse, run};
 use oilwedge_tests::*;
 
 /// A short half film on a fine ring, over a turn from one place.
@@ -72,7 +72,8 @@ fn the_map_of_the_finite_film_leads_as_the_film() {
     let options = RunOptions { bars: false, ..RunOptions::default() };
     let found = run(&scene, &options).expect("a film");
     let path = found.orbit.expect("a path");
-    let [short, finite] = <[_; 2]>::try_from(by_maps(&scene, &path).expect("a film")).expect("two maps");
+    let [short, finite] =
+        <[_; 2]>::try_from(by_maps(&compile(&scene).expect("a model"), &path).expect("a film")).expect("two maps");
     let film = found.result.quantity(&CYCLE_FILM_THICKNESS_MIN).expect("a film").value;
     let off = |by: &Result<oilwedge_study::orbit::ByMap, String>| {
         let by = by.as_ref().unwrap_or_else(|reason| panic!("{reason}"));
@@ -89,7 +90,7 @@ fn what_has_no_map_is_named() {
     let without = |from: &str, to: &str| {
         assert!(SCENE.contains(from), "{from}");
         let scene = parse(&SCENE.replacen(from, to, 1), Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));
-        no_map(&scene)
+        no_map(&compile(&scene).expect("a model"))
     };
     assert_eq!(without("cycles = 5", "cycles = 4"), None);
     for (from, to, told) in [

@@ -88,7 +88,9 @@ fn a_film_start_counts_unless_it_lies_at_the_widest_film() {
 fn a_film_start_needs_a_line_of_edges() {
     for angle in ["45 deg", "0.01 deg", "180 deg"] {
         let scene = variant("01_plain_ring", |scene| set(scene, "bearing", "film_start", angle));
-        let Err(error) = compile(&scene) else { panic!("no line of edges runs at {angle}") };
+        let Err(error) = compile(&scene).and_then(|model| model.film()) else {
+            panic!("no line of edges runs at {angle}")
+        };
         assert!(matches!(error, CompileError::FilmStart { .. }));
         let text = error.to_string();
         let degrees: f64 = angle.trim_end_matches(" deg").parse().expect("a number");

@@ -32,7 +32,7 @@ fn scene_08_flexpde_study_size() {
 #[test]
 fn the_plain_scene_is_poiseuille_couette_and_one_linear_solve() {
     let film = shipped("01_plain_ring");
-    assert_eq!(oilwedge_study::effects::Effects::of(&film.study.scene).simulated, ["poiseuille", "couette"]);
+    assert_eq!(oilwedge_study::effects::Effects::of(&film.study.model.effects).simulated, ["poiseuille", "couette"]);
     let terms: Vec<_> = film.study.problem.terms.iter().map(|term| term.name()).collect();
     assert_eq!(terms, ["poiseuille", "couette"]);
     assert_eq!(film.study.problem.film_thickness.len(), 1);

@@ -6,11 +6,11 @@ use std::time::Instant;
 use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
-use oilwedge_scene::Scene;
 use oilwedge_study::analysis::solve;
 use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::grading::graded;
-use oilwedge_study::liner_mesh::{liner_mesh, resized};
+use oilwedge_study::liner_mesh::liner_mesh;
+use oilwedge_study::model::Model;
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::position::Position;
 use oilwedge_study::solved::SolveOptions;
@@ -28,14 +28,14 @@ pub(super) struct First {
     pub(super) seconds: f64,
 }
 
-/// Reads the mesh of a scene or draws a coarse one. Under a load a drawn mesh is graded for the position that the load
+/// Reads the mesh of a model or draws a coarse one. Under a load a drawn mesh is graded for the position that the load
 /// leads to on a mesh as coarse.
 ///
 /// # Errors
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
-pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<First, NoAnswer>, CompileError> {
+pub(super) fn first_mesh(model: &Arc<Model>, deadline: Deadline) -> Result<Result<First, NoAnswer>, CompileError> {
     let clock = Instant::now();
-    let start = Position::start(scene);
+    let start = Position::start(model);
     let first = |mesh: Mesh, position: Position| First {
         mesh: Arc::new(mesh),
         position,
@@ -43,15 +43,16 @@ pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<Fir
     };
     let options = SolveOptions { deadline, ..SolveOptions::default() };
     let mut tried = Ok(None);
-    for coarse in FACTORS.iter().filter_map(|&factor| resized(scene, factor)) {
-        if scene.journal.load().is_none() {
-            match liner_mesh(&coarse, start) {
+    for factor in FACTORS.iter().filter(|_| model.mesh.is_graded()) {
+        let longest = factor * model.mesh.longest;
+        if !model.scope.is_loaded {
+            match liner_mesh(&model.mesh, longest, &model.state_at(start)) {
                 Ok(liner) => return Ok(Ok(first(liner.mesh, start))),
                 Err(error) => tried = Err(error),
             }
             continue;
         }
-        match graded(&coarse, deadline.into()).map(|film| solve(&film, &options)) {
+        match graded(model, longest, deadline.into()).map(|film| solve(&film, &options)) {
             Ok(Ok(solved)) => {
                 let mesh = Mesh::clone(solved.film.system.space().mesh());
                 return Ok(Ok(first(mesh, solved.film.position())));
@@ -62,6 +63,6 @@ pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<Fir
     }
     match tried? {
         Some(reason) => Ok(Err(reason)),
-        None => Ok(Ok(first(liner_mesh(scene, start)?.mesh, start))),
+        None => Ok(Ok(first(model.first_mesh()?.mesh, start))),
     }
 }

@@ -26,11 +26,13 @@ use study_run::StudyRun;
 
 use crate::Error;
 use oilwedge_scene::Scene;
+use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Sockets;
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::main_quantity;
 use oilwedge_study::result::{ResultHead, Status};
+use oilwedge_study::scope::Scope;
 
 /// A goal below this part of its reference value is zero to round-off.
 const ZERO: f64 = 1e-9;
@@ -54,13 +56,14 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
     if scene.orbit.is_some() {
         return Err(Error::Orbit);
     }
-    let goal = main_quantity(scene).name;
+    let goal = main_quantity(&Scope::of(scene)).name;
     let report = blank(scene, budget, goal);
-    let first = match first_mesh::first_mesh(scene, budget.deadline(true))? {
+    let model = compile(scene)?;
+    let first = match first_mesh::first_mesh(&model, budget.deadline(true))? {
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };
-    let begin = |strategy: Strategy| StudyRun::new(scene, &first, strategy, goal);
+    let begin = |strategy: Strategy| StudyRun::new(&model, &first, strategy, goal);
     // Both strategies of quadratic elements begin on the same mesh.
     let mut uniform = begin(Strategy::P2Uniform);
     uniform.step(budget, observer)?;
@@ -129,7 +132,7 @@ fn finish(
     let mesh = adaptive.and_then(|run| run.drawn.take());
     let course = |run: StudyRun| Course {
         strategy: run.strategy,
-        order: run.strategy.order(scene),
+        order: run.strategy.order(run.model),
         time_exponent: None,
         levels: run.levels,
         ended: run.ended.unwrap_or_default(),

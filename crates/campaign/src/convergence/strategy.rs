@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use oilwedge_scene::Scene;
-use oilwedge_study::effects::Sockets;
+use oilwedge_study::model::Model;
 
 /// How accuracy is bought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,13 +45,10 @@ impl Strategy {
 
     /// The order s of the error of a load, `error ~ unknowns^-s`: that of the bar on quadratic elements, 1 on linear
     /// ones.
-    pub fn order(self, scene: &Scene) -> f64 {
+    pub fn order(self, model: &Model) -> f64 {
         match self.degree() {
             1 => 1.0,
-            _ => {
-                let sockets = Sockets::of(scene);
-                sockets.cavitation.convergence_order(&sockets.pressure_law)
-            }
+            _ => model.sockets.cavitation.convergence_order(&model.lubricant(&model.oil).pressure_law),
         }
     }
 }

@@ -13,10 +13,10 @@ use super::first_mesh::First;
 use super::observer::Observer;
 use super::report::{LevelReport, Timing};
 use super::strategy::Strategy;
-use oilwedge_scene::Scene;
 use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::level::{Level, LevelError, solve_level};
+use oilwedge_study::model::Model;
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
@@ -50,7 +50,7 @@ pub struct MarkedMesh {
 
 /// The levels of one strategy so far, and what its next level needs.
 pub(super) struct StudyRun<'a> {
-    scene: &'a Scene,
+    pub(super) model: &'a Arc<Model>,
     position: Position,
     goal: &'static str,
     pub(super) strategy: Strategy,
@@ -80,9 +80,9 @@ pub(super) struct StudyRun<'a> {
 }
 
 impl<'a> StudyRun<'a> {
-    pub(super) fn new(scene: &'a Scene, first: &First, strategy: Strategy, goal: &'static str) -> Self {
+    pub(super) fn new(model: &'a Arc<Model>, first: &First, strategy: Strategy, goal: &'static str) -> Self {
         Self {
-            scene,
+            model,
             position: first.position,
             goal,
             strategy,
@@ -266,7 +266,7 @@ impl<'a> StudyRun<'a> {
         let mesh = Mesh::clone(&self.mesh);
         let degree = self.strategy.degree();
         let clock = Instant::now();
-        let level = solve_level(self.scene, mesh, self.position, degree, deadline)?;
+        let level = solve_level(self.model, mesh, self.position, degree, deadline)?;
         let wall = clock.elapsed().as_secs_f64();
         let mut parts = level.seconds.clone();
         let known: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
@@ -297,12 +297,12 @@ impl<'a> StudyRun<'a> {
             self.drawn = Some(MarkedMesh {
                 level: number,
                 mesh: mesh.clone(),
-                radius: self.scene.bearing.radius(),
+                radius: self.model.mesh.bearing.radius,
                 indicator: level.indicator,
             });
         }
         self.quantity = goal.cloned();
-        self.effects = Some(Effects::of(&level.film.scene));
+        self.effects = Some(Effects::of(&level.film.model.effects));
         self.marked = Some(marked);
         self.mesh = mesh;
         report

@@ -21,8 +21,8 @@ use oilwedge_scene::sweep::Plan;
 use oilwedge_scene::{Scene, SceneError, ShaftScene};
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
-use oilwedge_study::effects::Effects;
-use oilwedge_study::refinement::at_first;
+use oilwedge_study::effects::{Effects, present};
+use oilwedge_study::refinement::first_film;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::shaft::{ShaftError, bearing_scenes, check_shaft};
 use oilwedge_study::{CHECKS, check_columns, pool};
@@ -118,10 +118,11 @@ impl Sweep {
     pub fn effects(&self) -> Result<Effects, CompileError> {
         if !self.shafts.is_empty() {
             // They were compiled on their shaft.
-            return Ok(self.scenes.first().map_or_else(Effects::default, Effects::of));
+            let names = |scene| present(scene).map(|effect| effect.name).collect::<Vec<_>>();
+            return Ok(self.scenes.first().map_or_else(Effects::default, |first| Effects::of(&names(first))));
         }
-        let first = self.scenes.first().map(|first| compile(&at_first(first))).transpose()?;
-        Ok(first.map_or_else(Effects::default, |film| Effects::of(&film.scene)))
+        let first = self.scenes.first().map(|first| first_film(&compile(first)?)).transpose()?;
+        Ok(first.map_or_else(Effects::default, |film| Effects::of(&film.model.effects)))
     }
 
     /// The cases of each chain, in the order of the cases; all of them together are all cases.

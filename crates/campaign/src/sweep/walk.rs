@@ -11,20 +11,20 @@ use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use oilwedge_scene::{Scene, ShaftScene};
 use oilwedge_study::analysis::solve;
-use oilwedge_study::compile::{compile_near, has_same_system};
+use oilwedge_study::compile::compile;
 use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
 use oilwedge_study::grading::{graded, is_near};
 use oilwedge_study::limits::design_criteria;
+use oilwedge_study::model::Model;
 use oilwedge_study::no_answer::NoAnswer;
-use oilwedge_study::oil::Oil;
 use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::reasons::Limit;
 use oilwedge_study::refinement::{answer, ended};
 use oilwedge_study::result::{Criterion, RunResult, Status};
-use oilwedge_study::run::run;
+use oilwedge_study::run::run_telling;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::shaft::{BearingReport, ShaftResult, run_shaft};
 use oilwedge_study::solved::{SolveOptions, Solved};
@@ -63,13 +63,8 @@ pub struct Found {
 }
 
 impl Found {
-    fn of(
-        scene: &Scene,
-        (solved, estimated): (&Solved, Estimated),
-        limit: Option<&Limit>,
-        options: &RunOptions,
-    ) -> Self {
-        let model = solved.film.thermal.as_ref();
+    fn of((solved, estimated): (&Solved, Estimated), limit: Option<&Limit>, options: &RunOptions) -> Self {
+        let model = solved.film.model.sockets.thermal.as_ref();
         let criteria = design_criteria(&solved.film, model, &estimated.quantities, options.bars);
         Self {
             status: CaseStatus::Run(match limit {
@@ -77,7 +72,7 @@ impl Found {
                 None => Status::Converged,
             }),
             reason: limit.map(Limit::to_string),
-            warnings: all_warnings(scene, solved, &estimated, options.errors()),
+            warnings: all_warnings(&solved.film.model.oil, solved, &estimated, options.errors()),
             criteria,
             quantities: estimated.quantities,
             unknowns: Some(solved.film.unknowns()),
@@ -165,7 +160,7 @@ impl<'a> Walker<'a> {
     pub(super) fn begin(&mut self) {
         self.visited.clear();
         self.bearings.clear();
-        self.held = self.held.take().filter(|held| !held.film.scene.mesh.is_graded());
+        self.held = self.held.take().filter(|held| !held.film.model.mesh.is_graded());
         if let Some(held) = &mut self.held {
             held.solution = None;
         }
@@ -175,11 +170,13 @@ impl<'a> Walker<'a> {
     pub(super) fn case(&mut self, scene: &Scene, coordinate: f64) -> Found {
         let clock = Instant::now();
         self.deadline = self.options.deadline();
-        let found = match scene.tolerance.is_some() && self.options.bars {
-            _ if scene.orbit.is_some() => run(scene, self.options).map(|run| Found::of_run(run.result)),
-            true => self.refined(scene),
-            false => self.walked(scene, coordinate),
-        };
+        let found = compile(scene).and_then(|model| match model.targets.is_some() && self.options.bars {
+            _ if model.scope.orbit.is_some() => {
+                run_telling(&model, self.options, None).map(|run| Found::of_run(run.result))
+            }
+            true => self.refined(&model),
+            false => self.walked(&model, coordinate),
+        });
         let mut found = found.unwrap_or_else(|error| Found::without(CaseStatus::BadScene, error.to_string(), None));
         found.seconds = clock.elapsed().as_secs_f64();
         found
@@ -205,21 +202,21 @@ impl<'a> Walker<'a> {
     }
 
     /// With a tolerance each case has meshes of its own, as when it is solved by itself.
-    fn refined(&mut self, scene: &Scene) -> Result<Found, CompileError> {
-        let answer = answer(scene, self.options)?;
+    fn refined(&mut self, model: &Arc<Model>) -> Result<Found, CompileError> {
+        let answer = answer(model, self.options)?;
         let size = answer.film.unknowns();
         Ok(match answer.outcome {
-            Ok((solved, estimated)) => Found::of(scene, (&solved, estimated), answer.limit.as_ref(), self.options),
+            Ok((solved, estimated)) => Found::of((&solved, estimated), answer.limit.as_ref(), self.options),
             Err(reason) => Found::failed(&reason, size),
         })
     }
 
     /// Solves a case on the mesh of its chain, from the case before if there is one.
-    fn walked(&mut self, scene: &Scene, coordinate: f64) -> Result<Found, CompileError> {
-        let (graded_for, outcome) = match self.following(scene, coordinate)? {
+    fn walked(&mut self, model: &Arc<Model>, coordinate: f64) -> Result<Found, CompileError> {
+        let (graded_for, outcome) = match self.following(model, coordinate)? {
             Some((graded_for, solved)) => (graded_for, Ok(solved)),
             None => {
-                let film = self.by_itself(scene)?;
+                let film = self.by_itself(model)?;
                 let outcome = solve(&film, &self.solve_options(InitialGuess::Cold));
                 (film.problem.journal, outcome.map_err(|reason| (film, reason)))
             }
@@ -228,7 +225,7 @@ impl<'a> Walker<'a> {
             Ok(solved) => {
                 let estimated = estimate_errors(&solved);
                 let limit = ended(&solved, self.options);
-                let found = Found::of(scene, (&solved, estimated), limit.as_ref(), self.options);
+                let found = Found::of((&solved, estimated), limit.as_ref(), self.options);
                 let Solved { film, primary, .. } = solved;
                 (found, film, limit.is_none().then_some(primary.solution))
             }
@@ -236,7 +233,7 @@ impl<'a> Walker<'a> {
         };
         match solution {
             None => self.visited.clear(),
-            Some(_) => self.visited.push(film.position().visited(point(scene, coordinate))),
+            Some(_) => self.visited.push(film.position().visited(point(model, coordinate))),
         }
         self.held = Some(Held { film, graded_for, solution });
         Ok(found)
@@ -248,27 +245,31 @@ impl<'a> Walker<'a> {
 
     /// The film as the case is solved by itself; on the system at hand where that is the same and no position has
     /// shaped it.
-    fn by_itself(&mut self, scene: &Scene) -> Result<Film, CompileError> {
+    fn by_itself(&mut self, model: &Arc<Model>) -> Result<Film, CompileError> {
         let held = self.held.take();
-        let ungraded = held.filter(|held| !scene.mesh.is_graded() && has_same_system(&held.film.scene, scene));
-        let reused = ungraded.and_then(|held| held.film.reused(scene, Position::start(scene)));
-        reused.map_or_else(|| graded(scene, self.deadline.into()), Ok)
+        let ungraded = held.filter(|held| !model.mesh.is_graded() && held.film.model.has_same_system(model));
+        let reused = ungraded.and_then(|held| held.film.reused(model, &model.start()));
+        reused.map_or_else(|| graded(model, model.mesh.longest, self.deadline.into()), Ok)
     }
 
     /// Solves a case from the case before, if there is one and it leads to an answer; with the position for which the
     /// mesh was graded.
-    fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(JournalState, Solved)>, CompileError> {
-        let position = match scene.journal.load() {
-            None => Some(Position::start(scene)),
-            Some(_) => Position::predicted(scene, &self.visited, point(scene, coordinate)),
+    fn following(
+        &mut self,
+        model: &Arc<Model>,
+        coordinate: f64,
+    ) -> Result<Option<(JournalState, Solved)>, CompileError> {
+        let position = match model.scope.is_loaded {
+            false => Some(Position::start(model)),
+            true => Position::predicted(model, &self.visited, point(model, coordinate)),
         };
-        let is_neighbour = |held: &mut Held| held.solution.is_some() && has_same_system(&held.film.scene, scene);
+        let is_neighbour = |held: &mut Held| held.solution.is_some() && held.film.model.has_same_system(model);
         let Some(position) = position else { return Ok(None) };
         let Some(before) = self.held.take_if(is_neighbour) else {
             return Ok(None);
         };
         let offset = relative(&before.film);
-        let Some(film) = before.film.reused(scene, position) else {
+        let Some(film) = before.film.reused(model, &model.state_at(position)) else {
             return Ok(None);
         };
         let mut held = Held {
@@ -277,7 +278,7 @@ impl<'a> Walker<'a> {
             film,
         };
         if !suits(&held.graded_for, &held.film) {
-            held = redrawn(scene, position)?;
+            held = redrawn(model, position)?;
         }
         for _ in 0..2 {
             let near = held.solution.clone().map(|solution| held.film.solved_by(solution));
@@ -290,7 +291,7 @@ impl<'a> Walker<'a> {
             if suits(&held.graded_for, &solved.film) {
                 return Ok(Some((held.graded_for, solved)));
             }
-            held = redrawn(scene, solved.film.position())?;
+            held = redrawn(model, solved.film.position())?;
         }
         Ok(None)
     }
@@ -298,21 +299,22 @@ impl<'a> Walker<'a> {
 
 /// Whether the mesh of a film, graded for one position, suits its own.
 fn suits(graded_for: &JournalState, film: &Film) -> bool {
-    !film.scene.mesh.is_graded() || is_near(&film.gap(), graded_for, &film.problem.journal)
+    !film.model.mesh.is_graded() || is_near(&film.gap(), graded_for, &film.problem.journal)
 }
 
 /// The case on a mesh drawn for this position.
-fn redrawn(scene: &Scene, position: Position) -> Result<Held, CompileError> {
-    let film = compile_near(scene, position)?;
+fn redrawn(model: &Arc<Model>, position: Position) -> Result<Held, CompileError> {
+    let film = model.film_near(model.mesh.longest, &model.state_at(position))?;
     Ok(Held { graded_for: film.problem.journal, film, solution: None })
 }
 
 /// Coordinate and duty of a case, by which its position is predicted from those of its neighbours.
-fn point(scene: &Scene, coordinate: f64) -> Point {
-    let (bearing, journal) = (&scene.bearing, &scene.journal);
-    let [x, y] = journal.load().unwrap_or_default();
-    let slenderness = bearing.radius() / bearing.clearance;
-    let drag = Oil::of(scene).viscosity * journal.speed.abs() * slenderness.powi(2) * bearing.diameter * bearing.length;
+fn point(model: &Model, coordinate: f64) -> Point {
+    let bearing = &model.mesh.bearing;
+    let [x, y] = model.sockets.load.unwrap_or_default();
+    let slenderness = bearing.radius / bearing.clearance;
+    let diameter = 2.0 * bearing.radius;
+    let drag = model.oil.viscosity * model.scope.speed.abs() * slenderness.powi(2) * diameter * bearing.length;
     let duty = (x.hypot(y) / drag).ln();
     Point { coordinate, duty: if duty.is_finite() { duty } else { 0.0 } }
 }

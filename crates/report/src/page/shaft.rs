@@ -4,13 +4,14 @@
 use oilwedge_drawing::PAGE_WIDTH;
 use oilwedge_scene::wording::millimetres;
 use oilwedge_study::effects::Effects;
+use oilwedge_study::orbit::CycleFacts;
 use oilwedge_study::quantities::{
     CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     CYCLE_LOAD_MAX, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE, FILM_THICKNESS_MIN,
     FRICTION_POWER, LOAD, LOAD_ANGLE, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE, Unit,
 };
 use oilwedge_study::result::{Criterion, Geometry};
-use oilwedge_study::shaft::{BearingReport, CounterweightReport, CycleReport, ShaftBalances, ShaftResult, Variant};
+use oilwedge_study::shaft::{BearingReport, CounterweightReport, ShaftBalances, ShaftResult, Variant};
 
 use super::quantities::{Shown, shown_unit, with_minus};
 use super::table::{Cell, Table, count, number, number_as, sized, text, with_bar};
@@ -302,7 +303,7 @@ fn balances(result: &ShaftResult) -> Table {
 }
 
 /// The cycles that were followed.
-fn cycles(cycles: &[CycleReport]) -> Option<Table> {
+fn cycles(cycles: &[CycleFacts]) -> Option<Table> {
     let rows = (1..).zip(cycles).map(|(place, it)| {
         vec![count(place), count(it.steps), count(it.rejected), count(it.films), number(it.closure)]
     });

@@ -5,18 +5,18 @@ use oilwedge_mesh::generate::{Meeting, meeting};
 use oilwedge_scene::wording::bars;
 use oilwedge_scene::{Complaints, Feed, Scene};
 
-use crate::feed_region::{feed_regions, liner, shape};
+use crate::outline::LinerOutline;
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     if complaints.concern("feed") || complaints.concern("bearing") {
         return;
     }
-    let liner = liner(scene);
+    let outline = LinerOutline::of(scene);
     for (index, feed) in scene.feeds.iter().enumerate() {
         let key = format!("feed[{index}].{}", if feed.hole.is_some() { "hole" } else { "groove" });
         let clash = |other: &Feed| {
             let both_given = feed.pressure.is_some() && other.pressure.is_some();
-            match meeting(&liner, &shape(scene, feed)?, &shape(scene, other)?) {
+            match meeting(&outline.liner, &outline.shape(feed)?, &outline.shape(other)?) {
                 _ if both_given && feed.pressure == other.pressure => None,
                 Meeting::Overlapping => Some("overlaps"),
                 Meeting::Touching if both_given => Some("touches"),
@@ -39,7 +39,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
             complaints.add(&key, message, help);
         }
     }
-    for region in feed_regions(scene).iter().filter(|region| region.feeds.len() > 1) {
+    for region in outline.regions().iter().filter(|region| region.feeds.len() > 1) {
         if let Some(index) = scene.feeds.iter().position(|feed| feed.group == region.name) {
             let message = format!("\"{}\" is the name of the region that other feeds are together", region.name);
             complaints.add(&format!("feed[{index}].group"), message, "name it otherwise");

@@ -10,8 +10,9 @@ use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::wording::celsius;
 use oilwedge_scene::{Complaints, HighShear, PressureLaw, Scene, TemperatureLaw, Viscosity};
 
+use crate::compile::oil::{HIGH_SHEAR_AT, points};
 use crate::effects::Sockets;
-use crate::oil::{HIGH_SHEAR_AT, Oil, points};
+use crate::oil::Oil;
 
 /// Parts of a viscosity that high shear leaves; a law through other points may be off by some percent at 150 degrees C.
 const LEAST_SHEARED: f64 = 0.3;
@@ -42,7 +43,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "give more than 0.0632 mPa.s (is it in mPa.s?), or take another law of pressure",
     );
     if !complaints.concern_temperature() {
-        pressures(scene, complaints);
+        pressures(scene, oil.viscosity, complaints);
     }
 }
 
@@ -126,10 +127,11 @@ fn at_given_temperature(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
 
 /// The equation is one of reduced pressures, all of which lie below the limit of the law; a pressure that round-off
 /// puts there is lost.
-fn pressures(scene: &Scene, complaints: &mut Complaints) {
-    let Sockets { form: Form::Conservative, pressure_law: law, .. } = Sockets::of(scene) else {
+fn pressures(scene: &Scene, viscosity: f64, complaints: &mut Complaints) {
+    let Sockets { form: Form::Conservative, pressure_rule, .. } = Sockets::of(scene) else {
         return;
     };
+    let law = pressure_rule.at(viscosity);
     let feeds = scene.feeds.iter().enumerate();
     let feeds = feeds.filter_map(|(index, feed)| Some((format!("feed[{index}].pressure"), feed.pressure?)));
     for (key, pressure) in feeds.chain([("ends.pressure".to_owned(), scene.ends.pressure)]) {

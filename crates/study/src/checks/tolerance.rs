@@ -3,12 +3,14 @@
 use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::{Complaints, Liner, Position, Scene, Target, Theory, Tolerance};
 
-use crate::feed_region::feed_regions;
+use crate::outline::LinerOutline;
 use crate::quantities::{
     ATTITUDE_ANGLE, CATALOGUE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_COEFFICIENT, FRICTION_POWER, FRICTION_TORQUE,
     INLET_FLOW, LOAD_COEFFICIENT, MIN_FILM_ANGLE, PRESSURE_INTEGRAL, PRESSURE_MAX, Row, SIDE_FLOW, SOMMERFELD_NUMBER,
     main_quantity, row,
 };
+use crate::scope::Scope;
+use crate::targets::Targets;
 
 /// Usual bar of the main quantity [1].
 const USUAL: f64 = 0.005;
@@ -18,19 +20,10 @@ const SHORT: f64 = 0.001;
 /// Bar wanted of the other numbers that an engineer reads [1].
 const WANTED: f64 = 0.02;
 
-/// The bars that refinement of the mesh must make small.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Targets {
-    /// A run that does not reach them has not converged; in the order of the result.
-    pub required: Vec<Target>,
-    /// Targets that are wanted besides, as far as they are cheap: a bar that stays wider is a warning.
-    pub wanted: Vec<Target>,
-}
-
 /// The bars that must become small by refinement of the mesh; none where the mesh is used as it is.
 pub fn targets(scene: &Scene) -> Option<Targets> {
     let main = |relative: f64| {
-        let quantity = main_quantity(scene).name.to_owned();
+        let quantity = main_quantity(&Scope::of(scene)).name.to_owned();
         vec![Target { quantity, relative }]
     };
     let required = match scene.tolerance.as_ref()? {
@@ -48,7 +41,7 @@ pub fn targets(scene: &Scene) -> Option<Targets> {
             targets
         }
     };
-    Some(Targets { required, wanted: wanted(scene) })
+    Some(Targets { required, wanted: wanted(scene), are_usual: scene.tolerance == Some(Tolerance::Usual) })
 }
 
 /// What an engineer reads beside the main quantity, where the scene leaves mesh and tolerance to the program.
@@ -130,7 +123,8 @@ fn no_error(scene: &Scene, row: &Row) -> Option<Fault> {
 
 /// A group without a given pressure lets no oil in.
 fn no_flow(scene: &Scene, family: &Row, group: &str) -> Option<Fault> {
-    let regions = feed_regions(scene);
+    let outline = LinerOutline::of(scene);
+    let regions = outline.regions();
     let fed = regions.iter().filter(|region| region.pressure().is_some());
     let groups: Vec<&str> = fed.map(|region| region.name.as_str()).collect();
     if groups.contains(&group) {

@@ -7,7 +7,7 @@ use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_scene::Scene;
 use oilwedge_scene::{BarusForm, PressureLaw};
 
-use super::{BLANK, Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
+use super::{BLANK, Effect, PressureRule, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
 use crate::regime::beyond_pressure;
 use crate::warning;
 
@@ -65,6 +65,6 @@ fn form(scene: &Scene) -> Option<BarusForm> {
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
     if let PressureLaw::Barus(barus) = scene.oil.pressure_law {
-        sockets.pressure_law = Law::Barus(Barus { alpha: barus.alpha });
+        sockets.pressure_rule = PressureRule::Fixed(Law::Barus(Barus { alpha: barus.alpha }));
     }
 }

@@ -1,10 +1,10 @@
 //! Contact: rough surfaces touch where the film is thin.
 
-use oilwedge_reynolds::contact::Contact;
+use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness, GreenwoodTripp};
 use oilwedge_reynolds::existence::readable;
+use oilwedge_scene::{ContactModel, Scene};
 
-use super::{Effect, ROUGHNESS, Socket, changed};
-use crate::contact::contact;
+use super::{Effect, ROUGHNESS, Socket, Sockets, changed};
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::regime::{APART, broken_assumption};
@@ -18,7 +18,7 @@ pub(super) const ROW: Effect = Effect {
     socket: Socket::Contact,
     kind: ROUGHNESS,
     is_in: |scene| scene.contact.is_some(),
-    install: |scene, sockets| sockets.contact = contact(scene),
+    install,
     instead: "surfaces that do not touch, however thin the film",
     remove: |scene| changed(scene, |scene| scene.contact = None),
     no_proportion: Some([
@@ -28,6 +28,22 @@ pub(super) const ROW: Effect = Effect {
     ]),
     warnings,
 };
+
+fn install(scene: &Scene, sockets: &mut Sockets) {
+    let law = |contact: &oilwedge_scene::Contact| match contact.model {
+        ContactModel::GreenwoodTripp { density, sharpness, modulus } => {
+            let roughness = scene.bearing.roughness?;
+            let law = GreenwoodTripp::new(roughness, density, sharpness, modulus, contact.hardness);
+            Some(ContactLaw::GreenwoodTripp(law))
+        }
+        ContactModel::BearingCurve { depth } => {
+            Some(ContactLaw::BearingCurve(BearingCurve { depth, hardness: contact.hardness }))
+        }
+    };
+    let fineness = Fineness::Reported;
+    sockets.contact =
+        scene.contact.and_then(|given| Some(Contact { law: law(&given)?, friction: given.friction, fineness }));
+}
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let Some(Contact { law, .. }) = film.problem.contact else {
@@ -41,7 +57,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
             readable((100.0 * part).round())
         )))
     });
-    let ratio = (film.scene.bearing.roughness).map(|roughness| measured.thinnest.thickness / roughness);
+    let ratio = (film.model.roughness).map(|roughness| measured.thinnest.thickness / roughness);
     let is_smooth = film.problem.flow_factors.is_empty();
     let through_valleys = ratio.filter(|ratio| is_smooth && *ratio < APART).map(|ratio| {
         let ratio = format!("{ratio:.1e}").parse().unwrap_or(ratio);

@@ -37,7 +37,7 @@ pub(super) const ROW: Effect = Effect {
 };
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
-    let (Some(liner), Some(deflection)) = (&film.scene.liner, film.problem.deflection()) else {
+    let (Some(liner), Some(deflection)) = (&film.model.sockets.liner, film.problem.deflection()) else {
         return Vec::new();
     };
     let by_liner = match liner {

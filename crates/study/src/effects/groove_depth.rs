@@ -1,10 +1,6 @@
 //! Pockets: the film is deeper there, and its pressure is found.
 
-use std::sync::Arc;
-
-use oilwedge_reynolds::film_thickness::GrooveDepth;
-
-use super::{BLANK, Effect, Socket, changed};
+use super::{BLANK, Contribution, Effect, Socket, changed};
 
 pub(super) const ROW: Effect = Effect {
     name: "groove depth",
@@ -12,18 +8,8 @@ pub(super) const ROW: Effect = Effect {
     socket: Socket::FilmThickness,
     is_in: |scene| scene.feeds.iter().any(|feed| feed.depth.is_some()),
     install: |scene, sockets| {
-        for feed in &scene.feeds {
-            let (Some(depth), group) = (feed.depth, feed.group.clone()) else {
-                continue;
-            };
-            sockets.film_thickness.push(Box::new(move |mesh| {
-                let mut inside = vec![false; mesh.triangles().len()];
-                for &cell in mesh.region(&group).map_or(&[][..], |region| &region.cells) {
-                    inside[cell as usize] = true;
-                }
-                Arc::new(GrooveDepth { depth, inside })
-            }));
-        }
+        let pockets = scene.feeds.iter().filter_map(|feed| Some(Contribution::Deeper(feed.group.clone(), feed.depth?)));
+        sockets.film_thickness.extend(pockets);
     },
     instead: "pockets without depth",
     remove: |scene| {

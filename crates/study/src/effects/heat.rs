@@ -55,7 +55,9 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
 }
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
-    let (Some(model), Some(temperature), Some(oil)) = (&film.thermal, film.oil.temperature, &film.oil.thermal) else {
+    let (Some(model), Some(temperature), Some(oil)) =
+        (&film.model.sockets.thermal, film.oil.temperature, &film.oil.thermal)
+    else {
         return Vec::new();
     };
     let flows = thermal_flows(model, film, measured);

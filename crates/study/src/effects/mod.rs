@@ -23,9 +23,10 @@ mod reynolds;
 mod roelands;
 mod roughness;
 mod shapes;
-mod sockets;
+pub(crate) mod sockets;
 mod squeeze;
 mod starved_inlet;
+mod surface;
 mod tilt;
 
 use std::borrow::Cow;
@@ -37,7 +38,7 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::warning::Warning;
 pub use jfo::without_conservation;
-pub use sockets::{Contribution, Socket, Sockets};
+pub use sockets::{Contribution, PressureRule, ShapedSurface, Socket, Sockets};
 
 /// All effects, in the order in which the sockets are filled.
 pub const EFFECTS: &[&Effect] = &[
@@ -132,10 +133,23 @@ pub fn present(scene: &Scene) -> impl Iterator<Item = &'static Effect> + '_ {
     EFFECTS.iter().copied().filter(|effect| (effect.is_in)(scene))
 }
 
-/// Warnings of all effects in the scene of a film about their limits of validity.
+/// Warnings of all effects of a film about their limits of validity.
 pub fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
-    let warnings = present(&film.scene).map(|effect| (effect.warnings)(film, measured));
-    warnings.flatten().collect()
+    named(&film.model.effects).flat_map(|effect| (effect.warnings)(film, measured)).collect()
+}
+
+/// The effects of these names, in the order of the table.
+fn named<'a>(names: &'a [&'static str]) -> impl Iterator<Item = &'static Effect> + 'a {
+    EFFECTS.iter().copied().filter(|effect| names.contains(&effect.name))
+}
+
+impl Sockets {
+    /// The sockets that the effects of a scene fill.
+    pub fn of(scene: &Scene) -> Self {
+        let mut sockets = Self::empty();
+        present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
+        sockets
+    }
 }
 
 /// The scene with `change` made to a copy of it.
@@ -184,9 +198,9 @@ pub struct Effects {
 }
 
 impl Effects {
-    /// The effects of a scene.
-    pub fn of(scene: &Scene) -> Self {
-        let mut simulated: Vec<&Effect> = present(scene).collect();
+    /// The effects of these names.
+    pub fn of(names: &[&'static str]) -> Self {
+        let mut simulated: Vec<&Effect> = named(names).collect();
         simulated.sort_by_key(|effect| (effect.socket == Socket::Analysis, effect.socket.is_balance()));
         let is_missed = |kind: &&str| simulated.iter().all(|effect| effect.kind != *kind);
         let not_simulated = MISSED.iter().copied().filter(is_missed).map(Cow::from).collect();

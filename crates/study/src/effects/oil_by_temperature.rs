@@ -1,6 +1,6 @@
 //! Oil by temperature: the viscosity that the scene gives is that at the temperature of the film.
 
-use oilwedge_reynolds::lubricant::{Grade, TemperatureLaw};
+use oilwedge_reynolds::lubricant::TemperatureLaw;
 use oilwedge_scene::Viscosity;
 use oilwedge_scene::wording::celsius;
 
@@ -25,15 +25,11 @@ const HIGH_SHEAR: f64 = 1e6;
 
 /// The warning that a multigrade oil is sheared faster than its viscosity holds.
 fn sheared(film: &Film, measured: &Measured) -> Option<Warning> {
-    let Viscosity::ByTemperature(oilwedge_scene::TemperatureLaw::Grade(name)) = &film.scene.oil.viscosity else {
-        return None;
-    };
-    let grade = Grade::named(name)?;
+    let name = film.oil.unsheared?;
     let rate = (film.problem.surface_velocity()[0] / measured.thinnest.thickness).abs();
-    (grade.is_multigrade() && film.scene.oil.high_shear.is_none() && rate > HIGH_SHEAR).then(|| {
+    (rate > HIGH_SHEAR).then(|| {
         broken_assumption(warning::SHEARED.says(format!(
-            "viscosity at low shear: the thinnest film is sheared at {rate:.1e} 1/s, where a multigrade oil as {} has lost some 20 to 30 % of its viscosity; give oil.high_shear, the viscosity at 150 C and 1e6 1/s of its data sheet or a factor as 0.8",
-            grade.name
+            "viscosity at low shear: the thinnest film is sheared at {rate:.1e} 1/s, where a multigrade oil as {name} has lost some 20 to 30 % of its viscosity; give oil.high_shear, the viscosity at 150 C and 1e6 1/s of its data sheet or a factor as 0.8"
         )))
     })
 }
@@ -41,7 +37,7 @@ fn sheared(film: &Film, measured: &Measured) -> Option<Warning> {
 /// The warning that a temperature that was sought lies outside the table of viscosities.
 fn outside_table(film: &Film) -> Option<Warning> {
     let oil = &film.oil;
-    film.thermal?;
+    film.model.sockets.thermal?;
     let (temperature, TemperatureLaw::Table(table)) = (oil.temperature?, &oil.thermal.as_ref()?.law) else {
         return None;
     };

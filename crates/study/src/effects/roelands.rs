@@ -2,11 +2,9 @@
 
 use oilwedge_reynolds::lubricant::PressureLaw as Law;
 use oilwedge_reynolds::lubricant::roelands::Roelands;
-use oilwedge_scene::Scene;
 use oilwedge_scene::{PressureLaw, RoelandsExponent};
 
-use super::{Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
-use crate::oil::Oil;
+use super::{Effect, PressureRule, Socket, VISCOSITY_BY_PRESSURE, changed};
 use crate::regime::beyond_pressure;
 
 /// Pressure [Pa] of the roller contacts from which the law was read.
@@ -18,7 +16,11 @@ pub(super) const ROW: Effect = Effect {
     socket: Socket::Lubricant,
     kind: VISCOSITY_BY_PRESSURE,
     is_in: |scene| matches!(scene.oil.pressure_law, PressureLaw::Roelands(_)),
-    install,
+    install: |scene, sockets| {
+        if let PressureLaw::Roelands(law) = scene.oil.pressure_law {
+            sockets.pressure_rule = PressureRule::Roelands(law);
+        }
+    },
     instead: "constant viscosity",
     remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
     no_proportion: Some([
@@ -29,14 +31,19 @@ pub(super) const ROW: Effect = Effect {
     warnings: |_, measured| beyond_pressure(measured, LIMIT, "Roelands' law", "nothing was measured there"),
 };
 
-fn install(scene: &Scene, sockets: &mut Sockets) {
-    let PressureLaw::Roelands(law) = scene.oil.pressure_law else {
-        return;
-    };
-    let (viscosity, reference) = (Oil::of(scene).viscosity, law.reference_pressure);
-    let index = match law.exponent {
-        RoelandsExponent::Z(z) => z,
-        RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference),
-    };
-    sockets.pressure_law = Law::Roelands(Roelands::new(viscosity, index, reference));
+impl PressureRule {
+    /// The law of an oil with this viscosity [Pa.s] at no pressure.
+    pub(crate) fn at(&self, viscosity: f64) -> Law {
+        match self {
+            Self::Fixed(law) => law.clone(),
+            Self::Roelands(law) => {
+                let reference = law.reference_pressure;
+                let index = match law.exponent {
+                    RoelandsExponent::Z(z) => z,
+                    RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference),
+                };
+                Law::Roelands(Roelands::new(viscosity, index, reference))
+            }
+        }
+    }
 }

@@ -33,7 +33,7 @@ pub(super) const ROW: Effect = Effect {
 };
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
-    let ratio = (film.scene.bearing.roughness).map(|roughness| measured.thinnest.thickness / roughness);
+    let ratio = (film.model.roughness).map(|roughness| measured.thinnest.thickness / roughness);
     let beyond = ratio.filter(|ratio| *ratio < FOUND).map(|ratio| {
         let ratio = format!("{ratio:.1e}").parse().unwrap_or(ratio);
         broken_assumption(warning::VALLEYS.says(format!(

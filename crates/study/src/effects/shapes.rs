@@ -2,18 +2,14 @@
 
 use std::f64::consts::TAU;
 use std::path::Path;
-use std::sync::Arc;
 
+use oilwedge_reynolds::Thinnest;
 use oilwedge_reynolds::existence::readable;
-use oilwedge_reynolds::film_thickness::{Crown, Envelope, Measured, Oval, Points, Profile, Wearing, Worn};
-use oilwedge_reynolds::{Bearing, Thinnest};
-use oilwedge_scene::periodic_table::TableError;
-use oilwedge_scene::surface_table::{Covered, SurfacePoints, WearingPosition, read_bore, read_positions, read_shaft};
+use oilwedge_scene::surface_table::{SurfacePoints, read_bore, read_shaft};
 use oilwedge_scene::wording::{degrees, micrometres};
-use oilwedge_scene::{Bore, Scene, Shaft};
+use oilwedge_scene::{Bore, Shaft};
 
-use super::{BLANK, Effect, Socket, Sockets, changed};
-use crate::dimensions::bearing;
+use super::{BLANK, Effect, ShapedSurface, Socket, changed};
 use crate::film::Film;
 use crate::warning::{self, Warning};
 
@@ -36,12 +32,8 @@ pub(super) const ROW: Effect = Effect {
     kind: KIND,
     is_in: |scene| !scene.is_circular(),
     install: |scene, sockets| {
-        let bores = scene.bores.iter().map(|bore| Surface::Bore(bore.clone()));
-        let shaft = scene.shaft.iter().map(|shaft| Surface::Shaft(shaft.clone()));
-        let (bearing, covered) = (bearing(scene), covered(scene));
-        for surface in bores.chain(shaft) {
-            sockets.profiles.push(Box::new(move || surface.profile(&bearing, covered)));
-        }
+        let bores = scene.bores.iter().cloned().map(ShapedSurface::Bore);
+        sockets.surfaces.extend(bores.chain(scene.shaft.iter().cloned().map(ShapedSurface::Shaft)));
     },
     instead: "circular bore, cylindrical journal",
     remove: |scene| {
@@ -52,61 +44,21 @@ pub(super) const ROW: Effect = Effect {
     },
     warnings: |film, measured| {
         let of_points = |(path, points): (&Path, SurfacePoints)| of_points(film, &measured.thinnest, path, &points);
-        let by_points = measurements(&film.scene).flat_map(of_points);
+        let by_points = measurements(film).flat_map(of_points);
         limits(film).into_iter().chain(by_points).collect()
     },
     ..BLANK
 };
 
-/// A surface of a scene.
-enum Surface {
-    Bore(Bore),
-    Shaft(Shaft),
-}
-
-/// What a measured surface has to cover.
-fn covered(scene: &Scene) -> Covered {
-    Covered { length: scene.bearing.length, arc: scene.bearing.arc }
-}
-
-impl Surface {
-    /// Shape of the surface.
-    fn profile(&self, bearing: &Bearing, covered: Covered) -> Result<Arc<dyn Profile>, TableError> {
-        let radius = bearing.radius;
-        let crown = |depth: f64| Crown { depth, half_length: 0.5 * bearing.length };
-        let measured = |SurfacePoints { angles, zs, depths }: SurfacePoints| {
-            let points = Points { angles, zs, depths };
-            Measured::new(&points, radius, bearing.length, covered.arc.is_none())
-        };
-        Ok(match self {
-            &Self::Bore(Bore::Crown(depth)) | &Self::Shaft(Shaft::Crown(depth)) => Arc::new(crown(depth)),
-            &Self::Bore(Bore::Oval { depth, angle }) => Arc::new(Oval { radius, depth, angle }),
-            &Self::Bore(Bore::Worn { depth, angle, half_width }) => Arc::new(Worn { radius, depth, angle, half_width }),
-            Self::Bore(Bore::Envelope { path, film }) => {
-                let positions = read_positions(path, bearing.clearance)?.into_iter();
-                let positions: Vec<Wearing> =
-                    positions.map(|WearingPosition { offset, tilt }| Wearing { offset, tilt }).collect();
-                Arc::new(Envelope::new(bearing, *film, &positions))
-            }
-            Self::Bore(Bore::Measured(path)) => Arc::new(measured(read_bore(path, covered)?)),
-            Self::Shaft(Shaft::Measured(path)) => Arc::new(measured(read_shaft(path, covered)?)),
-        })
-    }
-}
-
 /// Measured surfaces of a film with their points; a file that cannot be read any more has been told when the film was
 /// compiled.
-fn measurements(scene: &Scene) -> impl Iterator<Item = (&Path, SurfacePoints)> {
-    let covered = covered(scene);
-    let bores = scene.bores.iter().filter_map(move |bore| match bore {
-        Bore::Measured(path) => Some((path.as_path(), read_bore(path, covered).ok()?)),
+fn measurements(film: &Film) -> impl Iterator<Item = (&Path, SurfacePoints)> {
+    let covered = film.model.covered;
+    film.model.sockets.surfaces.iter().filter_map(move |surface| match surface {
+        ShapedSurface::Bore(Bore::Measured(path)) => Some((path.as_path(), read_bore(path, covered).ok()?)),
+        ShapedSurface::Shaft(Shaft::Measured(path)) => Some((path.as_path(), read_shaft(path, covered).ok()?)),
         _ => None,
-    });
-    let shaft = scene.shaft.iter().filter_map(move |shaft| match shaft {
-        Shaft::Measured(path) => Some((path.as_path(), read_shaft(path, covered).ok()?)),
-        Shaft::Crown(_) => None,
-    });
-    bores.chain(shaft)
+    })
 }
 
 /// Depth and slopes of all surfaces together, in the worst places.
@@ -117,7 +69,7 @@ struct Worst {
 
 fn worst(film: &Film) -> Worst {
     let bearing = &film.problem.bearing;
-    let profiles = Sockets::of(&film.scene).profiles().unwrap_or_default();
+    let profiles = &film.model.mesh.profiles;
     let [around, along] = PLACES;
     let places = (0..around).flat_map(|i| (0..along).map(move |j| [i, j]));
     let mut worst = Worst { depth: 0.0, slope: 0.0 };

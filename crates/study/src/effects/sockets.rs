@@ -5,16 +5,13 @@ use std::sync::Arc;
 use oilwedge_bearing::{Load, Tilting};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::contact::Contact;
-use oilwedge_reynolds::film_thickness::{FilmContribution, Profile};
+use oilwedge_reynolds::film_thickness::{FilmContribution, GrooveDepth};
 use oilwedge_reynolds::flow_factors::FlowFactor;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
-use oilwedge_scene::periodic_table::TableError;
-use oilwedge_scene::{Dynamics, Liner, Scene};
+use oilwedge_scene::{Bore, Dynamics, Liner, Roelands, Shaft};
 
-use super::present;
-use crate::compile_error::CompileError;
 use crate::thermal_model::ThermalModel;
 
 /// Socket in which an effect enters.
@@ -51,13 +48,51 @@ impl Socket {
     }
 }
 
-/// Makes a contribution to the thickness of a film on a mesh.
-pub type Contribution = Box<dyn Fn(&Mesh) -> Arc<dyn FilmContribution>>;
+/// A contribution to the thickness of a film beside that of the journal's offset.
+#[derive(Debug, Clone)]
+pub enum Contribution {
+    /// The contribution is the same on every mesh.
+    Given(Arc<dyn FilmContribution>),
+    /// The film is deeper by a length [m] in the region of the mesh with this name.
+    Deeper(String, f64),
+}
 
-/// Makes the shape of a surface; a measured one is read from its file.
-pub(super) type MadeProfile = Box<dyn Fn() -> Result<Arc<dyn Profile>, TableError>>;
+impl Contribution {
+    /// The contribution on a mesh.
+    pub(crate) fn on(&self, mesh: &Mesh) -> Arc<dyn FilmContribution> {
+        match self {
+            Self::Given(contribution) => contribution.clone(),
+            Self::Deeper(region, depth) => {
+                let mut inside = vec![false; mesh.triangles().len()];
+                for &cell in mesh.region(region).map_or(&[][..], |region| &region.cells) {
+                    inside[cell as usize] = true;
+                }
+                Arc::new(GrooveDepth { depth: *depth, inside })
+            }
+        }
+    }
+}
+
+/// How viscosity grows with pressure, at any temperature.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PressureRule {
+    /// The law does not depend on the viscosity at no pressure.
+    Fixed(PressureLaw),
+    /// Roelands' law, which does.
+    Roelands(Roelands),
+}
+
+/// A surface that is no circle.
+#[derive(Debug, Clone)]
+pub enum ShapedSurface {
+    /// The bore.
+    Bore(Bore),
+    /// The journal.
+    Shaft(Shaft),
+}
 
 /// The sockets of one film.
+#[derive(Debug, Clone)]
 pub struct Sockets {
     /// The directions in which pressure drives oil.
     pub theory: Theory,
@@ -66,13 +101,13 @@ pub struct Sockets {
     /// What scales them.
     pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// Growth of viscosity with pressure.
-    pub pressure_law: PressureLaw,
+    pub pressure_rule: PressureRule,
     /// Place of the viscosity in the equation.
     pub form: Form,
     /// Contributions to the film thickness beside that of the journal.
     pub film_thickness: Vec<Contribution>,
-    /// Shapes of bore and journal beside circles.
-    pub profiles: Vec<MadeProfile>,
+    /// Surfaces of bore and journal that are no circles.
+    pub surfaces: Vec<ShapedSurface>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
     pub liner: Option<Liner>,
     /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
@@ -96,16 +131,16 @@ pub struct Sockets {
 }
 
 impl Sockets {
-    /// The sockets that the effects of a scene fill.
-    pub fn of(scene: &Scene) -> Self {
-        let mut sockets = Self {
+    /// Sockets without an entry.
+    pub(super) fn empty() -> Self {
+        Self {
             theory: Theory::Full,
             terms: Vec::new(),
             flow_factors: Vec::new(),
-            pressure_law: PressureLaw::Constant,
+            pressure_rule: PressureRule::Fixed(PressureLaw::Constant),
             form: Form::Conservative,
             film_thickness: Vec::new(),
-            profiles: Vec::new(),
+            surfaces: Vec::new(),
             liner: None,
             inlet_fraction: None,
             cavitation: Cavitation::None,
@@ -116,18 +151,7 @@ impl Sockets {
             tilting: None,
             thermal: None,
             dynamics: None,
-        };
-        present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
-        sockets
-    }
-
-    /// The shapes of bore and journal.
-    ///
-    /// # Errors
-    /// The table of a measured one cannot be used.
-    pub fn profiles(&self) -> Result<Vec<Arc<dyn Profile>>, CompileError> {
-        let made = self.profiles.iter().map(|profile| profile());
-        made.collect::<Result<_, _>>().map_err(CompileError::Surface)
+        }
     }
 
     /// Force and moment under which position and tilt are found; `None` at a given position.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_reynolds::film_thickness::Tilt;
 use oilwedge_scene::Scene;
 
-use super::{BLANK, Effect, Socket, changed};
+use super::{BLANK, Contribution, Effect, Socket, changed};
 
 /// How reports call what is left out without it.
 pub(super) const KIND: &str = "misalignment";
@@ -17,8 +17,8 @@ pub(super) const ROW: Effect = Effect {
     kind: KIND,
     is_in: Scene::can_tilt,
     install: |scene, sockets| {
-        let radius = scene.bearing.radius();
-        sockets.film_thickness.push(Box::new(move |_| Arc::new(Tilt { radius })));
+        let tilt = Arc::new(Tilt { radius: scene.bearing.radius() });
+        sockets.film_thickness.push(Contribution::Given(tilt));
         sockets.tilt_rate = scene.journal.tilt_rate.unwrap_or_default();
     },
     instead: "a journal parallel to the bearing",

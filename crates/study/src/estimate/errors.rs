@@ -143,7 +143,7 @@ fn by_coarse(
         dynamics: plain.measured.dynamics().and_then(|dynamics| Dynamics::beside(coarse, dynamics).ok()),
         hidden: hidden_share(&solved.primary, error.pressure),
     };
-    let is_free = film.load.is_some_and(|load| load.tilting.is_some());
+    let is_free = film.load().is_some_and(|load| load.tilting.is_some());
     let load: Vec<(Vector, Bar)> = match is_free {
         true => {
             (error.directions.iter()).map(|&ErrorDirection { direction, bar }| (direction, of_few(film, bar))).collect()
@@ -204,7 +204,7 @@ fn of_quadratic(solved: &Solved, beside: Option<&Measured>) -> Measured {
 
 /// What the edge of the cavity of the film in cubic elements leaves open of stiffness and damping.
 fn edge_of(film: &Film, cubic: &SolvedFilm) -> Option<Vec<Coefficients>> {
-    film.dynamics.as_ref()?;
+    film.model.sockets.dynamics.as_ref()?;
     match film.problem.cavitation.has_free_boundary() {
         true => edge_parts(cubic).ok(),
         false => Some(Vec::new()),
@@ -223,7 +223,7 @@ fn bars_of_balance(
     [along, across]: [Bar; 2],
     moment: Option<[Bar; 2]>,
 ) -> Vec<(Vector, Bar)> {
-    let [x, y] = film.load.map_or(measured.load.total.force, |load| load.force);
+    let [x, y] = film.load().map_or(measured.load.total.force, |load| load.force);
     let size = x.hypot(y);
     let [x, y] = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
     let per_arm = 2.0 / film.problem.bearing.length;

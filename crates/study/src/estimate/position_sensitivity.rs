@@ -35,7 +35,7 @@ pub(super) fn position_bars(
     }
     let moved_towards = |(direction, bar): &(Vector, f64)| {
         let by = balance.stiffness.solve(direction.map(|d| d * (bar + balance.unbalanced)));
-        let change = (balance.coordinates).change(&base.problem.journal, &base.centre_velocity, by);
+        let change = (balance.coordinates).change(&base.problem.journal, &base.model.sockets.centre_velocity, by);
         let wall = solved.wall.times(by);
         let moved = displaced_with_wall(&solved.primary, &change, &wall);
         let moved = moved.map(|moved| {
@@ -57,7 +57,7 @@ pub(super) fn position_bars(
 /// The numbers with the stiffness and damping of the film there, whose tangent is its own: a film moved along the
 /// tangent has that of the place that it comes from.
 pub(super) fn with_dynamics(solved: &Solved, there: Measured, moved: &SolvedFilm, reported: &Measured) -> Measured {
-    if solved.film.dynamics.is_none() {
+    if solved.film.model.sockets.dynamics.is_none() {
         return there;
     }
     let film = match moved.solution.film_fraction {

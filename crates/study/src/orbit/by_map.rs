@@ -1,20 +1,21 @@
 //! The orbit of a scene by maps of its film, beside the orbit of the film itself.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{FilmMap, FiniteMap, MapOrbit, ShortMap, Travel};
 use oilwedge_bearing::orbit::Span;
-use oilwedge_reynolds::{Bearing, Gap, JournalState};
-use oilwedge_scene::{CavitationModel, PressureLaw, Scene, Theory};
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::{Bearing, Gap, JournalState, Theory};
 use serde::{Deserialize, Serialize};
 
 use super::OrbitPath;
 use super::start::on_mesh_for;
 use crate::compile_error::CompileError;
-use crate::dimensions::bearing;
-use crate::duty::load_of_orbit;
+use crate::effects::PressureRule;
+use crate::model::Model;
 use crate::quantities::cycle_view::Sample;
 use crate::quantities::{CycleView, Quantity, over_cycle};
 
@@ -50,43 +51,40 @@ pub struct ByMap {
     pub quantities: Vec<Quantity>,
 }
 
-/// Why no map stands for the film of a scene; `None`: one does.
-pub fn no_map(scene: &Scene) -> Option<&'static str> {
-    let cavity = scene.cavitation.as_ref();
-    let is_half = |model: CavitationModel| matches!(model, CavitationModel::Guembel | CavitationModel::Reynolds);
+/// Why no map stands for the film of a model; `None`: one does.
+pub fn no_map(model: &Model) -> Option<&'static str> {
+    let (outline, sockets, scope) = (&model.mesh.outline, &model.sockets, &model.scope);
+    let cavity = sockets.cavitation.pressure();
+    let is_constant = sockets.pressure_rule == PressureRule::Fixed(PressureLaw::Constant);
     let reasons = [
-        (scene.orbit.is_none(), "the scene has no [orbit]"),
-        (scene.bearing.arc.is_some(), "the bearing is an arc"),
-        (scene.bearing.film_start.is_some(), "the film has a start (bearing.film_start)"),
-        (!scene.feeds.is_empty(), "the bearing has feeds"),
-        (scene.bearing.theory == Theory::Long, "the bearing is a long one"),
-        (scene.can_tilt(), "the journal tilts"),
-        (!scene.is_circular(), "bore or shaft are no circles"),
-        (scene.contact.is_some(), "the surfaces touch"),
-        (scene.liner.is_some(), "the liner gives way"),
-        (scene.orbit.is_some_and(|orbit| orbit.mass > 0.0), "the rotor has a mass"),
-        (scene.oil.pressure_law != PressureLaw::Constant, "the viscosity depends on the pressure"),
-        (!cavity.is_some_and(|cavity| is_half(cavity.model)), "the cavitation model is neither guembel nor reynolds"),
-        (
-            cavity.is_some_and(|cavity| cavity.pressure != scene.ends.pressure),
-            "the cavity has another pressure than the ends",
-        ),
+        (scope.orbit.is_none(), "the scene has no [orbit]"),
+        (outline.liner.arc.is_some(), "the bearing is an arc"),
+        (outline.film_start.is_some(), "the film has a start (bearing.film_start)"),
+        (!outline.feeds.is_empty(), "the bearing has feeds"),
+        (sockets.theory == Theory::Long, "the bearing is a long one"),
+        (scope.can_tilt, "the journal tilts"),
+        (!scope.is_circular, "bore or shaft are no circles"),
+        (scope.touches, "the surfaces touch"),
+        (scope.gives_way, "the liner gives way"),
+        (scope.orbit.is_some_and(|orbit| orbit.mass > 0.0), "the rotor has a mass"),
+        (!is_constant, "the viscosity depends on the pressure"),
+        (!scope.cavitation.drops_pressures(), "the cavitation model is neither guembel nor reynolds"),
+        (cavity != Some(model.mesh.bearing.end_pressure), "the cavity has another pressure than the ends"),
     ];
     reasons.into_iter().find_map(|(is_so, reason)| is_so.then_some(reason))
 }
 
-/// The orbit of a scene by the short-film map and by the map of its own film, beside the `path` of that film.
+/// The orbit of a model by the short-film map and by the map of its own film, beside the `path` of that film.
 ///
 /// # Errors
-/// The scene does not become a film, or the reason why a map does not exist or leads nowhere.
-pub fn by_maps(scene: &Scene, path: &OrbitPath) -> Result<Vec<Result<ByMap, String>>, CompileError> {
-    let cycle = load_of_orbit(scene)?;
-    let bearing = bearing(scene);
-    let beside = Beside { bearing, cycle: &cycle, path };
+/// The model does not become a film, or the reason why a map does not exist or leads nowhere.
+pub fn by_maps(model: &Arc<Model>, path: &OrbitPath) -> Result<Vec<Result<ByMap, String>>, CompileError> {
+    let Some(cycle) = &model.duty else { return Ok(Vec::new()) };
+    let beside = Beside { bearing: model.mesh.bearing, cycle, path };
     let short = beside.by("short", &ShortMap, 0, 0.0);
     let clock = Instant::now();
     let greatest = 1.0 - ROOM * (1.0 - path.greatest_eccentricity());
-    let film = on_mesh_for(scene, greatest)?;
+    let film = on_mesh_for(model, &model.oil, greatest)?;
     let finite = FiniteMap::new(&film.problem, &film.system, greatest)
         .map_err(|reason| reason.to_string())
         .and_then(|map| beside.by("finite", &map, map.films, clock.elapsed().as_secs_f64()));

@@ -24,12 +24,12 @@ const TEMPERATURES: f64 = 5.0;
 
 /// Processor time that the orbit of a film will take, estimated [s]; none where the scene asks for no orbit.
 pub fn expected_seconds(film: &Film) -> Option<f64> {
-    let orbit = film.scene.orbit.as_ref()?;
+    let orbit = film.model.scope.orbit.as_ref()?;
     let per_unknown = match film.problem.cavitation.conserves_oil() {
         true => PER_UNKNOWN_CONSERVING,
         false => PER_UNKNOWN,
     };
     let films = FILMS * (TOLERANCE / orbit.tolerance).powf(0.25);
-    let orbits = if film.thermal.is_some() { TEMPERATURES } else { 1.0 };
+    let orbits = if film.model.sockets.thermal.is_some() { TEMPERATURES } else { 1.0 };
     Some(orbits * CYCLES * films * per_unknown * film.unknowns() as f64)
 }

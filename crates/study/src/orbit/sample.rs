@@ -175,7 +175,7 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         Errors::Estimated => with_forces_of_path(&here, &followed, estimated.quantities),
         Errors::Omitted => estimated.quantities,
     };
-    let flows = (film.thermal.as_ref()).map(|model| thermal_flows(model, &here, &estimated.measured));
+    let flows = (film.model.sockets.thermal.as_ref()).map(|model| thermal_flows(model, &here, &estimated.measured));
     let (power, imbalance) = (estimated.measured.power, estimated.measured.flows.imbalance);
     let tangents = match tangents {
         None => None,

@@ -1,18 +1,20 @@
 //! The mesh of an orbit, and where the journal begins.
 
+use std::sync::Arc;
+
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{ShortMap, Travel};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitObserver, OrbitOptions};
 use oilwedge_reynolds::Gap;
-use oilwedge_scene::Scene;
 
 use super::{motion, no_map};
-use crate::compile::compile_near;
 use crate::compile_error::CompileError;
 use crate::film::Film;
+use crate::model::Model;
 use crate::observer::Watch;
-use crate::position::Position;
+use crate::oil::Oil;
+use crate::position::{FilmState, Position};
 
 /// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads
 /// elsewhere, another one is drawn if its edges differ by this factor.
@@ -29,27 +31,27 @@ const FIRST: f64 = 0.3;
 /// The film of an orbit on a mesh that resolves it, and the offsets [m] at which it begins.
 ///
 /// # Errors
-/// The scene does not become a film.
+/// The model does not become a film.
 pub(super) fn prepared(
-    scene: &Scene,
-    model: &oilwedge_scene::Orbit,
-    cycle: &DutyCycle,
+    model: &Arc<Model>,
+    oil: &Oil,
+    (orbit, cycle): (&oilwedge_scene::Orbit, &DutyCycle),
     watch: Watch,
 ) -> Result<(Film, Vector), CompileError> {
-    let film = on_mesh_for(scene, USUAL)?;
-    let rough = rough(&film, scene, model, cycle, watch);
+    let film = on_mesh_for(model, oil, USUAL)?;
+    let rough = rough(&film, (orbit, cycle), watch);
     let clearance = film.problem.bearing.clearance;
-    let given = model.start.map(|[eccentricity, angle]| {
+    let given = orbit.start.map(|[eccentricity, angle]| {
         let offset = eccentricity * clearance;
         [offset * angle.cos(), offset * angle.sin(), 0.0, 0.0]
     });
-    let Some((orbit, greatest)) = rough else {
+    let Some((rough, greatest)) = rough else {
         return Ok((film, given.unwrap_or(first(cycle, clearance))));
     };
-    let begin = given.or_else(|| Some(orbit.steps.first()?.at)).unwrap_or(first(cycle, clearance));
-    let film = match suits(USUAL, greatest) || !scene.mesh.is_graded() {
+    let begin = given.or_else(|| Some(rough.steps.first()?.at)).unwrap_or(first(cycle, clearance));
+    let film = match suits(USUAL, greatest) || !model.mesh.is_graded() {
         true => film,
-        false => on_mesh_for(scene, greatest)?,
+        false => on_mesh_for(model, oil, greatest)?,
     };
     Ok((film, begin))
 }
@@ -63,36 +65,28 @@ pub(crate) fn suits(drawn: f64, greatest: f64) -> bool {
 /// The film of an orbit on its first mesh.
 ///
 /// # Errors
-/// The scene does not become a film.
-pub fn film_of_orbit(scene: &Scene) -> Result<Film, CompileError> {
-    on_mesh_for(scene, USUAL)
+/// The model does not become a film.
+pub fn film_of_orbit(model: &Arc<Model>) -> Result<Film, CompileError> {
+    on_mesh_for(model, &model.oil, USUAL)
 }
 
 /// A film whose mesh is fine enough all around for an eccentricity.
 ///
 /// # Errors
-/// The scene does not become a film.
-pub(crate) fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
-    let position = Position { eccentricity, min_film_angle: 0.0, tilt: scene.journal.tilt.unwrap_or_default() };
-    let film = compile_near(scene, position)?;
-    // The journal is where the motion leads it.
-    Ok(Film { load: None, ..film })
+/// The model does not become a film.
+pub(crate) fn on_mesh_for(model: &Arc<Model>, oil: &Oil, eccentricity: f64) -> Result<Film, CompileError> {
+    let position = Position { eccentricity, min_film_angle: 0.0, tilt: model.tilt };
+    model.film_near(model.mesh.longest, &FilmState { position, oil: oil.clone() })
 }
 
 /// An orbit on the next coarser mesh, and its greatest eccentricity at an end; `None` where there is none.
-fn rough(
-    film: &Film,
-    scene: &Scene,
-    model: &oilwedge_scene::Orbit,
-    cycle: &DutyCycle,
-    watch: Watch,
-) -> Option<(Orbit, f64)> {
-    let fine = motion(film, scene, model, cycle);
+fn rough(film: &Film, (model, cycle): (&oilwedge_scene::Orbit, &DutyCycle), watch: Watch) -> Option<(Orbit, f64)> {
+    let fine = motion(film, model, cycle);
     let coarser = film.system.coarser.as_ref()?;
     let problem = coarser.problem(&film.problem);
     let motion = Motion { problem: &problem, system: &coarser.system, gap: Gap::of(&problem, &coarser.system), ..fine };
     // Where a map leads to the orbit one cycle is enough.
-    let by_map = no_map(scene).is_none().then(|| by_short_map(film, cycle)).flatten();
+    let by_map = no_map(&film.model).is_none().then(|| by_short_map(film, cycle)).flatten();
     let options = OrbitOptions {
         tolerance: ROUGH,
         closure: model.closure,

@@ -3,21 +3,22 @@
 //! The temperature is first found on a coarser mesh; the mesh of the result is made for the viscosity at that
 //! temperature. On it the balance is found again, each orbit begun where the one before had closed.
 
+use std::sync::Arc;
+
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, Step};
 use oilwedge_bearing::{NoBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::{Orbit, Scene};
+use oilwedge_scene::Orbit;
 
 use super::{Begin, Followed, expected_seconds, followed, start};
-use crate::compile::at_temperature;
 use crate::compile_error::CompileError;
 use crate::film::Film;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
-use crate::oil;
 use crate::quantities::{
     CYCLE_COOLING_FLOW, CYCLE_POWER_LOSS, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, Quantity, Row,
 };
@@ -46,8 +47,7 @@ pub(crate) struct CycleTemperature {
 /// Orbits of a film at one temperature after the other.
 struct Orbits<'a> {
     film: Film,
-    scene: &'a Scene,
-    model: Orbit,
+    orbit: Orbit,
     cycle: &'a DutyCycle,
     watch: Watch,
     options: RunOptions,
@@ -62,30 +62,31 @@ struct Orbits<'a> {
 /// # Errors
 /// The scene does not become a film.
 pub(super) fn balanced(
-    (scene, model, cycle): (&Scene, &Orbit, &DutyCycle),
+    (model, orbit, cycle): (&Arc<Model>, &Orbit, &DutyCycle),
     thermal: ThermalModel,
     watch: Watch,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
     let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
-    let (film, begin) = start::prepared(scene, model, cycle, watch)?;
+    let (film, begin) = start::prepared(model, &model.oil, (orbit, cycle), watch)?;
     let mut search = FilmTemperature::of(&film, thermal);
-    let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(model.tolerance), ..*model };
-    let orbits = |film, begin, model| Orbits { film, scene, model, cycle, watch, options: quick, begin, last: None };
+    let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
+    let orbits = |film, begin, orbit| Orbits { film, orbit, cycle, watch, options: quick, begin, last: None };
     let found = orbits(film.on_coarser(), begin, rough).balance(&mut search, ROUGHLY);
     if let Err(reason) = found {
         return Ok((film, Err(reason)));
     }
-    let (film, begin) = start::prepared(&oil::at_temperature(scene, search.temperature), model, cycle, watch)?;
+    let oil = model.oil_at(Some(search.temperature));
+    let (film, begin) = start::prepared(model, &oil, (orbit, cycle), watch)?;
     if let Some(observer) = options.observer {
         observer.expects(film.unknowns(), expected_seconds(&film));
         observer.turns_to("the orbits at one temperature after the other");
     }
     search.begun_again();
-    let mut orbits = orbits(film, begin, *model);
-    let outcome = orbits.balance(&mut search, BALANCED * model.tolerance);
+    let mut orbits = orbits(film, begin, *orbit);
+    let outcome = orbits.balance(&mut search, BALANCED * orbit.tolerance);
     let outcome = outcome.and_then(|()| orbits.reported(&mut search, options));
-    Ok((at_temperature(&orbits.film, search.temperature), outcome))
+    Ok((orbits.film.at_temperature(search.temperature), outcome))
 }
 
 impl Orbits<'_> {
@@ -122,9 +123,9 @@ impl Orbits<'_> {
     }
 
     fn followed(&self, temperature: f64, options: &RunOptions) -> Result<Followed, NoAnswer> {
-        let film = at_temperature(&self.film, temperature);
+        let film = self.film.at_temperature(temperature);
         let begin = self.last.as_ref().map_or(Begin::At(self.begin), Begin::After);
-        followed(&film, (self.scene, &self.model, self.cycle), (begin, self.watch.deadline), options)
+        followed(&film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)
     }
 
     /// The orbit at the temperature found, with the numbers of the balance.

@@ -1,7 +1,7 @@
 //! Stiffness and damping as rows see them: at the first frequency asked for.
 
+use crate::scope::Scope;
 use oilwedge_bearing::Coefficients;
-use oilwedge_scene::Scene;
 
 use super::view::View;
 
@@ -14,11 +14,11 @@ pub(super) fn first<'a>(film: &'a View) -> Option<&'a Coefficients> {
 }
 
 /// Whether a scene asks for them.
-pub(super) fn is_asked(scene: &Scene) -> bool {
-    scene.dynamics.is_some()
+pub(super) fn is_asked(scope: &Scope) -> bool {
+    scope.dynamics.is_some()
 }
 
 /// Whether a scene asks for those of a journal that may tilt.
-pub(super) fn has_tilt(scene: &Scene) -> bool {
-    is_asked(scene) && scene.can_tilt()
+pub(super) fn has_tilt(scope: &Scope) -> bool {
+    is_asked(scope) && scope.can_tilt
 }

@@ -1,13 +1,11 @@
 //! Numbers of a cycle: extremes and means over an orbit.
 
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_scene::Scene;
 
 use super::cycle_view::{At, CycleView, Judged};
 use super::row::{Headline, Measure::OverCycle, Row};
 use super::rule::ErrorRule;
 use super::{COOLING_FLOW, FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
-use crate::effects::Sockets;
 
 rows! {
     /// `min h` over the liner and the cycle, between the steps of the orbit too
@@ -74,22 +72,17 @@ rows! {
     /// none without `[heat]`
     CYCLE_TEMPERATURE = "cycle_temperature", "t_m", Celsius, "temperature of the films, one for the cycle":
         OverCycle(|_| None),
-        ErrorRule::OverCycle(BALANCED), only(is_balanced) headline(Headline::Always(10));
+        ErrorRule::OverCycle(BALANCED), only(|scope| scope.thermal.is_some()) headline(Headline::Always(10));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`, m that of the mean flows; none without `[heat]`
     CYCLE_TEMPERATURE_OUTLET = "cycle_temperature_outlet", "t_out", Celsius, "of the oil that leaves the films":
         OverCycle(|_| None),
-        ErrorRule::OverCycle(BALANCED), only(is_balanced) headline(Headline::Always(11));
+        ErrorRule::OverCycle(BALANCED), only(|scope| scope.thermal.is_some()) headline(Headline::Always(11));
 
     /// Mean over the cycle of the oil that leaves the film; none without `[heat]`
     CYCLE_COOLING_FLOW = "cycle_cooling_flow", "Q_out", CubicMetrePerSecond, "mean oil that leaves the film and cools it":
         OverCycle(|cycle| mean(cycle, &COOLING_FLOW)),
-        ErrorRule::OverCycle(MEAN), only(is_balanced);
-}
-
-/// There is a balance of heat; its temperatures are numbers of the balance around the orbit, not of one orbit.
-fn is_balanced(scene: &Scene) -> bool {
-    Sockets::of(scene).thermal.is_some()
+        ErrorRule::OverCycle(MEAN), only(|scope| scope.thermal.is_some());
 }
 
 pub(super) const ORBIT: &str = "that of the film there; the mesh's and the steps' errors of the orbit, carried along it by the film's stiffness and damping";

@@ -1,8 +1,8 @@
 //! The film at mid-length against that at the ends: criteria of a crankshaft's bearings.
 
+use crate::scope::Scope;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::deviation::Sections;
-use oilwedge_scene::Scene;
 
 use super::cycle_view::{CycleView, Judged};
 use super::row::Measure::{One, OverCycle};
@@ -22,7 +22,7 @@ rows! {
     /// `h* = h_0/(1 + (Delta_gamma/s)^2)`, s being `criteria.deviation_scale`, and h_0 where the film is thicker at
     /// both ends; likewise
     EQUIVALENT_FILM = "equivalent_film", "h*", Metre, "equivalent film: that at mid-length, made less by the deviation":
-        One(|film| Some(sections(film)?.equivalent_film(film.base.scene.deviation_scale()?))), ErrorRule::Position, only(is_asked);
+        One(|film| Some(sections(film)?.equivalent_film(film.base.model.scope.deviation_scale?))), ErrorRule::Position, only(is_asked);
 
     /// `h_0`: least film thickness at mid-length over the cycle; of orbits whose scenes ask for it
     CYCLE_MIDDLE_FILM_MIN = "cycle_middle_film_min", "h_0", Metre, "least film thickness at mid-length over the cycle":
@@ -42,16 +42,16 @@ rows! {
 
 const RULE: &str = "that of the least film at the times of the least sections, carried through the formula";
 
-fn is_asked(scene: &Scene) -> bool {
-    scene.deviation_scale().is_some() && scene.orbit.is_none()
+fn is_asked(scope: &Scope) -> bool {
+    scope.deviation_scale.is_some() && scope.orbit.is_none()
 }
 
-fn is_asked_of_orbit(scene: &Scene) -> bool {
-    scene.deviation_scale().is_some() && scene.orbit.is_some()
+fn is_asked_of_orbit(scope: &Scope) -> bool {
+    scope.deviation_scale.is_some() && scope.orbit.is_some()
 }
 
 fn sections(film: &View) -> Option<Sections> {
-    let is_asked = is_asked(&film.base.scene);
+    let is_asked = is_asked(&film.base.model.scope);
     is_asked.then(|| Sections::of_film(film.problem, &film.base.system))
 }
 

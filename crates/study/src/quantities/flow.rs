@@ -3,7 +3,6 @@
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 use oilwedge_reynolds::supply::BoundaryKind;
 
-use super::load::is_fed;
 use super::row::{Headline, Measure::Each, Measure::One};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
@@ -49,7 +48,7 @@ rows! {
     FEED_FLOW = "feed_flow.", "Q_f", CubicMetrePerSecond, "oil that enters there (< 0: leaves)":
         Each(|film| film.regions(BoundaryKind::Feed).map(|(region, flow)| (region.name.clone(), flow.net)).collect()),
         ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Region(at.region.to_owned()), at.per(1.0))),
-        tolerance only(is_fed) headline(Headline::Always(13));
+        tolerance only(|scope| scope.is_fed) headline(Headline::Always(13));
 }
 
 const LOW: &str = "end_low";

@@ -3,7 +3,7 @@
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::power::PressurePower;
 
-use super::cavity::{drops, drops_in};
+use super::cavity::drops;
 use super::row::{Headline, Measure::One};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
@@ -50,7 +50,7 @@ rows! {
         One(|film| turning(film, film.measured.power.cavity_shear).filter(|_| drops(film))),
         ErrorRule::Of("difference of the two films, and the shear on the part of the mesh that the edge of the cavity takes up",
             |estimate, at| estimate.cavity_power(at.change)),
-        only(drops_in);
+        only(|scope| scope.cavitation.drops_pressures());
 }
 
 const DUAL: &str = "dual-weighted, with the error of integration";

@@ -4,7 +4,6 @@ use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::supply::BoundaryKind;
-use oilwedge_scene::{Scene, Viscosity};
 
 use super::friction::FRICTION_POWER;
 use super::motion::MOTION_POWER;
@@ -13,74 +12,60 @@ use super::row::{Headline, Measure::One, Row, Table};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use super::warming::Warming;
-use crate::effects::Sockets;
 use crate::estimate::{Estimate, Scaled};
 use crate::thermal::flows::thermal_flows;
-use crate::thermal_model::ThermalModel;
 
 rows! {
     /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none
     /// where the oil has one viscosity
     TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "mean temperature of the film":
         One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
-        ErrorRule::Temperature(|_| Some(1.0)), only(is_by_temperature) headline(Headline::Always(8));
+        ErrorRule::Temperature(|_| Some(1.0)), only(|scope| scope.is_by_temperature) headline(Headline::Always(8));
 
     /// `mu0 = mu(t_m, p = 0)`; none where the oil has one viscosity
     VISCOSITY_EFFECTIVE = "viscosity_effective", "mu0", PascalSecond, "viscosity at that temperature, without pressure":
         One(|film| film.base.oil.temperature.map(|_| film.problem.lubricant.viscosity)),
         ErrorRule::Temperature(|warming| warming.slope(VISCOSITY_EFFECTIVE.name)),
-        only(is_by_temperature);
+        only(|scope| scope.is_by_temperature);
 
     /// `Q_out`: oil that leaves the film: `Q_s` where oil only leaves at the ends, and what feeds drain; none without
     /// `[heat]`
     COOLING_FLOW = "cooling_flow", "Q_out", CubicMetrePerSecond, "oil that leaves the film and carries heat off":
         One(|film| Some(found(film)?.2.flow)),
         ErrorRule::Of("those of the flows at the ends, and where else oil leaves", of_leaving),
-        in_table(Table::Temperature) only(is_balanced);
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some());
 
     /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without
     /// `heat.mixing`
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
-        One(|film| film.base.thermal?.mixing.and_then(|_| end(film, 0))),
+        One(|film| film.base.model.sockets.thermal?.mixing.and_then(|_| end(film, 0))),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[0])),
-        in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.mixing.is_some()));
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some_and(|model| model.mixing.is_some()));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m
     /// the hot oil carried over for each part of fresh oil; none without `[heat]`
     TEMPERATURE_OUTLET = "temperature_outlet", "t_out", Celsius, "of the oil that leaves it":
         One(|film| end(film, 1)),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[1])),
-        in_table(Table::Temperature) only(is_balanced) headline(Headline::Always(9));
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some()) headline(Headline::Always(9));
 
     /// `P_oil = rho c Q_out (t_out - t_0)`; none without `[heat]`
     HEAT_CARRIED = "heat_carried", "P_oil", Watt, "heat that the oil carries off":
         One(|film| found(film).map(|(balance, temperature, film)| balance.carried(temperature, &film))),
         ErrorRule::Balance(|warming| warming.power, carried_per_kelvin),
-        in_table(Table::Temperature) only(is_balanced);
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some());
 
     /// `P_h = G (t_m - t_a)`: G the conductance of the housing, t_a the temperature around it; none without
     /// `heat.housing`
     HEAT_HOUSING = "heat_housing", "P_h", Watt, "heat that the housing gives off":
         One(|film| found(film).and_then(|(balance, temperature, _)| balance.housing.map(|_| balance.given_off(temperature)))),
         ErrorRule::Temperature(|warming| warming.conductance()),
-        in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.balance.housing.is_some()));
-}
-
-fn is_by_temperature(scene: &Scene) -> bool {
-    matches!(scene.oil.viscosity, Viscosity::ByTemperature(_))
-}
-
-fn is_balanced(scene: &Scene) -> bool {
-    model(scene).is_some()
-}
-
-fn model(scene: &Scene) -> Option<ThermalModel> {
-    Sockets::of(scene).thermal
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some_and(|model| model.balance.housing.is_some()));
 }
 
 /// The balance, the temperature [K] of the film, and what heats and cools it.
 fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
-    let (model, temperature) = (film.base.thermal?, film.base.oil.temperature?);
+    let (model, temperature) = (film.base.model.sockets.thermal?, film.base.oil.temperature?);
     Some((model.balance, temperature, thermal_flows(&model, film.base, film.measured)))
 }
 

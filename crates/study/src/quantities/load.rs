@@ -2,7 +2,6 @@
 
 use oilwedge_reynolds::quantities::load::Share;
 use oilwedge_reynolds::quantities::similarity;
-use oilwedge_scene::Scene;
 
 use super::row::{Headline, Measure::Each, Measure::One};
 use super::rule::ErrorRule;
@@ -34,7 +33,7 @@ rows! {
     /// `C_w = W/(D B (p_s - p_e))`, p_s the pressure of the feeds; none without feeds, or with feeds of different
     /// pressures
     LOAD_COEFFICIENT = "load_coefficient", "C_w", One, "W / (D B (p_feed - p_ends))":
-        One(load_coefficient), ErrorRule::PerLoad, tolerance only(is_fed);
+        One(load_coefficient), ErrorRule::PerLoad, tolerance only(|scope| scope.is_fed);
 
     /// `Int p dA` over the liner, regions cut out of it included; contact is no pressure of the oil
     PRESSURE_INTEGRAL = "pressure_integral", "Int p dA", Newton, "pressure times area, summed":
@@ -43,11 +42,11 @@ rows! {
 
     /// The part of `W_x` over a region that is cut out of the mesh; none where nothing is cut out
     REGION_LOAD_X = "load_x.", "W_x", Newton, "part of W_x over the region":
-        Each(|film| cut_out(film, 0)), ErrorRule::Rim, only(is_fed);
+        Each(|film| cut_out(film, 0)), ErrorRule::Rim, only(|scope| scope.is_fed);
 
     /// The part of `W_y` over a region that is cut out of the mesh; none where nothing is cut out
     REGION_LOAD_Y = "load_y.", "W_y", Newton, "part of W_y over the region":
-        Each(|film| cut_out(film, 1)), ErrorRule::Rim, only(is_fed);
+        Each(|film| cut_out(film, 1)), ErrorRule::Rim, only(|scope| scope.is_fed);
 }
 
 const TOWARDS_X: ErrorRule = ErrorRule::Component(|_| Some([1.0, 0.0]));
@@ -73,9 +72,4 @@ fn load_coefficient(film: &View) -> Option<f64> {
 fn cut_out(film: &View, axis: usize) -> Vec<(String, f64)> {
     let part = |(name, share): &(String, Share)| (name.clone(), share.force[axis]);
     film.measured.load.cut_out.iter().map(part).collect()
-}
-
-/// True if a feed of the scene has a pressure.
-pub(super) fn is_fed(scene: &Scene) -> bool {
-    scene.feeds.iter().any(|feed| feed.pressure.is_some())
 }

@@ -7,7 +7,8 @@
 
 use std::borrow::Cow;
 
-use crate::feed_region::feed_regions;
+use crate::outline::LinerOutline;
+use crate::scope::Scope;
 use oilwedge_scene::Scene;
 
 #[macro_use]
@@ -209,13 +210,13 @@ pub fn row(name: &str) -> Option<&'static Row> {
     CATALOGUE.into_iter().find(|row| row.has(name))
 }
 
-/// The quantity by which a scene is judged where nothing else is asked: the load, or the eccentricity that a given load
-/// leads to.
-pub fn main_quantity(scene: &Scene) -> &'static Row {
-    match scene.journal.load() {
-        _ if scene.orbit.is_some() => &CYCLE_FILM_THICKNESS_MIN,
-        Some(_) => &ECCENTRICITY,
-        None => &LOAD,
+/// The quantity by which an answer is judged where nothing else is asked: the load, or the eccentricity that a given
+/// load leads to.
+pub fn main_quantity(scope: &Scope) -> &'static Row {
+    match scope.is_loaded {
+        _ if scope.orbit.is_some() => &CYCLE_FILM_THICKNESS_MIN,
+        true => &ECCENTRICITY,
+        false => &LOAD,
     }
 }
 
@@ -247,12 +248,15 @@ pub fn over_cycle(cycle: &CycleView) -> Vec<Quantity> {
 /// Names and rows of the quantities that films of these scenes may have.
 pub fn of_scenes(scenes: &[Scene]) -> Vec<(Cow<'static, str>, &'static Row)> {
     let mut regions: Vec<String> = Vec::new();
-    for region in scenes.iter().flat_map(feed_regions) {
-        if region.pressure().is_some() && !regions.contains(&region.name) {
-            regions.push(region.name);
+    for outline in scenes.iter().map(LinerOutline::of) {
+        for region in outline.regions() {
+            if region.pressure().is_some() && !regions.contains(&region.name) {
+                regions.push(region.name);
+            }
         }
     }
-    in_order(|row| match scenes.iter().any(|scene| row.may_occur(scene)) {
+    let scopes: Vec<Scope> = scenes.iter().map(Scope::of).collect();
+    in_order(|row| match scopes.iter().any(|scope| row.may_occur(scope)) {
         false => Vec::new(),
         true if row.is_family() => regions.iter().map(|region| (row.region_name(region), row)).collect(),
         true => vec![(row.name.into(), row)],

@@ -2,7 +2,6 @@
 
 use super::row::Measure::One;
 use super::rule::{ErrorRule, Subject};
-use crate::effects::Sockets;
 use crate::estimate::Estimate;
 use oilwedge_reynolds::error_bar::Bar;
 
@@ -12,7 +11,7 @@ rows! {
     MOTION_POWER = "squeeze_power", "P_e", Watt, "power of the load as the journal's centre moves":
         One(|film| { let moves = !film.journal().is_still(); moves.then(|| film.measured.motion_power(film.journal())) }),
         ErrorRule::Of("dual-weighted, along and across the load", bar),
-        only(|scene| { let sockets = Sockets::of(scene); sockets.centre_velocity.speed() > 0.0 || sockets.tilt_rate != [0.0; 2] });
+        only(|scope| scope.moves);
 }
 
 fn bar(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {

@@ -2,9 +2,8 @@
 
 use oilwedge_reynolds::Theory;
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_scene::{CavitationModel, Scene};
+use oilwedge_scene::CavitationModel;
 
-use super::cavity::has;
 use super::position::is_eccentric;
 use super::row::Measure::One;
 use super::rule::{ErrorRule, Subject};
@@ -38,7 +37,7 @@ rows! {
     FILM_START_ANGLE = "film_start_angle", "phi_1", Degree, "where the loaded film begins, at z = 0":
         One(|film| end(film, ExtentEnd::Begins)),
         ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Begins)),
-        only(has_cavity);
+        only(|scope| scope.cavitation != CavitationModel::None);
 
     /// `phi_2` in [0, 360): downstream end of the loaded film on the mid-plane z = 0, where it ruptures: from the
     /// greatest pressure with the rotation the first place in the cavity, at the film start or at the edge of an arc;
@@ -46,7 +45,7 @@ rows! {
     FILM_END_ANGLE = "film_end_angle", "phi_2", Degree, "where the loaded film ruptures, at z = 0":
         One(|film| end(film, ExtentEnd::Ends)),
         ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Ends)),
-        only(has_cavity);
+        only(|scope| scope.cavitation != CavitationModel::None);
 }
 
 /// Angle [deg] that values of a smooth film leave open about its least place: the root of rounding.
@@ -55,7 +54,7 @@ const OF_END: &str = "difference of the two films, and half of the triangle in w
 
 /// Whether the film is not the same everywhere.
 fn is_thinnest_somewhere(film: &View) -> bool {
-    is_eccentric(film) || !film.journal().is_parallel() || !film.base.scene.is_circular()
+    is_eccentric(film) || !film.journal().is_parallel() || !film.base.model.scope.is_circular
 }
 
 fn summit(film: &View) -> Option<[f64; 2]> {
@@ -83,8 +82,4 @@ fn of_end(estimate: &dyn Estimate, at: &Subject, end: ExtentEnd) -> Option<Bar> 
 /// Degrees for each metre around the bearing.
 fn per_metre(at: &Subject) -> f64 {
     (1.0 / at.view.problem.bearing.radius).to_degrees()
-}
-
-fn has_cavity(scene: &Scene) -> bool {
-    has(scene, |model| model != CavitationModel::None)
 }

@@ -28,7 +28,7 @@ rows! {
     LOGARITHMIC_DECREMENT = "logarithmic_decrement", "delta", One, "logarithmic decrement of the rotor of the given mass":
         One(|film| decrement(judged(film)?, film)),
         ErrorRule::Of(RULE, |estimate, at| bar(estimate, |of| decrement(of, at.view), at)),
-        in_table(Table::Dynamics) only(|scene| scene.dynamics.as_ref().is_some_and(|asked| asked.mass.is_some()));
+        in_table(Table::Dynamics) only(|scope| scope.dynamics.as_ref().is_some_and(|asked| asked.mass.is_some()));
 }
 
 const RULE: &str = "those of K and C, each part of which moves it: the root of the sum of squares";
@@ -51,7 +51,7 @@ fn ratio(of: &Coefficients, film: &View) -> Option<f64> {
 }
 
 fn decrement(of: &Coefficients, film: &View) -> Option<f64> {
-    let mass = film.base.dynamics.as_ref()?.mass?;
+    let mass = film.base.model.sockets.dynamics.as_ref()?.mass?;
     Some(whirling(of, mass)?.decrement)
 }
 

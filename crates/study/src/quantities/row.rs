@@ -3,12 +3,11 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use oilwedge_scene::Scene;
-
 use super::cycle_view::{CycleView, Judged};
 use super::rule::ErrorRule;
 use super::unit::Unit;
 use super::view::View;
+use crate::scope::Scope;
 
 /// Rows as statics: the comment is the definition, then `NAME = "name", "symbol", Unit, "what it is":`, how it is
 /// measured, and its error rule; last what else it is, if anything.
@@ -84,8 +83,8 @@ pub struct Row {
     pub may_be_tolerance: bool,
     /// Place of the quantity in short tables.
     pub headline: Headline,
-    /// Whether a film of this scene may have it.
-    pub occurs: fn(&Scene) -> bool,
+    /// Whether a film of this scope may have it.
+    pub occurs: fn(&Scope) -> bool,
 }
 
 impl Row {
@@ -121,8 +120,8 @@ impl Row {
         Self { headline, ..self }
     }
 
-    /// One of films of certain scenes.
-    pub(super) const fn only(self, occurs: fn(&Scene) -> bool) -> Self {
+    /// One of films of certain scopes.
+    pub(super) const fn only(self, occurs: fn(&Scope) -> bool) -> Self {
         Self { occurs, ..self }
     }
 
@@ -131,9 +130,9 @@ impl Row {
         Self { table, ..self }
     }
 
-    /// Whether the answer to this scene may have it: a film, or an orbit.
-    pub fn may_occur(&self, scene: &Scene) -> bool {
-        self.is_of_cycle() == scene.orbit.is_some() && (self.occurs)(scene)
+    /// Whether an answer of this scope may have it: a film, or an orbit.
+    pub fn may_occur(&self, scope: &Scope) -> bool {
+        self.is_of_cycle() == scope.orbit.is_some() && (self.occurs)(scope)
     }
 
     /// True of a number of a cycle.

@@ -71,8 +71,10 @@ impl ErrorRule {
         match self {
             Self::Exact | Self::Temperature(_) | Self::Balance(..) => Some(Bar::default()),
             Self::Rim => Some(rim(subject)),
-            Self::Position if subject.view.base.load.is_none() => Some(Bar::default()),
-            Self::LeastFilmPlace(rounding) if subject.view.base.load.is_none() => Some(place(subject.view, *rounding)),
+            Self::Position if subject.view.base.load().is_none() => Some(Bar::default()),
+            Self::LeastFilmPlace(rounding) if subject.view.base.load().is_none() => {
+                Some(place(subject.view, *rounding))
+            }
             _ if !estimate.is_resolved() => None,
             Self::Position => Some(Bar::default()),
             Self::LeastFilmPlace(rounding) => Some(place(subject.view, *rounding)),
@@ -173,7 +175,7 @@ pub(super) fn direction(estimate: &dyn Estimate) -> Bar {
 
 /// The bar of the place of the least film.
 fn place(film: &View, rounding: fn(&View) -> f64) -> Bar {
-    match film.base.scene.is_circular() {
+    match film.base.model.scope.is_circular {
         true => Bar::default(),
         false => Bar::of(rounding(film)),
     }

@@ -4,7 +4,7 @@ use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::{drag, possible_load};
 use crate::quantities::{ECCENTRICITY, MOMENT_X, MOMENT_Y, Quantity, SIDE_FLOW, Unit};
-use oilwedge_scene::{Target, Tolerance};
+use oilwedge_scene::Target;
 
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the
 /// pressures could carry, pressures against that of drag, the eccentricity against the clearance, and where bars are
@@ -71,7 +71,7 @@ impl Possible {
 /// Where the program chooses the tolerance the load of a tilted journal that bears a moment and next to no force counts
 /// by the forces [N] at the two ends that stand for both.
 fn least_load(film: &Film, estimated: &Estimated) -> f64 {
-    let has_usual_tolerance = film.scene.tolerance == Some(Tolerance::Usual);
+    let has_usual_tolerance = film.model.targets.as_ref().is_some_and(|targets| targets.are_usual);
     match has_usual_tolerance && film.problem.can_tilt() {
         true => (estimated.measured.load.total.resultant()).at_ends(0.5 * film.problem.bearing.length),
         false => 0.0,

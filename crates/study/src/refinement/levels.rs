@@ -1,15 +1,17 @@
 //! The loop from mesh to mesh.
 
+use std::sync::Arc;
+
 use super::distance::worst;
 use super::growth::{Goal, Growth, next_seconds};
 use super::level::Level;
 use super::next::{FIRST_UNKNOWNS, Next};
 use super::{Answer, Tell, ended, solved};
-use crate::checks::Targets;
 use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
 use crate::film::{Film, Start};
 use crate::grading::Graded;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::observer::{Reached, Watch};
 use crate::quantities::Quantity;
@@ -17,8 +19,9 @@ use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
+use crate::targets::Targets;
 use oilwedge_bearing::Moment;
-use oilwedge_scene::{Scene, Target, Tolerance};
+use oilwedge_scene::Target;
 
 /// A film that begins within these seconds [s] is solved whatever the limit is.
 const MOMENT: f64 = 1.0;
@@ -53,7 +56,7 @@ enum Step {
 
 /// A refinement towards a tolerance.
 struct Refining<'a> {
-    scene: &'a Scene,
+    model: &'a Arc<Model>,
     targets: &'a Targets,
     options: &'a RunOptions,
     /// Time at which the run began, by its clock.
@@ -72,15 +75,15 @@ struct Refining<'a> {
     is_laid_anew: bool,
 }
 
-/// Answers a scene on meshes as fine as the targets ask for.
+/// Answers a model on meshes as fine as the targets ask for.
 pub(super) fn towards(
-    scene: &Scene,
+    model: &Arc<Model>,
     targets: &Targets,
     options: &RunOptions,
     best_so_far: Option<Tell>,
 ) -> Result<Answer, CompileError> {
     let mut refining = Refining {
-        scene,
+        model,
         targets,
         options,
         begun: options.clock.start(),
@@ -92,7 +95,7 @@ pub(super) fn towards(
         wanted_levels: 0,
         is_laid_anew: false,
     };
-    let mut next = Next::first(scene);
+    let mut next = Next::first(model);
     if refining.elapsed() > f64::max(options.max_seconds, MOMENT) {
         return Err(CompileError::Late { cause: options.cause().to_string() });
     }
@@ -108,7 +111,7 @@ impl Refining<'_> {
     /// Makes and solves one mesh.
     fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
         let started = self.elapsed();
-        let (refinement, graded) = match next.film(self.scene, self.watch) {
+        let (refinement, graded) = match next.film(self.model, self.watch) {
             Ok(made) => made,
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
         };
@@ -227,10 +230,7 @@ impl Refining<'_> {
         let (wanted, _) = worst(&solved.film, &estimated, &self.targets.wanted);
         let (worst, name) = worst(&solved.film, &estimated, &self.targets.required);
         self.tell(&estimated.quantities, worst, name);
-        let by_film = match self.scene.tolerance {
-            Some(Tolerance::Usual) => worst * estimated.narrowed,
-            _ => worst,
-        };
+        let by_film = if self.targets.are_usual { worst * estimated.narrowed } else { worst };
         let level = Level { solved, estimated, worst, by_film, worst_name: name.to_owned(), wanted };
         let finer = match ended(&level.solved, self.options) {
             None if worst > 1.0 => self.finer(next, &level).map_err(Some),
@@ -300,7 +300,7 @@ impl Refining<'_> {
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
         let film = &level.solved.film;
-        let most_unknowns = match film.load {
+        let most_unknowns = match film.load() {
             Some(_) if film.problem.deflection().is_some() => MOST_WANTED_ON_WALL,
             Some(load) if film.problem.cavitation.conserves_oil() && load.tilting.is_some() => MOST_WANTED_EXPENSIVE,
             _ => MOST_WANTED_UNKNOWNS,
@@ -337,7 +337,7 @@ impl Refining<'_> {
         Distance {
             worst,
             unknowns: self.levels.last().map_or(0, |level| level.unknowns),
-            is_usual: matches!(self.scene.tolerance, Some(Tolerance::Usual)),
+            is_usual: self.targets.are_usual,
         }
     }
 

@@ -10,19 +10,18 @@ use oilwedge_reynolds::film_thickness::Deflection;
 
 use super::growth::Growth;
 use super::level::Level;
-use crate::compile::{compile_near, compile_on};
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
-use crate::grading::{Graded, Shown, graded_within};
-use crate::liner_mesh::{expected_triangles, least_unknowns, liner_mesh, resized};
+use crate::grading::{Graded, Shown, graded, graded_within};
+use crate::liner_mesh::{expected_triangles, least_unknowns, liner_mesh};
+use crate::mesh_plan::MeshPlan;
+use crate::model::Model;
 use crate::no_answer::NoAnswer;
 use crate::observer::Watch;
-use crate::oil::at_temperature;
-use crate::position::Position;
+use crate::position::{FilmState, Position};
 use crate::reasons::Limit;
 use crate::result::Refinement;
-use oilwedge_scene::{MeshSource, Scene};
 
 /// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
 const FIRST: f64 = 3.0;
@@ -49,28 +48,31 @@ const SHARE: f64 = 0.7;
 const LOCAL_GROWTH: f64 = 1.2;
 /// Most times that a mesh is divided locally for one step.
 const MOST_DIVISIONS: usize = 4;
-/// The scene with the first mesh on the way to its tolerance.
-pub fn at_first(scene: &Scene) -> Scene {
-    match scene.mesh {
-        MeshSource::Drawing { size: None } => resized(scene, first_factor(scene)).unwrap_or_else(|| scene.clone()),
-        _ => scene.clone(),
-    }
+/// The film of a model on the first mesh on the way to its tolerance.
+///
+/// # Errors
+/// The model does not become a film.
+pub fn first_film(model: &Arc<Model>) -> Result<Film, CompileError> {
+    let factor = if model.mesh.is_free() { first_factor(model) } else { 1.0 };
+    model.film_near(factor * model.mesh.longest, &model.start())
 }
 
 /// Edges of the first mesh of a drawn liner over those of one that is used as it is.
-fn first_factor(scene: &Scene) -> f64 {
-    factor_for(scene, FIRST, (LEAST_TRIANGLES, f64::INFINITY), Position::start(scene))
+fn first_factor(model: &Model) -> f64 {
+    factor_for(&model.mesh, FIRST, (LEAST_TRIANGLES, f64::INFINITY), &model.start())
 }
 
 /// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and
 /// no more than so many times as many: sizes that holes and grooves ask for are not those that the factor changes, and
 /// a film thinner than the one of the mesh before asks for shorter edges everywhere.
-fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
-    factor *= coarsening(scene, factor, (triangles, most), position);
+fn factor_for(plan: &MeshPlan, mut factor: f64, (triangles, most): (usize, f64), state: &FilmState) -> f64 {
+    // A film much thinner than that of the mesh before may have far more triangles: to draw it first would take longer
+    // than all the rest.
+    let expected = expected_triangles(plan, factor * plan.longest, state) / triangles as f64;
+    factor *= if expected > most { expected.sqrt() } else { 1.0 };
     for _ in 0..DRAWN {
-        let drawn = resized(scene, factor).map(|resized| liner_mesh(&resized, position));
         // What cannot be drawn is reported where it is to be used.
-        let Some(Ok(drawn)) = drawn else { break };
+        let Ok(drawn) = liner_mesh(plan, factor * plan.longest, state) else { break };
         let share = drawn.mesh.triangles().len() as f64 / triangles as f64;
         if (NEARLY_AS_MANY..=most).contains(&share) {
             break;
@@ -78,15 +80,6 @@ fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), p
         factor *= share.sqrt();
     }
     factor
-}
-
-/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that
-/// of the mesh before would have more than `most` times as many `triangles`: to draw it first would take longer than
-/// all the rest.
-fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
-    let expected = resized(scene, factor).and_then(|resized| expected_triangles(&resized, position).ok());
-    let share = expected.map_or(1.0, |expected| expected / triangles as f64);
-    if share > most { share.sqrt() } else { 1.0 }
 }
 
 /// Most unknowns of a first mesh.
@@ -102,27 +95,24 @@ const ESTIMATED_WITHIN: f64 = 2.0;
 ///
 /// # Errors
 /// [`CompileError::BeyondLimit`].
-pub(super) fn check_first(scene: &Scene, watch: Watch) -> Result<(), CompileError> {
-    let coarsest = match scene.mesh {
-        MeshSource::Drawing { size: None } => resized(scene, FIRST),
-        _ => None,
-    };
+pub(super) fn check_first(model: &Model, watch: Watch) -> Result<(), CompileError> {
+    let plan = &model.mesh;
     // What cannot be drawn is reported where it is to be used.
-    let least = coarsest.and_then(|coarse| least_unknowns(&coarse, Position::start(scene)).ok());
+    let least = plan.is_free().then(|| least_unknowns(plan, FIRST * plan.longest, &model.start()).ok()).flatten();
     let surely = least.filter(|least| *least > ESTIMATED_WITHIN * first_limit(watch) as f64);
-    surely.map_or(Ok(()), |least| within_limit(scene, least, watch))
+    surely.map_or(Ok(()), |least| within_limit(plan, least, watch))
 }
 
 /// Refuses a first mesh of so many unknowns if there may not be so many.
-fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), CompileError> {
+fn within_limit(plan: &MeshPlan, unknowns: f64, watch: Watch) -> Result<(), CompileError> {
     if unknowns <= first_limit(watch) as f64 {
         return Ok(());
     }
-    let bearing = &scene.bearing;
-    let turn = bearing.arc.map_or(TAU, |arc| arc.to - arc.from);
+    let liner = &plan.outline.liner;
+    let turn = liner.arc.map_or(TAU, |(from, to)| to - from);
     Err(CompileError::BeyondLimit {
-        around: turn * bearing.radius(),
-        length: bearing.length,
+        around: turn * liner.radius,
+        length: liner.length,
         unknowns,
         most: watch.most_unknowns,
     })
@@ -130,13 +120,13 @@ fn within_limit(scene: &Scene, unknowns: f64, watch: Watch) -> Result<(), Compil
 
 /// The next mesh.
 pub(super) enum Next {
-    /// A mesh made of the scene with longest edges times this, from what a coarser one has shown of the way that a
+    /// A mesh made here with longest edges times this, from what a coarser one has shown of the way that a
     /// moment takes.
     Drawn(f64, Option<Shown>),
-    /// A mesh made of the scene with longest edges times this or less, so that it has about as many triangles as this,
+    /// A mesh made here with longest edges times this or less, so that it has about as many triangles as this,
     /// for the film found before.
     DrawnFiner(f64, usize, Known),
-    /// The mesh of the scene as it is.
+    /// The mesh as it is given or wanted.
     Given,
     /// A mesh at hand, for the film found before.
     Divided(Arc<Mesh>, Refinement, Known),
@@ -145,7 +135,7 @@ pub(super) enum Next {
 /// What the next film takes over from a film found.
 #[derive(Debug, Clone)]
 pub(super) struct Known {
-    /// Where the journal is, as the scene gives it where it does.
+    /// Where the journal is, as it is given where it is.
     position: Position,
     /// Temperature [K] where it was found.
     temperature: Option<f64>,
@@ -156,11 +146,11 @@ pub(super) struct Known {
 impl Known {
     fn of(film: &Film) -> Self {
         Self {
-            position: match film.load {
-                None => Position::start(&film.scene),
+            position: match film.load() {
+                None => Position::start(&film.model),
                 Some(_) => film.position(),
             },
-            temperature: film.thermal.and(film.oil.temperature),
+            temperature: film.model.sockets.thermal.and(film.oil.temperature),
             deflection: film.problem.deflection().cloned(),
         }
     }
@@ -168,15 +158,12 @@ impl Known {
     /// A film at the position known, under the wall known.
     fn begun(&self, mut film: Film) -> Film {
         film.problem = film.problem.deflected(self.deflection.as_ref());
-        film.nearly_balanced()
+        film.begun(crate::film::Start::NearlyBalanced)
     }
 
-    /// The scene, whose temperature is sought from that found.
-    fn scene(&self, scene: &Scene) -> Scene {
-        match self.temperature {
-            Some(temperature) => at_temperature(scene, temperature),
-            None => scene.clone(),
-        }
+    /// The state, whose temperature is sought from that found.
+    fn state(&self, model: &Model) -> FilmState {
+        FilmState { position: self.position, oil: model.oil_at(self.temperature) }
     }
 }
 
@@ -187,36 +174,35 @@ impl Next {
         Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, Known::of(film)))
     }
 
-    pub(super) fn first(scene: &Scene) -> Self {
-        match scene.mesh {
-            MeshSource::Drawing { size: None } => Self::Drawn(first_factor(scene), None),
-            _ => Self::Given,
+    pub(super) fn first(model: &Model) -> Self {
+        match model.mesh.is_free() {
+            true => Self::Drawn(first_factor(model), None),
+            false => Self::Given,
         }
     }
 
     /// The film on it, and how the mesh was made.
-    pub(super) fn film(&self, scene: &Scene, watch: Watch) -> Result<(Refinement, Graded), CompileError> {
+    pub(super) fn film(&self, model: &Arc<Model>, watch: Watch) -> Result<(Refinement, Graded), CompileError> {
+        let plan = &model.mesh;
         match self {
             Self::Given => {
-                let film = graded_within(scene, f64::INFINITY, None, watch)?;
-                Ok((Refinement::Given, film))
+                let film = graded(model, plan.longest, watch)?;
+                Ok((Refinement::Given, film.into()))
             }
             Self::Drawn(factor, shown) => {
-                let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let most = f64::min(MOST_TRIANGLES, 0.5 * first_limit(watch) as f64);
-                let graded = graded_within(&resized, most / factor.min(1.0).powi(2), shown.as_ref(), watch)?;
-                within_limit(scene, graded.film.unknowns() as f64, watch)?;
+                let most = f64::min(MOST_TRIANGLES, 0.5 * first_limit(watch) as f64) / factor.min(1.0).powi(2);
+                let graded = graded_within(model, (factor * plan.longest, most), shown.as_ref(), watch)?;
+                within_limit(plan, graded.film.unknowns() as f64, watch)?;
                 Ok((Refinement::Given, graded))
             }
             Self::DrawnFiner(factor, triangles, known) => {
-                let scene = known.scene(scene);
-                let factor = factor_for(&scene, *factor, (*triangles, TOO_MANY), known.position);
-                let resized = resized(&scene, factor).unwrap_or(scene);
-                let film = compile_near(&resized, known.position)?;
+                let state = known.state(model);
+                let factor = factor_for(plan, *factor, (*triangles, TOO_MANY), &state);
+                let film = model.film_near(factor * plan.longest, &state)?;
                 Ok((Refinement::Drawn, known.begun(film).into()))
             }
             Self::Divided(mesh, refinement, known) => {
-                let film = compile_on(&known.scene(scene), Mesh::clone(mesh), known.position, DEGREE)?;
+                let film = model.film_on(Mesh::clone(mesh), &known.state(model), DEGREE)?;
                 Ok((*refinement, known.begun(film).into()))
             }
         }
@@ -317,13 +303,14 @@ fn divided_once(mesh: &Mesh, indicator: &[f64]) -> Result<(Mesh, Vec<f64>), Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compile::compile;
     use std::path::Path;
 
     #[test]
     fn the_next_mesh_begins_under_the_wall_found() {
         let mut scene = thin_scene("reynolds");
         scene.liner = Some(oilwedge_scene::Liner::Winkler(oilwedge_scene::Layer::Given(1e-13)));
-        let film = crate::compile::compile(&scene).expect("a film");
+        let film = compile(&scene).and_then(|model| model.film()).expect("a film");
         let wall = film.problem.deflection().expect("a wall");
         let bent = wall.with(vec![1e-6; wall.coefficients.len()]);
         let mut found = film.clone();
@@ -333,7 +320,11 @@ mod tests {
         assert_eq!(next.start, crate::film::Start::NearlyBalanced);
     }
 
-    fn thin_scene(model: &str) -> Scene {
+    fn thin(model: &str) -> Arc<Model> {
+        compile(&thin_scene(model)).expect("a model")
+    }
+
+    fn thin_scene(model: &str) -> oilwedge_scene::Scene {
         let text = format!(
             "bearing = {{ diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }}\n\
              oil = {{ viscosity = \"20 mPa.s\" }}\ncavitation = {{ model = \"{model}\" }}\nends = {{ pressure = \"10 kPa\" }}\n\
@@ -344,23 +335,21 @@ mod tests {
 
     #[test]
     fn a_film_found_thinner_is_drawn_with_about_the_triangles_wanted() {
-        let scene = thin_scene("jfo");
-        let thin = Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [7.6e-4, 0.0] };
-        let triangles = |factor: f64| {
-            let resized = resized(&scene, factor).expect("a drawing");
-            liner_mesh(&resized, thin).expect("a mesh").mesh.triangles().len()
-        };
+        let model = thin("jfo");
+        let plan = &model.mesh;
+        let thin = model.state_at(Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [7.6e-4, 0.0] });
+        let triangles =
+            |factor: f64| liner_mesh(plan, factor * plan.longest, &thin).expect("a mesh").mesh.triangles().len();
         let wanted = 700;
         assert!(triangles(1.0) as f64 > TOO_MANY * wanted as f64, "{}", triangles(1.0));
-        let drawn = triangles(factor_for(&scene, 1.0, (wanted, TOO_MANY), thin)) as f64;
+        let drawn = triangles(factor_for(plan, 1.0, (wanted, TOO_MANY), &thin)) as f64;
         let share = drawn / wanted as f64;
         assert!((NEARLY_AS_MANY..TOO_MANY).contains(&share), "{share}");
     }
 
     #[test]
     fn few_triangles_are_divided_until_the_mesh_is_notably_larger() {
-        let scene = thin_scene("reynolds");
-        let mesh = liner_mesh(&scene, Position::start(&scene)).expect("a mesh").mesh;
+        let mesh = thin("reynolds").first_mesh().expect("a mesh").mesh;
         let number = mesh.triangles().len();
         let growth = |mesh: &Mesh| mesh.triangles().len() as f64 / number as f64;
         // Two in a hundred triangles carry all: divided once they make no mesh as large as wanted.
@@ -384,10 +373,12 @@ mod tests {
         let parallel = Position { eccentricity: 0.6, min_film_angle: 0.3, tilt: [0.0; 2] };
         let thin = Position { tilt: [7.6e-4, 0.0], ..parallel };
         for model in ["reynolds", "jfo"] {
-            let scene = thin_scene(model);
+            let made = super::tests::thin(model);
+            let plan = &made.mesh;
             for position in [parallel, thin] {
-                let drawn = liner_mesh(&scene, position).expect("a mesh").mesh.triangles().len() as f64;
-                let expected = expected_triangles(&scene, position).expect("a number");
+                let state = made.state_at(position);
+                let drawn = liner_mesh(plan, plan.longest, &state).expect("a mesh").mesh.triangles().len() as f64;
+                let expected = expected_triangles(plan, plan.longest, &state);
                 let share = expected / drawn;
                 assert!((0.6..1.7).contains(&share), "{model} {position:?}: {expected} for {drawn}");
             }

@@ -84,7 +84,7 @@ pub enum Stable {
 impl DynamicsReport {
     /// The report of a film; `None` where dynamics is not asked for, or could not be computed.
     pub fn of(film: &Film, measured: &Measured) -> Option<Self> {
-        let (asked, dynamics) = (film.dynamics.as_ref()?, measured.dynamics()?);
+        let (asked, dynamics) = (film.model.sockets.dynamics.as_ref()?, measured.dynamics()?);
         let problem = &film.problem;
         let load = measured.load.magnitude();
         let frame = Frame {

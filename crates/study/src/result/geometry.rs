@@ -1,7 +1,8 @@
 //! The shape of the bearing, as much of it as a picture of the film needs.
 
-use oilwedge_scene::Scene;
 use serde::{Deserialize, Serialize};
+
+use crate::model::Model;
 
 /// The liner and the turning of its journal.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -22,16 +23,16 @@ pub struct Geometry {
 }
 
 impl Geometry {
-    /// The geometry of a scene.
-    pub fn of(scene: &Scene) -> Self {
-        let bearing = &scene.bearing;
+    /// The geometry of a model.
+    pub fn of(model: &Model) -> Self {
+        let (outline, bearing) = (&model.mesh.outline, &model.mesh.bearing);
         Self {
-            radius: bearing.radius(),
+            radius: bearing.radius,
             length: bearing.length,
             clearance: bearing.clearance,
-            arc: bearing.arc.map(|arc| [arc.from.to_degrees(), arc.to.to_degrees()]),
-            film_start: bearing.film_start.map(f64::to_degrees),
-            speed: scene.journal.speed,
+            arc: outline.liner.arc.map(|(from, to)| [from.to_degrees(), to.to_degrees()]),
+            film_start: outline.film_start.map(f64::to_degrees),
+            speed: model.scope.speed,
         }
     }
 }

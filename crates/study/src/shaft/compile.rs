@@ -11,8 +11,9 @@ use oilwedge_bearing::shaft::{
 use oilwedge_scene::{self as scene, Journal, Orbit, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support};
 
 use super::error::ShaftError;
+use crate::compile::compile;
+use crate::compile::duty::{NoDuty, crank_of};
 use crate::compile_error::CompileError;
-use crate::duty::{NoDuty, crank_of};
 use crate::film::Film;
 use crate::orbit::on_mesh_for;
 
@@ -86,7 +87,7 @@ pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, 
 
 /// Coordinates of its journal that a film on a shaft sees.
 fn coordinates(film: &Film) -> Coordinates {
-    Coordinates { order: if film.scene.support.is_some() { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
+    Coordinates { order: if film.model.has_support { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
 }
 
 impl Bearing {
@@ -110,6 +111,22 @@ impl Compiled {
     /// This shaft on films of the vertices of their meshes alone.
     pub(super) fn on_vertices(&self) -> Self {
         self.with_films(|_, Bearing { film, .. }| Film { system: Arc::new(film.system.on_vertices()), ..film.clone() })
+    }
+
+    /// This shaft on films that are meshed for another greatest eccentricity [1].
+    ///
+    /// # Errors
+    /// [`ShaftError::Film`]: a bearing cannot be meshed for it.
+    pub(super) fn meshed_for(&self, eccentricity: f64) -> Result<Self, ShaftError> {
+        let mut films: Vec<Film> = Vec::new();
+        for (number, Bearing { path, film, .. }) in self.bearings.iter().enumerate() {
+            let first = self.bearings[..number].iter().position(|other| other.path == *path);
+            films.push(match first {
+                Some(first) => films[first].clone(),
+                None => on_mesh_for(&film.model, &film.model.oil, eccentricity).map_err(failed(path))?,
+            });
+        }
+        Ok(self.with_films(|number, _| films[number].clone()))
     }
 
     /// This shaft with another film of each bearing, by its number.
@@ -145,7 +162,12 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
         let film = match films.iter().find(|(other, _)| other == path) {
             Some((_, film)) => film.clone(),
             None => {
-                let film = on_mesh_for(&on_shaft(path, scene)?, eccentricity).map_err(failed(path))?;
+                let mut model = compile(&on_shaft(path, scene)?).map_err(failed(path))?;
+                if scene.crank.is_none() {
+                    // The loads do not change: the journal moves on the way to its place alone.
+                    Arc::make_mut(&mut model).scope.orbit = None;
+                }
+                let film = on_mesh_for(&model, &model.oil, eccentricity).map_err(failed(path))?;
                 films.push((path.clone(), film.clone()));
                 film
             }

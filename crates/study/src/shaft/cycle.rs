@@ -12,11 +12,12 @@ use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
-use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
+use super::result::{BearingPath, BearingReport, ShaftRun, found_with_shaft};
 use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
-    BALANCED, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion, suits,
+    BALANCED, CycleFacts, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion,
+    suits,
 };
 use crate::reasons::{Cause, Limit};
 use crate::result::Status;
@@ -47,9 +48,9 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
     let mains: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
     let mut run = ShaftRun::of(scene, options.bars);
     for (bearing, cycle) in compiled.bearings.iter().zip(engine.on_mains(&mains, &compiled.throws)) {
-        let own = &*bearing.film.scene;
-        let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
-        let outcome = follow_under(own, &model, &cycle, options);
+        let own = &bearing.film.model;
+        let orbit = own.scope.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let outcome = follow_under(own, (&orbit, &cycle), options);
         let (_, outcome) = outcome.map_err(|source| ShaftError::Film { path: bearing.path.clone(), source })?;
         match outcome {
             Ok(followed) => {
@@ -90,9 +91,9 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     let mut start = compiled.films().first_places(&first);
     if let Some((end, greatest)) = rough(scene, engine, &compiled, (&start, &march), (&mut temperatures, options)) {
         start = end;
-        let is_graded = compiled.bearings.iter().any(|bearing| bearing.film.scene.mesh.is_graded());
+        let is_graded = compiled.bearings.iter().any(|bearing| bearing.film.model.mesh.is_graded());
         if is_graded && !suits(USUAL, greatest) {
-            compiled = compile_shaft(scene, greatest)?;
+            compiled = compiled.meshed_for(greatest)?;
         }
     }
     temperatures.begin_again();
@@ -274,12 +275,7 @@ fn report(
     run.result.cycles = orbit
         .cycles
         .iter()
-        .map(|cycle| CycleReport {
-            closure: cycle.closure,
-            steps: cycle.steps,
-            rejected: cycle.rejected,
-            films: cycle.films,
-        })
+        .map(|cycle| CycleFacts { oil_closure: None, oil_imbalance: None, ..CycleFacts::of(cycle) })
         .collect();
     Ok(())
 }
@@ -297,10 +293,9 @@ fn measured_all(
     let of_bearing = |(number, bearing): (usize, &Bearing)| {
         let cycle = own_load(scene, bearing, &orbits.steps, number);
         let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;
-        let own = &*bearing.film.scene;
-        let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
-        let motion = motion(&bearing.film, own, &model, &cycle);
-        let followed = measured(&bearing.film, &motion, &model, orbits.of(number), options)
+        let orbit = bearing.film.model.scope.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let motion = motion(&bearing.film, &orbit, &cycle);
+        let followed = measured(&bearing.film, &motion, &orbit, orbits.of(number), options)
             .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
         Ok((followed, cycle))
     };
@@ -339,9 +334,8 @@ fn add(
     shells: &[Vector],
     options: &RunOptions,
 ) {
-    let own = &bearing.film.scene;
     let estimated = estimate_errors(&followed.solved);
-    let warnings = all_warnings(own, &followed.solved, &estimated, options.errors());
+    let warnings = all_warnings(&bearing.film.oil, &followed.solved, &estimated, options.errors());
     let named = |warning: Warning| warning.of(&BearingReport::part(&bearing.name));
     (run.result.warnings).extend(warnings.into_iter().map(named));
     let arm = bearing.coordinates().arm;

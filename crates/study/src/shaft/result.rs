@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 use super::compile::Bearing;
 use super::deflection::ShaftDeflection;
 use super::weights::CounterweightReport;
-use crate::duty::DutyCycle;
 use crate::limits::design_criteria;
-use crate::orbit::OrbitPath;
+use crate::orbit::{CycleFacts, OrbitPath};
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
 use crate::result::{Criterion, Geometry, ResultHead, in_order, named};
 use crate::warning::Warning;
+use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// Name and version of the form of `result.json` of a crankshaft.
 pub const SHAFT_FORMAT: &str = "oilwedge-crankshaft/1";
@@ -64,7 +64,7 @@ pub struct ShaftResult {
     /// The shaft as it is bent; `null` where it is cut, or has no answer.
     pub deflection: Option<ShaftDeflection>,
     /// The cycles that were followed; none for a shaft at rest or cut.
-    pub cycles: Vec<CycleReport>,
+    pub cycles: Vec<CycleFacts>,
     /// Counterweights that would serve the bearings better; `null` where they were not sought.
     pub counterweights: Option<CounterweightReport>,
     /// Films solved to find the balance, on the meshes of the result.
@@ -100,20 +100,6 @@ impl Default for ShaftBalances {
     fn default() -> Self {
         Self { force: 0.0, moment: 0.0, journals: 0.0, power: Some(0.0), thermal: 0.0 }
     }
-}
-
-/// One cycle of the shaft.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct CycleReport {
-    /// Greatest distance between beginning and end of a journal, over its clearance [1].
-    pub closure: f64,
-    /// Steps made.
-    pub steps: usize,
-    /// Steps tried in vain.
-    pub rejected: usize,
-    /// Films solved, of all bearings.
-    pub films: usize,
 }
 
 /// One bearing.
@@ -157,11 +143,11 @@ impl BearingReport {
         Self {
             name: bearing.name.clone(),
             scene: bearing.path.display().to_string(),
-            scene_sha256: bearing.film.scene.sha256.clone(),
+            scene_sha256: bearing.film.model.description.sha256.clone(),
             mesh_sha256: bearing.film.origin.sha256.clone(),
             at: bearing.at,
             unknowns: bearing.film.unknowns(),
-            geometry: Geometry::of(&bearing.film.scene),
+            geometry: Geometry::of(&bearing.film.model),
             criteria: design_criteria(&bearing.film, None, &quantities, bars),
             quantities,
             ..Self::default()

@@ -1,6 +1,5 @@
 //! The shaft at rest under loads that do not change: all films at once, or each under what statics gives it.
 
-use std::sync::Arc;
 use std::time::Instant as Clock;
 
 use oilwedge_bearing::Work;
@@ -8,7 +7,7 @@ use oilwedge_bearing::coordinates::{Vector, length, moved};
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::shaft::{Balance, Films, NoBalance, NoFilmAt};
 use oilwedge_reynolds::quantities::load::{Resultant, load};
-use oilwedge_scene::{Scene, ShaftScene};
+use oilwedge_scene::ShaftScene;
 use rayon::prelude::*;
 
 use super::compile::{Bearing, Compiled, compile_shaft};
@@ -17,7 +16,6 @@ use super::error::ShaftError;
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
 use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
 use crate::estimate::{Displacement, Estimated, estimate_errors};
-use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::measure::measure;
 use crate::no_answer::NoAnswer;
@@ -63,7 +61,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
             break found;
         }
         (eccentricity, meshes) = (greatest, meshes + 1);
-        compiled = compile_shaft(scene, eccentricity)?;
+        compiled = compiled.meshed_for(eccentricity)?;
     };
     let mut temperatures = Temperatures::of(&compiled);
     let found = found.map_err(|reason| without(&reason, &compiled, options.cause()));
@@ -114,9 +112,9 @@ fn at_temperatures(
 /// What the quadratic films of a balance show.
 fn shown(at: &Compiled, balance: &Balance) -> Vec<Shown> {
     let of_film = |(bearing, here): (&Bearing, &Instant)| {
-        let film = at_rest(bearing.film.with_journal(here.film.problem.journal));
+        let film = bearing.film.with_journal(here.film.problem.journal);
         let measured = measure(&here.film);
-        let flows = film.thermal.map(|model| thermal_flows(&model, &film, &measured));
+        let flows = film.model.sockets.thermal.map(|model| thermal_flows(&model, &film, &measured));
         (flows, quantities::measured(&View::new(&film, &here.film.problem, &measured)))
     };
     at.bearings.iter().zip(&balance.instants).map(of_film).collect()
@@ -132,13 +130,7 @@ fn without(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> NoShaftAnsw
 }
 
 fn is_graded(bearing: &Bearing) -> bool {
-    bearing.film.scene.mesh.is_graded()
-}
-
-/// A film whose journal is where the shaft rests: its numbers are those of one film, not of a cycle.
-fn at_rest(film: Film) -> Film {
-    let scene = Scene { orbit: None, ..(*film.scene).clone() };
-    Film { scene: Arc::new(scene), ..film }
+    bearing.film.model.mesh.is_graded()
 }
 
 /// The films of a balance, solved with those by which errors are estimated.
@@ -169,7 +161,7 @@ fn reported(
     for _ in 0..MOST_BALANCES {
         let solve = |(bearing, here): (&Bearing, &Instant)| {
             let solve = SolveOptions { errors: options.errors(), ..SolveOptions::default() };
-            isothermal(&at_rest(bearing.film.with_journal(here.film.problem.journal)), &solve)
+            isothermal(&bearing.film.with_journal(here.film.problem.journal), &solve)
         };
         let at: Vec<(&Bearing, &Instant)> = compiled.bearings.iter().zip(&balance.instants).collect();
         let solved: Result<Vec<Solved>, NoAnswer> = at.into_par_iter().map(solve).collect();
@@ -204,7 +196,9 @@ fn report(
     let films = compiled.films();
     let Reported { balance, mut solved, carried, more } = reported(compiled, &films, found, options)?;
     for (number, solved) in solved.iter_mut().enumerate() {
-        let Some((search, model)) = temperatures.of_bearing(number).zip(solved.film.thermal) else { continue };
+        let Some((search, model)) = temperatures.of_bearing(number).zip(solved.film.model.sockets.thermal) else {
+            continue;
+        };
         let flows = thermal_flows_of(&model, solved.reported());
         solved.temperature = Some(TemperatureFound {
             balanced: search.balanced(flows),
@@ -233,7 +227,7 @@ fn report(
             Errors::Estimated => estimated.displaced(solved, of_film.coordinates, errors),
             Errors::Omitted => estimated,
         };
-        let warnings = all_warnings(&solved.film.scene, solved, &estimated, options.errors());
+        let warnings = all_warnings(&solved.film.oil, solved, &estimated, options.errors());
         let shell = shells[number];
         let [tilt_x, tilt_y] = solved.film.problem.journal.tilt;
         let report = BearingReport {

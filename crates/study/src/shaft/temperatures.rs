@@ -3,7 +3,6 @@
 use oilwedge_bearing::ThermalFlows;
 
 use super::compile::{Bearing, Compiled};
-use crate::compile::at_temperature;
 use crate::quantities::Quantity;
 use crate::result::Status;
 use crate::thermal::FilmTemperature;
@@ -20,7 +19,8 @@ pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
 impl Temperatures {
     /// The temperatures of the bearings of a shaft before the first run.
     pub(super) fn of(compiled: &Compiled) -> Self {
-        let of = |Bearing { film, .. }: &Bearing| film.thermal.map(|model| FilmTemperature::of(film, model));
+        let of =
+            |Bearing { film, .. }: &Bearing| film.model.sockets.thermal.map(|model| FilmTemperature::of(film, model));
         Self(compiled.bearings.iter().map(of).collect())
     }
 
@@ -42,7 +42,7 @@ impl Temperatures {
     /// The shaft on films at these temperatures.
     pub(super) fn applied(&self, compiled: &Compiled) -> Compiled {
         compiled.with_films(|number, bearing| match &self.0[number] {
-            Some(search) => at_temperature(&bearing.film, search.temperature),
+            Some(search) => bearing.film.at_temperature(search.temperature),
             None => bearing.film.clone(),
         })
     }

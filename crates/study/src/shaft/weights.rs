@@ -183,7 +183,7 @@ fn maps(compiled: &Compiled) -> Result<Vec<(usize, FiniteMap)>, NoWeights> {
             continue;
         }
         let none = |reason: String| NoWeights::NoMap { bearing: bearing.name.clone(), reason };
-        if let Some(reason) = no_map(&bearing.film.scene) {
+        if let Some(reason) = no_map(&bearing.film.model) {
             return Err(none(reason.to_owned()));
         }
         let map = FiniteMap::new(&bearing.film.problem, &bearing.film.system, GREATEST);

@@ -31,7 +31,9 @@ impl TemperatureFound {
     /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of
     /// them.
     pub fn widen(&self, film: &Film, measured: &Measured, quantities: &mut [Quantity]) {
-        let Some(model) = film.thermal.filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some())) else {
+        let Some(model) =
+            film.model.sockets.thermal.filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some()))
+        else {
             return;
         };
         let flows = thermal_flows(&model, film, measured);

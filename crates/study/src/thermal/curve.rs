@@ -25,7 +25,7 @@ const LEAST_REACH: f64 = 10.0;
 pub fn temperature_report(solved: &Solved, quantities: &[Quantity], options: &RunOptions) -> Option<TemperatureReport> {
     let deadline = options.deadline();
     let film = &solved.film;
-    let (model, found) = (film.thermal?, solved.temperature.as_ref().filter(|found| !found.is_ended)?);
+    let (model, found) = (film.model.sockets.thermal?, solved.temperature.as_ref().filter(|found| !found.is_ended)?);
     let root = found.balanced.temperature;
     let curve = if options.curve { curve(&model, solved, root, deadline) } else { Vec::new() };
     fitness(film, &model, (quantities, options.bars), curve)

@@ -5,7 +5,6 @@ use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::Lubricant;
 
 use super::flows::thermal_flows_of;
-use crate::compile::lubricant;
 use crate::film::Film;
 use crate::thermal_model::ThermalModel;
 
@@ -19,7 +18,7 @@ pub(crate) struct Heating<'a> {
 impl<'a> Heating<'a> {
     /// None of a film whose temperature is given, or has no effect.
     pub(crate) fn of(film: &'a Film) -> Option<Self> {
-        Some(Self { film, model: film.thermal? })
+        Some(Self { film, model: film.model.sockets.thermal? })
     }
 }
 
@@ -29,7 +28,7 @@ impl Heated for Heating<'_> {
     }
 
     fn lubricant(&self, temperature: f64) -> Lubricant {
-        lubricant(self.film, temperature)
+        self.film.lubricant_at(temperature)
     }
 
     fn flows(&self, film: &SolvedFilm) -> ThermalFlows {

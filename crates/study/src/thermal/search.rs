@@ -13,7 +13,6 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::flows::{thermal_flows, thermal_flows_of};
 use super::heating::Heating;
 use super::none;
-use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::isothermal::{heated, isothermal};
 use crate::measure::measure;
@@ -79,7 +78,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
         slopes: slopes.numbers,
         seconds: clock.elapsed().as_secs_f64(),
     });
-    solved.balance = film.load.and(balance);
+    solved.balance = film.load().and(balance);
     Ok(solved)
 }
 
@@ -98,7 +97,7 @@ fn slopes(solved: &Solved, model: &ThermalModel, warming: &FoundWarmth) -> Optio
         let surplus = model.balance.surplus(film.oil.temperature?, &thermal_flows(model, film, &measured));
         Some((quantities::measured(&View::new(film, &film.problem, &measured)), surplus))
     };
-    let film = at_temperature(&solved.film, warming.temperature + BESIDE);
+    let film = solved.film.at_temperature(warming.temperature + BESIDE);
     let film = film.as_found(&warming.followed(&film.problem, BESIDE));
     let beside = film.problem.solve_from(&film.system, Neighbour::Start(&solved.primary)).ok()?;
     let ((here, less), (there, more)) = (numbers(&solved.film, &solved.primary)?, numbers(&film, &beside)?);
@@ -151,7 +150,7 @@ pub(super) fn near_or_cold(
     (film, near): (&Film, Option<&Solved>),
     options: &SolveOptions,
 ) -> Result<Solved, NoAnswer> {
-    let at = |film: &Film, guess| isothermal(&at_temperature(film, temperature), &SolveOptions { guess, ..*options });
+    let at = |film: &Film, guess| isothermal(&film.at_temperature(temperature), &SolveOptions { guess, ..*options });
     let near = near.map(|near| at(&near.film, InitialGuess::Near(Neighbour::Start(&near.primary))));
     near.and_then(Result::ok).map_or_else(|| at(film, InitialGuess::Cold), Ok)
 }

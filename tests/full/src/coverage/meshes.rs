@@ -7,12 +7,12 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 use oilwedge_scene::Scene;
 use oilwedge_study::analysis::solve;
-use oilwedge_study::compile::compile_on;
+use oilwedge_study::compile::compile;
+use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
 use oilwedge_study::grading::graded;
-use oilwedge_study::liner_mesh::{LinerMesh, liner_mesh};
-use oilwedge_study::position::Position;
+use oilwedge_study::liner_mesh::LinerMesh;
 use oilwedge_study::solved::{Errors, SolveOptions, Solved};
 
 use super::bearings::Bearing;
@@ -70,11 +70,12 @@ impl Solve {
     /// As [`Self::new`], or the scene does not fit the mesh.
     pub fn on(&self, scene: &Scene, mesh: Mesh) -> Result<Self, String> {
         let film = &self.solved.film;
-        let position = match film.load {
-            None => Position::start(scene),
-            Some(_) => film.position(),
+        let model = compile(scene).map_err(|error| error.to_string())?;
+        let state = match film.load() {
+            None => model.start(),
+            Some(_) => model.state_at(film.position()),
         };
-        let film = compile_on(scene, mesh, position, 2).map_err(|error| error.to_string())?;
+        let film = model.film_on(mesh, &state, 2).map_err(|error| error.to_string())?;
         Self::new(&film, Kind::Local)
     }
 
@@ -106,7 +107,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
     let mut size = (2.0 * area(&first) / (0.433 * wanted)).sqrt();
     for _ in 0..2 {
         let scene = bearing.scene(Some(size));
-        let Ok(LinerMesh { mesh, .. }) = liner_mesh(&scene, Position::start(&scene)) else {
+        let Ok(LinerMesh { mesh, .. }) = compile(&scene).and_then(|model| model.first_mesh()) else {
             break;
         };
         let ratio = 2.0 * mesh.triangles().len() as f64 / wanted;
@@ -115,11 +116,20 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
     bearing.scene(Some(size))
 }
 
+/// The film of a scene on a mesh graded for it.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn graded_film(scene: &Scene) -> Result<Film, CompileError> {
+    let model = compile(scene)?;
+    graded(&model, model.mesh.longest, Deadline::default().into())
+}
+
 /// A bearing on all its meshes, coarse first; `Err` tells of meshes without an answer.
 pub fn solves(bearing: &Bearing, seed: u64) -> Vec<Result<Solve, String>> {
     let mut dice = Dice::new(seed);
     let compiled = |scene: &Scene| {
-        let study = graded(scene, Deadline::default().into()).map_err(|error| error.to_string())?;
+        let study = graded_film(scene).map_err(|error| error.to_string())?;
         Solve::new(&study, Kind::Drawn)
     };
     let mut found = Vec::new();

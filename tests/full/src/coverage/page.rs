@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use oilwedge_study::compile::compile;
 use oilwedge_study::refinement::answer;
 use oilwedge_study::run_options::RunOptions;
 
@@ -179,14 +180,15 @@ fn scenes(most: usize) -> Vec<Vec<String>> {
 
 fn shipped_rows(bearing: &Bearing, reference: &Result<Reference, String>) -> Vec<Vec<String>> {
     let clock = Instant::now();
-    let Ok(answer) = answer(&bearing.scene(None), &RunOptions::default()) else {
+    let answer = compile(&bearing.scene(None)).and_then(|model| answer(&model, &RunOptions::default()));
+    let Ok(answer) = answer else {
         return Vec::new();
     };
     let (seconds, size) = (clock.elapsed().as_secs_f64(), answer.film.unknowns());
     let (Ok((_, judged)), Ok(reference)) = (answer.outcome, reference) else {
         return Vec::new();
     };
-    let asked = match answer.film.load {
+    let asked = match answer.film.load() {
         Some(_) => ["eccentricity", "attitude_angle", "pressure_max", "side_flow"],
         None => ["load", "attitude_angle", "pressure_max", "side_flow"],
     };

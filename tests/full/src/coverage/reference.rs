@@ -4,16 +4,14 @@
 //! much better than everywhere. How well a number is known is told by its own bar or, where that is less, by what the
 //! last refinement changed.
 
-use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::error_bar::film_error;
-use oilwedge_study::grading::graded;
 use oilwedge_study::quantities::Quantity;
 
 use super::bearings::{Bearing, Family};
-use super::meshes::{Kind, Solve, sized};
+use super::meshes::{Kind, Solve, graded_film, sized};
 
 /// Unknowns of the first mesh.
 const FIRST: f64 = 5000.0;
@@ -50,7 +48,7 @@ pub struct Reference {
 /// The reason why there are none.
 pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     let scene = sized(bearing, FIRST);
-    let study = graded(&scene, Deadline::default().into()).map_err(|error| error.to_string())?;
+    let study = graded_film(&scene).map_err(|error| error.to_string())?;
     let mut before: Vec<Quantity> = Vec::new();
     let mut last = Solve::new(&study, Kind::Drawn)?;
     while last.unknowns < most {

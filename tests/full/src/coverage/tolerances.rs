@@ -2,14 +2,13 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::Deadline;
 use oilwedge_scene::Scene;
-use oilwedge_study::grading::graded;
+use oilwedge_study::compile::compile;
 use oilwedge_study::refinement::{Answer, answer};
 use oilwedge_study::run_options::RunOptions;
 
 use super::bearings::Bearing;
-use super::meshes::{Kind, Solve, sized};
+use super::meshes::{Kind, Solve, graded_film, sized};
 use super::reference::Reference;
 use oilwedge_tests::scenes::{path, table};
 
@@ -52,7 +51,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
     let relative = |load: f64| (load / known.value - 1.0).abs();
     let errors: Vec<(usize, f64)> = (0..MOST)
         .filter_map(|k| {
-            let study = graded(&sized(bearing, LEAST * GROWTH.powi(k)), Deadline::default().into()).ok()?;
+            let study = graded_film(&sized(bearing, LEAST * GROWTH.powi(k))).ok()?;
             let solve = Solve::new(&study, Kind::Drawn).ok()?;
             let load = solve.judged.quantities.iter().find(|quantity| quantity.name == "load")?;
             Some((solve.unknowns, relative(load.value)))
@@ -62,7 +61,8 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
         let last_bad = errors.iter().rposition(|(_, error)| *error > asked);
         let needed = errors.get(last_bad.map_or(0, |k| k + 1)).map(|(unknowns, _)| *unknowns);
         let clock = Instant::now();
-        let Answer { film, outcome, limit, .. } = answer(&tolerant(bearing, asked), &RunOptions::default()).ok()?;
+        let Answer { film, outcome, limit, .. } =
+            answer(&compile(&tolerant(bearing, asked)).ok()?, &RunOptions::default()).ok()?;
         let (_, judged) = outcome.ok()?;
         let load = judged.quantities.iter().find(|quantity| quantity.name == "load")?;
         Some(Met {

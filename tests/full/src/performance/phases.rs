@@ -10,9 +10,7 @@ use oilwedge_reynolds::quantities::load::load;
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
-use oilwedge_study::liner_mesh::liner_mesh;
 use oilwedge_study::measure::{Measured, measure};
-use oilwedge_study::position::Position;
 use oilwedge_study::{Run, RunOptions, run};
 
 use super::floor::Sizes;
@@ -25,7 +23,7 @@ const DEGREE: usize = 2;
 /// # Panics
 /// If there is none.
 pub fn mesh(scene: &Scene) -> Mesh {
-    liner_mesh(scene, Position::start(scene)).unwrap_or_else(|error| panic!("{error}")).mesh
+    compile(scene).and_then(|model| model.first_mesh()).unwrap_or_else(|error| panic!("{error}")).mesh
 }
 
 /// **Number.** Unknowns, pattern of the matrix, and where each element adds to it.
@@ -94,7 +92,7 @@ pub fn substitute(factor: &Factorization, linear: &Linear) -> Vec<f64> {
 /// # Panics
 /// If it does not fit together.
 pub fn study(scene: &Scene) -> Film {
-    compile(scene).unwrap_or_else(|error| panic!("{error}"))
+    compile(scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// **Film, cavitation.** The film of a study from nothing, by the way that the program chooses, the films on coarser
@@ -111,8 +109,8 @@ pub fn film(study: &Film) -> SolvedFilm {
 /// # Panics
 /// If there is none.
 pub fn equilibrium(study: &Film) -> Equilibrium {
-    let load = study.load.expect("a load");
-    let options = SearchOptions { centre_velocity: study.centre_velocity, ..SearchOptions::default() };
+    let load = study.load().expect("a load");
+    let options = SearchOptions { centre_velocity: study.model.sockets.centre_velocity, ..SearchOptions::default() };
     find(&study.problem, &study.system, load, &options).unwrap_or_else(|reason| panic!("{reason}"))
 }
 

@@ -4,10 +4,9 @@ use oilwedge_mesh::refine;
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{compile, compile_on};
+use oilwedge_study::compile::compile;
 use oilwedge_study::film::Film;
 use oilwedge_study::measure::{Measured, measure};
-use oilwedge_study::position::Position;
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{table, variant, written};
 
@@ -23,13 +22,14 @@ fn bars(film: &SolvedFilm) -> ConservingError {
     bars
 }
 
-/// Numbers of a scene on the mesh of `study`, refined uniformly `times` times.
-fn finer(scene: &Scene, study: &Film, times: usize) -> Measured {
+/// Numbers of a film on the mesh of `study`, refined uniformly `times` times.
+fn finer(study: &Film, times: usize) -> Measured {
     let mut mesh = (**study.system.space().mesh()).clone();
     for _ in 0..times {
         mesh = refine::uniform(&mesh).expect("a sound mesh").mesh;
     }
-    let study = compile_on(scene, mesh, Position::start(scene), 2).unwrap_or_else(|error| panic!("{error}"));
+    let model = &study.model;
+    let study = model.film_on(mesh, &model.start(), 2).unwrap_or_else(|error| panic!("{error}"));
     {
         let film = film(&study);
         measure(&film)
@@ -49,11 +49,11 @@ fn finer_meshes_lie_inside() {
             table(scene, "cavitation").insert("model".into(), "jfo".into());
             table(scene, "mesh").insert("size".into(), size.into());
         });
-        let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let study = compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
         let coarse_film = film(&study);
         let bars = bars(&coarse_film);
         assert!(bars.is_resolved, "{name}");
-        let (coarse, fine) = (measure(&coarse_film), finer(&scene, &study, times));
+        let (coarse, fine) = (measure(&coarse_film), finer(&study, times));
         let side = |measured: &Measured| -measured.flows.regions[..2].iter().map(|flow| flow.net).sum::<f64>();
         let cavity = |measured: &Measured| measured.cavity.expect("a cavity");
         let turned = (coarse.load.angle() - fine.load.angle()).sin();
@@ -83,9 +83,9 @@ fn bars_shrink_with_the_mesh() {
     let mut ratios = Vec::new();
     for number in 2000..2009 {
         let scene = RandomBearing::new(number).scene();
-        let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let study = compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
         let mesh = refine::uniform(study.system.space().mesh()).expect("a sound mesh").mesh;
-        let finer = compile_on(&scene, mesh, Position::start(&scene), 2).unwrap_or_else(|error| panic!("{error}"));
+        let finer = study.model.film_on(mesh, &study.model.start(), 2).unwrap_or_else(|error| panic!("{error}"));
         let [before, after] = [&study, &finer].map(|study| bars(&film(study)));
         assert!(before.load.total().is_finite() && before.flows.iter().all(|bar| bar.is_finite()));
         ratios.push(before.load.total() / after.load.total());
@@ -117,11 +117,11 @@ fn forces(measured: &Measured) -> [f64; 4] {
 #[test]
 fn a_film_thin_at_one_end_errs_in_one_direction() {
     let scene = thin_end("10 mm");
-    let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
     let coarse_film = film(&study);
     let bars = bars(&coarse_film);
     let here = forces(&measure(&coarse_film));
-    let there = forces(&finer(&scene, &study, 1));
+    let there = forces(&finer(&study, 1));
     let mut totals = Vec::new();
     for direction in &bars.directions {
         let error: f64 = (0..4).map(|k| direction.direction[k] * (there[k] - here[k])).sum();
@@ -137,7 +137,7 @@ fn a_film_thin_at_one_end_errs_in_one_direction() {
 /// and its film carries nearly as much.
 #[test]
 fn coarser_meshes_of_a_starved_film_carry_nearly_what_it_carries() {
-    let study = compile(&thin_end("5 mm")).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile(&thin_end("5 mm")).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
     let here = forces(&measure(&film(&study)));
     let coarser = study.system.coarser.as_ref().expect("a coarser mesh");
     let problem = coarser.problem(&study.problem);

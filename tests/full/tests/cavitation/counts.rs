@@ -44,7 +44,7 @@ fn study(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Film {
         table(scene, "cavitation").insert("model".into(), "jfo".into());
         edit(scene);
     });
-    compile(&scene).unwrap_or_else(|error| panic!("{error}"))
+    compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn refined(study: &mut Film) {

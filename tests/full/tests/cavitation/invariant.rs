@@ -101,7 +101,7 @@ fn from_everywhere(study: &mut Film) -> [f64; 3] {
 fn the_start_hardly_matters() {
     let mut apart: Vec<f64> = (0..12)
         .map(|number| {
-            let study = compile(&RandomBearing::new(1000 + number).scene());
+            let study = compile(&RandomBearing::new(1000 + number).scene()).and_then(|model| model.film());
             let mut study = study.unwrap_or_else(|error| panic!("{error}"));
             let [nested, cold, empty] = from_everywhere(&mut study);
             (cold / nested - 1.0).abs().max((empty / nested - 1.0).abs())
@@ -129,7 +129,7 @@ oil = {{ viscosity = "20 mPa.s" }}
 cavitation = {{ model = "jfo", pressure = "0 bar" }}
 "#
         ));
-        let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let study = compile(&scene).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
         let (problem, system) = (&study.problem, &study.system);
         let solved = problem.solve(system).unwrap_or_else(|reason| panic!("{reason}"));
         let flow = flows(&solved);

@@ -18,7 +18,8 @@ fn every_bearing_has_its_film() {
     let bearings: Vec<RandomBearing> = (0..BEARINGS).map(RandomBearing::new).collect();
     each(&bearings, |bearing| {
         let told = |what: String| format!("{what} in\n{}", bearing.text);
-        let mut study = compile(&bearing.scene()).map_err(|reason| told(reason.to_string()))?;
+        let mut study =
+            compile(&bearing.scene()).and_then(|model| model.film()).map_err(|reason| told(reason.to_string()))?;
         let film = study.problem.solve(&study.system);
         let film = film.map_err(|reason| told(reason.to_string()))?;
         conserves(&film).map_err(told)?;

@@ -86,9 +86,9 @@ fn balance(number: u64, carrier: Carrier) -> (FilmProblem, usize) {
     static FILMS: Films = Films(AtomicUsize::new(0));
     let mut bearing = TiltedBearing::with_walls(number);
     bearing.text += "[mesh]\nsize = \"30 mm\"\n";
-    let film = compile(&bearing.scene()).unwrap_or_else(|error| panic!("{error}"));
+    let film = compile(&bearing.scene()).and_then(|model| model.film()).unwrap_or_else(|error| panic!("{error}"));
     let options = SearchOptions { carrier, observer: Some(&FILMS), ..SearchOptions::default() };
-    let found = find(&film.problem, &film.system, film.load.expect("a load"), &options);
+    let found = find(&film.problem, &film.system, film.load().expect("a load"), &options);
     let found = found.unwrap_or_else(|reason| panic!("{number}: {reason}"));
     assert!(found.residual < 1e-10, "{number}: {:e}", found.residual);
     (found.film.problem, FILMS.0.swap(0, Ordering::Relaxed))

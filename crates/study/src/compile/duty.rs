@@ -38,7 +38,7 @@ const CYCLE: f64 = 2.0 * std::f64::consts::TAU;
 /// [`NoDuty`]: a table cannot be read or is no table of one period, or the load is not finite.
 pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
     let Some(load) = &scene.load_cycle else { return Ok(None) };
-    let cycle = of_load(scene, load)?.acting_at(scene.load_at.unwrap_or(0.0));
+    let cycle = of_load(load, scene.crank.as_ref(), scene.journal.speed)?.acting_at(scene.load_at.unwrap_or(0.0));
     let cycle = match load.frequency {
         Some(frequency) => cycle.at_frequency(frequency),
         None => cycle,
@@ -51,16 +51,6 @@ pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
     match angles.into_iter().find(|&angle| !is_finite(angle)) {
         Some(angle) => Err(NoDuty::NotFinite { angle }),
         None => Ok(Some(cycle)),
-    }
-}
-
-/// Refuses a scene whose load changes over a cycle where one film is compiled, for no steady film carries such a load;
-/// and one whose orbit has no usable load.
-pub(crate) fn refuse_cycle(scene: &Scene) -> Result<(), CompileError> {
-    match (&scene.load_cycle, &scene.orbit) {
-        (None, _) => Ok(()),
-        (Some(_), None) => Err(CompileError::NoSteadyFilm),
-        (Some(_), Some(_)) => load_of_orbit(scene).map(drop),
     }
 }
 
@@ -85,9 +75,9 @@ pub(crate) fn load_of_orbit(scene: &Scene) -> Result<DutyCycle, CompileError> {
     }
 }
 
-fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
-    let (period, speed) = (load.period, scene.journal.speed);
-    let rod = scene.crank.as_ref().map(|crank| Linkage { radius: crank.radius, rod_length: crank.rod_length });
+fn of_load(load: &LoadCycle, crank: Option<&oilwedge_scene::Crank>, speed: f64) -> Result<DutyCycle, NoDuty> {
+    let period = load.period;
+    let rod = crank.map(|crank| Linkage { radius: crank.radius, rod_length: crank.rod_length });
     let turning = Turning { speed, rod };
     Ok(match &load.source {
         LoadSource::File { path, frame } => {
@@ -106,11 +96,11 @@ fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
         }
         LoadSource::Crank(bearing) => {
             // A computed load without a crank is refused with the scene.
-            let given = scene.crank.as_ref().ok_or(NoDuty::NotFinite { angle: 0.0 })?;
-            let crank = crank_of(given, period)?;
+            let given = crank.ok_or(NoDuty::NotFinite { angle: 0.0 })?;
+            let drive = crank_of(given, period)?;
             match bearing {
-                CrankBearing::BigEnd => DutyCycle::of_big_end(crank, speed),
-                CrankBearing::Main => DutyCycle::of_main(crank, throws(given.drive.as_ref()), speed),
+                CrankBearing::BigEnd => DutyCycle::of_big_end(drive, speed),
+                CrankBearing::Main => DutyCycle::of_main(drive, throws(given.drive.as_ref()), speed),
             }
         }
     })

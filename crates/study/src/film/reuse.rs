@@ -1,0 +1,58 @@
+//! A film for another operating point of the same bearing: physics is made anew, mesh and numbering stay.
+
+use std::mem::discriminant;
+use std::sync::Arc;
+
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
+
+use super::Film;
+use super::made::problem;
+use crate::model::Model;
+use crate::outline::LinerOutline;
+use crate::position::FilmState;
+use oilwedge_scene::Feed;
+
+impl Model {
+    /// Whether two models make the same system of the same mesh, but for given pressures and the film's thickness.
+    pub fn has_same_system(&self, other: &Self) -> bool {
+        let system = |model: &Self| {
+            let sockets = &model.sockets;
+            let closure = (sockets.form, discriminant(&sockets.cavitation));
+            (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some() || sockets.liner.is_some())
+        };
+        let is_same_region = |(a, b): (&Feed, &Feed)| {
+            (&a.group, a.hole, a.groove, a.pressure.is_some()) == (&b.group, b.hole, b.groove, b.pressure.is_some())
+        };
+        // Feeds that overlap are one region as long as their pressures are equal.
+        let names =
+            |outline: &LinerOutline| outline.regions().into_iter().map(|region| region.name).collect::<Vec<String>>();
+        let (one, other_mesh) = (&self.mesh, &other.mesh);
+        let [outline, other_outline] = [&one.outline, &other_mesh.outline];
+        one.source == other_mesh.source
+            // Meshes are graded for the shape of the bore.
+            && one.bores == other_mesh.bores
+            && (outline.liner, outline.film_start) == (other_outline.liner, other_outline.film_start)
+            && system(self) == system(other)
+            && outline.feeds.len() == other_outline.feeds.len()
+            && outline.feeds.iter().zip(&other_outline.feeds).all(is_same_region)
+            && names(outline) == names(other_outline)
+    }
+}
+
+impl Film {
+    /// The film of a model in a state on the system of this one, whose model [`Model::has_same_system`]; `None` where
+    /// given pressures of regions that touch would differ, or another film shares the system.
+    pub fn reused(self, model: &Arc<Model>, state: &FilmState) -> Option<Self> {
+        let mut system = self.system;
+        let problem = problem(model, system.space().mesh(), state);
+        let regions = model.mesh.outline.regions();
+        let fed = |name: &str| regions.iter().find(|region| region.name == name)?.pressure();
+        let pressure = |region: &SupplyRegion| match region.kind {
+            BoundaryKind::Feed => fed(&region.name).unwrap_or(region.pressure),
+            BoundaryKind::End | BoundaryKind::Line | BoundaryKind::Sealed => model.mesh.bearing.end_pressure,
+        };
+        let is_renewed = Arc::get_mut(&mut system)?.renew(&pressure, &problem.film_thickness);
+        let film = |system| Self::made(model, state, problem, system);
+        is_renewed.then(|| Self { origin: self.origin, seconds: self.seconds, ..film(system) })
+    }
+}
