@@ -4,8 +4,7 @@
 use std::f64::consts::PI;
 
 use oilwedge_bearing::{CapBolts, Shell, ThermalBalance};
-use oilwedge_campaign::standard;
-use oilwedge_study::quantities::Quantity;
+use oilwedge_campaign::{Compare, Records};
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
 
@@ -24,21 +23,23 @@ pub const CAR: [(f64, f64, [f64; 7]); 3] = [
 ///
 /// # Panics
 /// If there is none.
-pub fn car(turns: f64, force: f64) -> (RunResult, Vec<Quantity>) {
+pub fn car(turns: f64, force: f64) -> (RunResult, Vec<f64>) {
     let scene = variant("20_heat_balance", |scene| {
         table(scene, "journal").insert("speed".into(), format!("{turns} rpm").into());
         table(scene, "load").insert("force".into(), format!("{force} N").into());
     });
     let options = RunOptions { bars: false, ..RunOptions::default() };
-    let result = run(&scene, &options).expect("a film").result;
-    let (_, heat) = standard(&scene, &result).lists.pop().expect("a balance of the standard");
-    (result, heat)
+    let found = run(&scene, &options).expect("a film");
+    let mut records = Records::default();
+    Compare::Standard.solve(&scene, &options, &found, &mut records).expect("the standard");
+    let balance = records.standard.and_then(|record| record.balance).expect("a balance of the standard");
+    (found.result, balance.0.into_iter().map(|(_, value)| value).collect())
 }
 
 /// The numbers of [`CAR`] by the standard's own balance.
-pub fn by_standard(heat: &[Quantity]) -> [f64; 7] {
+pub fn by_standard(heat: &[f64]) -> [f64; 7] {
     let units = [1.0, 1.0, 1e3, 1.0, 1e6, 1.0, 6e4];
-    std::array::from_fn(|k| units[k] * heat[k].value)
+    std::array::from_fn(|k| units[k] * heat[k])
 }
 
 /// The numbers of [`CAR`] by a film.

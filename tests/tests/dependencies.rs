@@ -1,7 +1,7 @@
 //! The supply chain: licences, duplicates and sources of all dependencies are those that `deny.toml` allows.
 //!
 //! The same file is that of `cargo deny`, which is asked too where it is installed. Advisories are a matter of the day
-//! and need a database from the network: `CONTRIBUTING.md` tells how they are looked up.
+//! and need a database from the network: `docs/maintaining.md` tells how they are looked up.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;

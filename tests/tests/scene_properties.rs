@@ -4,7 +4,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use oilwedge_campaign::theories;
+use oilwedge_campaign::{Compare, Records, comparisons};
 use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_scene::{LoadSource, MeshSource, TemperatureLaw, Tolerance, Viscosity};
 use oilwedge_scene::{Scene, SceneError};
@@ -183,15 +183,18 @@ fn any_scene_has_three_theories_or_their_reasons() {
                  ends = {{ pressure = \"1 bar\" }}\n{journal}\noil = {{ viscosity = \"0.02 Pa.s\" }}\ncavitation = {{ model = \"{model}\" }}\n"
             );
             let Ok(scene) = parse(&text) else { continue };
-            let result = run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{text}")).result;
-            let found = theories(&scene, &options, &result);
+            let solved = run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            let mut records = Records::default();
+            let compared = Compare::Theories.solve(&scene, &options, &solved, &mut records);
+            compared.unwrap_or_else(|error| panic!("{error}\n{text}"));
+            let found = &comparisons(&records, &solved.result)[0];
             for answer in &found.alternatives {
-                let has_film = answer.comparisons.iter().any(|it| it.other.is_some());
+                let has_film = answer.pairs.iter().any(|it| it.other.is_some());
                 let has_reason = found.notes.iter().any(|note| note.contains(&format!("{} film: ", answer.name)));
                 assert!(has_film || has_reason, "{found:?}\n{text}");
                 films += usize::from(has_film);
             }
-            oilwedge_report::result_json(&result, &[found]).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            oilwedge_report::result_json(&solved.result, &records).unwrap_or_else(|error| panic!("{error}\n{text}"));
             legal += 1;
         }
     }

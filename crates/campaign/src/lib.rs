@@ -1,8 +1,9 @@
 //! One scene to many answers: sweeps, convergence studies, the cost of effects, bearing theories, characteristics, the
 //! ISO 7902 twin.
 
-mod add_on;
 pub mod characteristics;
+mod compare;
+mod comparison;
 pub mod convergence;
 mod cost;
 mod mobility;
@@ -11,14 +12,11 @@ mod standard;
 pub mod sweep;
 mod theories;
 
-pub use add_on::{AddOn, Alternative, Comparison, Estimate};
 pub use characteristics::characteristics;
+pub use compare::{Compare, comparisons, shafts};
+pub use comparison::{Alternative, Comparison, Pair};
 pub use convergence::converge;
-pub use cost::effect_costs;
-pub use mobility::mobility;
 pub use records::Records;
-pub use standard::standard;
-pub use theories::theories;
 
 use oilwedge_study::CompileError;
 

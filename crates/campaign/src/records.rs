@@ -1,8 +1,11 @@
 //! What is compared with a film, as `result.json` has it.
 
 use oilwedge_study::orbit::ByMap;
+use oilwedge_study::quantities::{Bar, Quantity, row};
 use oilwedge_study::result::{Status, in_order};
 use serde::{Deserialize, Serialize};
+
+use crate::comparison::Pair;
 
 /// The records in the result file; what was not asked for is absent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -20,6 +23,9 @@ pub struct Records {
     /// The orbits by maps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mobility: Option<Vec<MapRecord>>,
+    /// Why maps lead to no orbit; not in JSON.
+    #[serde(skip)]
+    pub missing_maps: Vec<String>,
 }
 
 /// Numbers of one quantity in the result file, in its unit.
@@ -32,6 +38,39 @@ pub struct Compared<T> {
     /// The numbers.
     #[serde(flatten)]
     pub numbers: T,
+}
+
+/// Numbers of a pair in the result file.
+pub(crate) trait PairNumbers: Sized {
+    /// The numbers of a pair; `None` where it has none.
+    fn of(pair: &Pair) -> Option<Self>;
+
+    /// Value and error of the other answer, beside a film with this error.
+    fn other(&self, film: Option<f64>) -> Option<(f64, Option<f64>)>;
+}
+
+/// The numbers of pairs by the names of their quantities.
+pub(crate) fn recorded<T: PairNumbers>(pairs: &[Pair]) -> Vec<(String, Compared<T>)> {
+    let entry = |it: &Pair| {
+        let (symbol, unit) = (it.row.symbol.to_owned(), it.row.unit.name().to_owned());
+        Some((it.name.clone(), Compared { symbol, unit, numbers: T::of(it)? }))
+    };
+    pairs.iter().filter_map(entry).collect()
+}
+
+/// The quantities of the other answer, beside the film with these `quantities`.
+pub(crate) fn read_back<T: PairNumbers>(recorded: &[(String, Compared<T>)], film: &[Quantity]) -> Vec<Quantity> {
+    let quantity = |(name, it): &(String, Compared<T>)| {
+        let error = film.iter().find(|own| own.name == *name).and_then(Quantity::error);
+        let (value, error) = it.numbers.other(error)?;
+        Some(Quantity { bar: error.map(Bar::of), ..named(name, value)? })
+    };
+    recorded.iter().filter_map(quantity).collect()
+}
+
+/// A quantity by its name; `None` where this version does not know it.
+pub(crate) fn named(name: &str, value: f64) -> Option<Quantity> {
+    Some(Quantity { name: name.to_owned().into(), ..Quantity::new(row(name)?, value) })
 }
 
 /// What an effect changes, in the result file.
@@ -67,6 +106,18 @@ pub struct Change {
     pub change: Option<f64>,
     /// Sum of both bars.
     pub error: Option<f64>,
+}
+
+impl PairNumbers for Change {
+    fn of(pair: &Pair) -> Option<Self> {
+        let [with, without] = pair.values();
+        let change = with.zip(without).map(|(with, without)| pair.row.difference(with, without));
+        Some(Self { with, without, change, error: pair.error() })
+    }
+
+    fn other(&self, film: Option<f64>) -> Option<(f64, Option<f64>)> {
+        Some((self.without?, self.error.zip(film).map(|(sum, film)| sum - film)))
+    }
 }
 
 /// Short, full and long film in the result file.
@@ -105,6 +156,17 @@ pub struct TheoryNumber {
     pub error: Option<f64>,
     /// The value less that of the full film.
     pub difference: Option<f64>,
+}
+
+impl PairNumbers for TheoryNumber {
+    fn of(pair: &Pair) -> Option<Self> {
+        let other = pair.other.as_ref()?;
+        Some(Self { value: other.value, error: other.error(), difference: pair.difference() })
+    }
+
+    fn other(&self, _: Option<f64>) -> Option<(f64, Option<f64>)> {
+        Some((self.value, self.error))
+    }
 }
 
 /// The numbers of the standard, in the result file.
@@ -168,4 +230,14 @@ pub struct MapNumber {
     pub value: f64,
     /// The value less that of the film.
     pub difference: Option<f64>,
+}
+
+impl PairNumbers for MapNumber {
+    fn of(pair: &Pair) -> Option<Self> {
+        Some(Self { value: pair.other.as_ref()?.value, difference: pair.difference() })
+    }
+
+    fn other(&self, _: Option<f64>) -> Option<(f64, Option<f64>)> {
+        Some((self.value, None))
+    }
 }

@@ -10,11 +10,11 @@ use oilwedge_reynolds::{CentreVelocity, Theory};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::{PressureRule, Socket, Sockets};
 use oilwedge_study::oil::Oil;
-use oilwedge_study::quantities::{self, Quantity, Row, VISCOSITY_EFFECTIVE};
+use oilwedge_study::quantities::{self, Bar, Quantity, Row, VISCOSITY_EFFECTIVE};
 use oilwedge_study::result::RunResult;
 
-use crate::add_on::{AddOn, Alternative, Comparison, Estimate};
-use crate::records::{OwnBalance, Records, StandardNumber, StandardRecord};
+use crate::comparison::{Alternative, Comparison, Pair, pairs};
+use crate::records::{OwnBalance, StandardNumber, StandardRecord, named};
 
 mod feed;
 mod twin;
@@ -26,34 +26,24 @@ use twin::{Given, NAME, Twin, own_balance};
 const SLENDERNESS: [f64; 2] = [0.25, 1.5];
 /// Eccentricities for which they were made.
 const ECCENTRICITY: [f64; 2] = [0.1, 0.95];
+/// Name of the effective viscosity in the record of the standard's own balance.
+const VISCOSITY: &str = "viscosity";
 
 /// The bearing of a scene by the standard, beside the film of its `result`.
-pub fn standard(scene: &Scene, result: &RunResult) -> AddOn {
-    let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
+pub(crate) fn record(scene: &Scene, result: &RunResult) -> StandardRecord {
     let oil = Oil::of(scene);
     let is_found = result.effects.fill(Socket::Temperature);
-    let viscosity = match (is_found, value(&quantities::TEMPERATURE_EFFECTIVE)) {
-        (true, Some(celsius)) => oil.at(celsius + ZERO_CELSIUS).viscosity,
-        _ => oil.viscosity,
-    };
-    let numbers = answer(scene, result, viscosity).unwrap_or_else(|reason| {
-        let notes = vec![format!("the standard has no such bearing: {reason}")];
-        Numbers { head: StandardRecord { viscosity, notes, ..StandardRecord::default() }, ..Numbers::default() }
-    });
-    numbers.add_on()
-}
-
-/// What the standard gives.
-#[derive(Debug, Default)]
-struct Numbers {
-    /// Record of the comparison without lists of numbers.
-    head: StandardRecord,
-    comparisons: Vec<Comparison>,
-    balance: Vec<Quantity>,
+    let temperature = result.quantity(&quantities::TEMPERATURE_EFFECTIVE).filter(|_| is_found);
+    let viscosity = temperature.map_or(oil.viscosity, |celsius| oil.at(celsius.value + ZERO_CELSIUS).viscosity);
+    answer(scene, result, viscosity).unwrap_or_else(|reason| StandardRecord {
+        viscosity,
+        notes: vec![format!("the standard has no such bearing: {reason}")],
+        ..StandardRecord::default()
+    })
 }
 
 /// What the standard gives, or why it has no such bearing.
-fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<Numbers, &'static str> {
+fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<StandardRecord, &'static str> {
     let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
     if scene.bearing.arc.is_some() {
         return Err("its fits are those of full bearings, but this one is an arc");
@@ -75,73 +65,79 @@ fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<Numbers, 
     let twin = Twin::of(scene, viscosity, given, &feed).ok_or("the film carries no load")?;
     let mut notes = notes(scene, &twin);
     notes.extend(feed.as_ref().err().cloned());
-    let head = StandardRecord {
+    let balance = own_balance(scene, given, &feed).into_iter().map(|it| match it.row == &VISCOSITY_EFFECTIVE {
+        true => (VISCOSITY.to_owned(), it.value),
+        false => (it.name.into_owned(), it.value),
+    });
+    let balance: Vec<_> = balance.collect();
+    let standard = numbers(scene, &twin, given);
+    let rows: Vec<_> = standard.iter().map(|it| it.row).collect();
+    let pairs = pairs(&rows, &result.quantities, &standard);
+    Ok(StandardRecord {
         given: Some(given.name().to_owned()),
         viscosity,
         feed: feed.as_ref().ok().and_then(|feed| Some(words(feed.as_ref()?.0).to_owned())),
         squeezed_flow: Some(twin.by_film),
         pressed_flow: twin.by_feed,
+        numbers: pairs.iter().filter_map(StandardNumber::of).collect(),
+        balance: (!balance.is_empty()).then_some(OwnBalance(balance)),
         notes,
-        ..StandardRecord::default()
+    })
+}
+
+impl StandardNumber {
+    fn of(pair: &Pair) -> Option<Self> {
+        let film = pair.film.as_ref()?;
+        Some(Self {
+            quantity: pair.name.clone(),
+            unit: pair.row.unit.name().to_owned(),
+            standard: pair.other.as_ref()?.value,
+            film: film.value,
+            error: film.error(),
+            difference: pair.other.as_ref()?.value - film.value,
+        })
+    }
+
+    /// The number of the standard beside that of the film.
+    fn pair(&self) -> Option<Pair> {
+        let film = named(&self.quantity, self.film)?;
+        let film = Quantity { bar: self.error.map(Bar::of), ..film };
+        Pair::between(Some(&film), named(&self.quantity, self.standard).as_ref())
+    }
+}
+
+/// The table of the standard beside the film.
+pub(crate) fn comparison(record: &StandardRecord) -> Comparison {
+    let feed = record.feed.as_ref().map_or(String::new(), |feed| format!(", fed through {feed}"));
+    let title = record.given.as_ref().map_or(NAME.to_owned(), |given| {
+        format!("{NAME} at the same {given}{feed}, and in brackets its difference from this film")
+    });
+    let flow = |value: f64| vec![Quantity::new(&quantities::SIDE_FLOW, value)];
+    let viscosity = || vec![Quantity::new(&VISCOSITY_EFFECTIVE, record.viscosity)];
+    let flows = record.squeezed_flow.zip(record.pressed_flow);
+    let own = |(name, value): &(String, f64)| match name == VISCOSITY {
+        true => Some(Quantity::new(&VISCOSITY_EFFECTIVE, *value)),
+        false => named(name, *value),
     };
-    let balance = own_balance(scene, given, &feed);
-    Ok(Numbers { head, comparisons: beside(scene, result, &twin, given), balance })
-}
-
-impl Numbers {
-    fn record(&self) -> StandardRecord {
-        let number = |it: &Comparison| {
-            let (standard, film) = (it.other?.value, it.film?);
-            Some(StandardNumber {
-                quantity: it.row.name.to_owned(),
-                unit: it.row.unit.name().to_owned(),
-                standard,
-                film: film.value,
-                error: film.error,
-                difference: standard - film.value,
-            })
-        };
-        let balance = self.balance.iter().map(|it| match it.row == &VISCOSITY_EFFECTIVE {
-            true => ("viscosity".to_owned(), it.value),
-            false => (it.row.name.to_owned(), it.value),
-        });
-        StandardRecord {
-            numbers: self.comparisons.iter().filter_map(number).collect(),
-            balance: (!self.balance.is_empty()).then(|| OwnBalance(balance.collect())),
-            ..self.head.clone()
-        }
-    }
-
-    fn add_on(self) -> AddOn {
-        let record = self.record();
-        let StandardRecord { given, viscosity, feed, squeezed_flow, pressed_flow, notes, .. } = self.head;
-        let feed = feed.map_or(String::new(), |feed| format!(", fed through {feed}"));
-        let title = given.as_ref().map_or(NAME.to_owned(), |given| {
-            format!("{NAME} at the same {given}{feed}, and in brackets its difference from this film")
-        });
-        let flow = |value: f64| vec![Quantity::new(&quantities::SIDE_FLOW, value)];
-        let flows = squeezed_flow.zip(pressed_flow).map(|(squeezed, pressed)| {
-            [
-                ("its side_flow by the narrowing film, Q_3", flow(squeezed)),
-                ("its side_flow by the feed pressure, Q_p", flow(pressed)),
-            ]
-        });
-        let of_both = ("viscosity of both", vec![Quantity::new(&VISCOSITY_EFFECTIVE, viscosity)]);
-        let balance = ("with its own temperature", self.balance);
-        let lists = given.map(|_| of_both).into_iter().chain(flows.into_iter().flatten()).chain([balance]);
-        AddOn {
-            title,
-            film: "this film",
-            lists: lists.filter(|(_, quantities)| !quantities.is_empty()).collect(),
-            record: Records { standard: Some(record), ..Records::default() },
-            notes,
-            alternatives: vec![Alternative { name: NAME.to_owned(), comparisons: self.comparisons, seconds: None }],
-        }
+    let balance = record.balance.as_ref().map(|OwnBalance(numbers)| numbers.iter().filter_map(own).collect());
+    let lists = [
+        record.given.as_ref().map(|_| ("viscosity of both", viscosity())),
+        flows.map(|(squeezed, _)| ("its side_flow by the narrowing film, Q_3", flow(squeezed))),
+        flows.map(|(_, pressed)| ("its side_flow by the feed pressure, Q_p", flow(pressed))),
+        balance.map(|balance| ("with its own temperature", balance)),
+    ];
+    let pairs = record.numbers.iter().filter_map(StandardNumber::pair).collect();
+    Comparison {
+        title,
+        film: "this film".to_owned(),
+        alternatives: vec![Alternative { name: NAME.to_owned(), pairs, seconds: None }],
+        lists: lists.into_iter().flatten().collect(),
+        notes: record.notes.clone(),
     }
 }
 
-/// The numbers of the twin beside those of the film.
-fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<Comparison> {
+/// The numbers of the twin, but for those that the scene gives.
+fn numbers(scene: &Scene, twin: &Twin, given: Given) -> Vec<Quantity> {
     let of_load = matches!(given, Given::Load(_));
     let under = |number: f64| of_load.then_some(number);
     let at = |number: f64| (!of_load).then_some(number);
@@ -155,14 +151,7 @@ fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<C
         (&quantities::FRICTION_POWER, Some(twin.power)),
         (&quantities::SIDE_FLOW, twin.flow),
     ];
-    let beside = standard.into_iter().filter_map(|(row, standard): (&Row, _)| {
-        let value = standard?;
-        Some(Comparison {
-            other: Some(Estimate { value, error: None }),
-            ..Comparison::between(result.quantity(row), None)?
-        })
-    });
-    beside.collect()
+    standard.into_iter().filter_map(|(row, value): (&Row, _)| Some(Quantity::new(row, value?))).collect()
 }
 
 /// What keeps the film of the scene and that of the standard apart.
@@ -200,7 +189,7 @@ mod tests {
     use std::path::Path;
 
     /// The twin of a ring, eccentricity 0.7, B/D 0.6, with further lines of the scene.
-    fn twin(journal: &str, more: &str) -> Numbers {
+    fn twin(journal: &str, more: &str) -> StandardRecord {
         let text = format!(
             r#"
 bearing = {{ diameter = "50 mm", length = "30 mm", clearance = "25 um" }}
@@ -216,25 +205,21 @@ journal = {{ speed = "3000 rpm"{journal} }}
 
     const AT: &str = r#", eccentricity = 0.7, min_film_angle = "300 deg""#;
 
-    fn number(twin: &Numbers, row: &Row) -> Comparison {
-        let number = Comparison::of(row, &twin.comparisons);
-        number.unwrap_or_else(|| panic!("no {row:?} in {twin:?}")).clone()
+    fn number<'a>(twin: &'a StandardRecord, row: &Row) -> &'a StandardNumber {
+        let number = twin.numbers.iter().find(|it| it.quantity == row.name);
+        number.unwrap_or_else(|| panic!("no {row:?} in {twin:?}"))
     }
 
     /// The difference, of angles in degrees, else relative.
-    fn off(twin: &Numbers, row: &Row) -> f64 {
+    fn off(twin: &StandardRecord, row: &Row) -> f64 {
         let it = number(twin, row);
-        let film = it.film.filter(|_| it.row.unit != Unit::Degree).map_or(1.0, |film| film.value.abs());
-        it.difference().expect("both") / film
+        it.difference / if row.unit == Unit::Degree { 1.0 } else { it.film.abs() }
     }
 
     #[test]
     fn a_ring_is_near_its_twin_at_its_eccentricity_and_under_its_load() {
         let at = twin(AT, "");
-        assert_eq!(
-            (at.head.given.as_deref(), &at.head.feed, &at.head.notes[..]),
-            (Some("eccentricity"), &None, &[][..])
-        );
+        assert_eq!((at.given.as_deref(), &at.feed, &at.notes[..]), (Some("eccentricity"), &None, &[][..]));
         assert!(
             off(&at, &quantities::LOAD).abs() < 0.03 && off(&at, &quantities::ATTITUDE_ANGLE).abs() < 2.0,
             "{at:?}"
@@ -243,11 +228,11 @@ journal = {{ speed = "3000 rpm"{journal} }}
             off(&at, &quantities::FRICTION_POWER).abs() < 0.03 && off(&at, &quantities::SIDE_FLOW).abs() < 0.05,
             "{at:?}"
         );
-        let load = number(&at, &quantities::LOAD).film.expect("a load").value;
+        let load = number(&at, &quantities::LOAD).film;
         let under = twin("", &format!("load = {{ force = \"{load} N\", angle = \"270 deg\" }}"));
-        assert_eq!(under.head.given.as_deref(), Some("load"));
+        assert_eq!(under.given.as_deref(), Some("load"));
         assert!(off(&under, &quantities::ECCENTRICITY).abs() < 0.02, "{under:?}");
-        let thickness = number(&under, &quantities::FILM_THICKNESS_MIN).other.expect("a thickness").value;
+        let thickness = number(&under, &quantities::FILM_THICKNESS_MIN).standard;
         assert!((thickness - 7.5e-6).abs() < 5e-7);
     }
 
@@ -275,13 +260,9 @@ journal = {{ speed = "3000 rpm"{journal} }}
             (groove("from = \"20 deg\", to = \"140 deg\", "), None),
         ] {
             let twin = twin(AT, &more);
-            assert_eq!(twin.head.feed.as_deref(), wanted, "{more}: {twin:?}");
-            let has_flow = Comparison::of(&quantities::SIDE_FLOW, &twin.comparisons).is_some();
-            assert_eq!(
-                (has_flow, twin.head.notes.is_empty()),
-                (wanted.is_some(), wanted.is_some()),
-                "{more}: {twin:?}"
-            );
+            assert_eq!(twin.feed.as_deref(), wanted, "{more}: {twin:?}");
+            let has_flow = twin.numbers.iter().any(|it| it.quantity == quantities::SIDE_FLOW.name);
+            assert_eq!((has_flow, twin.notes.is_empty()), (wanted.is_some(), wanted.is_some()), "{more}: {twin:?}");
         }
     }
 
@@ -296,7 +277,7 @@ journal = { speed = "3000 rpm", eccentricity = 0.7, min_film_angle = "270 deg" }
         let found = run(&scene, &RunOptions::default()).expect("a film");
         let reason = answer(&scene, &found.result, 0.01).expect_err("an arc");
         assert!(reason.contains("arc"), "{reason}");
-        let add_on = standard(&scene, &found.result);
-        assert!(add_on.alternatives[0].comparisons.is_empty() && add_on.notes[0].ends_with(reason));
+        let table = comparison(&record(&scene, &found.result));
+        assert!(table.alternatives[0].pairs.is_empty() && table.notes[0].ends_with(reason));
     }
 }

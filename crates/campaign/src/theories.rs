@@ -10,7 +10,6 @@ use std::f64::consts::{PI, TAU};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 
 use oilwedge_scene::{Position, Scene, Theory};
-use oilwedge_study::complaints;
 use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
 use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::quantities::{
@@ -18,11 +17,10 @@ use oilwedge_study::quantities::{
     FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
 use oilwedge_study::result::{RunResult, Status};
-use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
 
-use crate::add_on::{AddOn, Alternative, Comparison, by_name};
-use crate::records::{FilmRecord, Records, TheoriesRecord, TheoryNumber};
+use crate::comparison::{Alternative, Comparison, answer, pairs};
+use crate::records::{FilmRecord, TheoriesRecord, read_back, recorded};
 
 /// The numbers that are compared, those of a position under a load and of an orbit included.
 const COMPARED: [&Row; 11] = [
@@ -44,30 +42,43 @@ const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 /// The film by one theory.
 #[derive(Debug, PartialEq)]
 struct TheoryFilm {
-    /// Record of the comparison without numbers.
-    head: FilmRecord,
+    theory: Theory,
+    status: Status,
+    reason: Option<String>,
+    /// Film start [rad] that a long ring was given.
+    film_start: Option<f64>,
     /// The numbers that are compared; none where there is no film.
     quantities: Vec<Quantity>,
 }
 
-/// Runs `scene` by the theories that are not its own; `result` is that of the scene itself, with the same options. A
-/// theory without an answer has its reason.
-pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> AddOn {
+/// The films of `scene` by the theories that are not its own; `result` is that of the scene itself, with the same
+/// options. A theory without an answer has its reason.
+pub(crate) fn record(scene: &Scene, options: &RunOptions, result: &RunResult) -> TheoriesRecord {
     let (films, without) = films(scene, options, result);
-    let alternatives = [0, 1, 2].map(|k| films[k].beside(&films[1]));
-    let slenderness = scene.bearing.length / scene.bearing.diameter;
-    let notes = notes(slenderness, &without, &films);
-    let films = films.iter().zip(&alternatives).map(|(film, it)| film.record(it)).collect();
-    let without = without.into_iter().map(str::to_owned).collect();
-    let [short, _, long] = alternatives;
-    AddOn {
+    TheoriesRecord {
+        slenderness: scene.bearing.length / scene.bearing.diameter,
+        without: without.into_iter().map(str::to_owned).collect(),
+        films: films.iter().map(|film| film.record(&films[1])).collect(),
+    }
+}
+
+/// The table of the short and the long film beside the full one.
+pub(crate) fn comparison(record: &TheoriesRecord) -> Comparison {
+    let full = record.films.iter().find(|film| film.theory == Theory::Full.name());
+    let full = full.map_or(Vec::new(), |film| read_back(&film.quantities, &[]));
+    let others = record.films.iter().filter(|film| film.theory != Theory::Full.name());
+    let alternative = |film: &FilmRecord| Alternative {
+        name: film.theory.clone(),
+        pairs: pairs(&COMPARED, &full, &read_back(&film.quantities, &[])),
+        seconds: None,
+    };
+    Comparison {
         title: "short and long bearing theory (pressure flow along the axis only, around only), and in brackets the difference from the full film"
             .to_owned(),
-        film: "full",
-        alternatives: vec![short, long],
+        film: Theory::Full.name().to_owned(),
+        alternatives: others.map(alternative).collect(),
         lists: Vec::new(),
-        notes,
-        record: Records { theories: Some(TheoriesRecord { slenderness, without, films }), ..Records::default() },
+        notes: notes(record),
     }
 }
 
@@ -83,52 +94,33 @@ fn films(scene: &Scene, options: &RunOptions, result: &RunResult) -> ([TheoryFil
 }
 
 impl TheoryFilm {
-    fn ended(theory: Theory, status: Status, reason: Option<String>, quantities: Vec<Quantity>) -> Self {
-        let theory = theory.name().to_owned();
-        Self { head: FilmRecord { theory, status, reason, film_start_deg: None, quantities: Vec::new() }, quantities }
-    }
-
-    fn quantity(&self, row: &Row) -> Option<&Quantity> {
-        self.quantities.iter().find(|it| it.row == row)
-    }
-
-    /// Numbers of this film beside those of the full film, and those of the full film that it lacks.
-    fn beside(&self, full: &Self) -> Alternative {
-        let own = self.quantities.iter().map(|it| (full.quantity(it.row), Some(it)));
-        let lacking = full.quantities.iter().filter(|it| self.quantity(it.row).is_none());
-        let pairs = own.chain(lacking.map(|it| (Some(it), None)));
-        Alternative {
-            name: self.head.theory.clone(),
-            comparisons: pairs.filter_map(|(full, it)| Comparison::between(full, it)).collect(),
-            seconds: None,
+    fn record(&self, full: &Self) -> FilmRecord {
+        FilmRecord {
+            theory: self.theory.name().to_owned(),
+            status: self.status,
+            reason: self.reason.clone(),
+            film_start_deg: self.film_start.map(f64::to_degrees),
+            quantities: recorded(&pairs(&COMPARED, &full.quantities, &self.quantities)),
         }
-    }
-
-    fn record(&self, numbers: &Alternative) -> FilmRecord {
-        let number = |it: &Comparison| {
-            let other = it.other?;
-            Some(TheoryNumber { value: other.value, error: other.error, difference: it.difference() })
-        };
-        FilmRecord { quantities: by_name(&numbers.comparisons, number), ..self.head.clone() }
     }
 }
 
 /// What was changed of the scene, why a theory has no film, and what B/D says.
-fn notes(slenderness: f64, without: &[&'static str], films: &[TheoryFilm]) -> Vec<String> {
+fn notes(TheoriesRecord { slenderness, without, films }: &TheoriesRecord) -> Vec<String> {
     let mut notes = Vec::new();
     if !without.is_empty() {
         notes.push(format!("all three: without {}", without.join(", without ")));
     }
     for film in films {
         let label = match film.quantities.is_empty() {
-            true => format!("no {} film", film.head.theory),
-            false => film.head.theory.clone(),
+            true => format!("no {} film", film.theory),
+            false => film.theory.clone(),
         };
-        notes.extend(film.head.reason.iter().map(|reason| format!("{label}: {reason}")));
+        notes.extend(film.reason.iter().map(|reason| format!("{label}: {reason}")));
         let start = |start| format!("{label}: the ring was given a film start at its widest gap, {start:.1} deg");
-        notes.extend(film.head.film_start_deg.map(start));
+        notes.extend(film.film_start_deg.map(start));
     }
-    let kind = match slenderness {
+    let kind = match *slenderness {
         low if low <= SHORT_TO => format!("a short bearing (B/D up to {SHORT_TO})"),
         high if high >= LONG_FROM => format!("a long bearing (B/D from {LONG_FROM})"),
         _ => format!("neither short (B/D up to {SHORT_TO}) nor long (from {LONG_FROM})"),
@@ -167,17 +159,12 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
 /// The scene by a theory that is not its own.
 fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
     let (scene, film_start) = by(scene, theory);
-    let without = |reason: String| TheoryFilm::ended(theory, Status::NoSolution, Some(reason), Vec::new());
-    if let Some(complaint) = complaints(&scene).first() {
-        return without(complaint.to_string());
-    }
-    match run(&scene, options) {
-        Ok(found) => {
-            let mut film = film(&scene, theory, &found.result);
-            film.head.film_start_deg = film_start.map(f64::to_degrees);
-            film
+    let found = answer(&scene, options);
+    match &found.result {
+        Some(result) => TheoryFilm { film_start, ..film(&scene, theory, result) },
+        None => {
+            TheoryFilm { theory, status: found.status, reason: found.reason, film_start: None, quantities: Vec::new() }
         }
-        Err(error) => without(error.to_string()),
     }
 }
 
@@ -203,13 +190,19 @@ fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
 fn film(scene: &Scene, theory: Theory, result: &RunResult) -> TheoryFilm {
     let given = GIVEN[usize::from(scene.journal.load().is_some())];
     let wanted = COMPARED.iter().filter(|row| !given.contains(row));
-    let quantities = wanted.filter_map(|row| result.quantity(row)).cloned().collect();
-    TheoryFilm::ended(theory, result.head.status, result.head.reason.clone(), quantities)
+    TheoryFilm {
+        theory,
+        status: result.head.status,
+        reason: result.head.reason.clone(),
+        film_start: None,
+        quantities: wanted.filter_map(|row| result.quantity(row)).cloned().collect(),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use oilwedge_study::run::run;
     use std::path::Path;
 
     const RING: &str = r#"
@@ -225,15 +218,19 @@ cavitation = { model = "guembel" }
         let options = RunOptions { bars: false, ..RunOptions::default() };
         let result = run(&scene, &options).unwrap_or_else(|error| panic!("{error}")).result;
         let (films, without) = films(&scene, &options, &result);
-        let own = films.iter().find(|film| film.head.theory == scene.bearing.theory.name());
+        let own = films.iter().find(|film| film.theory == scene.bearing.theory);
         for it in own.expect("its own").quantities.iter().filter(|_| without.is_empty()) {
             assert_eq!(result.quantity(it.row), Some(it));
         }
         (films, without)
     }
 
+    fn quantity<'a>(film: &'a TheoryFilm, row: &Row) -> Option<&'a Quantity> {
+        film.quantities.iter().find(|it| it.row == row)
+    }
+
     fn value(film: &TheoryFilm, row: &Row) -> f64 {
-        film.quantity(row).unwrap_or_else(|| panic!("no {row:?}: {film:?}")).value
+        quantity(film, row).unwrap_or_else(|| panic!("no {row:?}: {film:?}")).value
     }
 
     /// Short: Ocvirk's load. Long: its half film, from the widest film on, is that of Sommerfeld without its other
@@ -243,7 +240,7 @@ cavitation = { model = "guembel" }
         let (all, _) = found(RING);
         let (again, _) = found(&RING.replacen("\"37.5 um\"", "\"37.5 um\", theory = \"short\"", 1));
         for (one, other) in all.iter().zip(&again) {
-            assert_eq!(value(one, &LOAD), value(other, &LOAD), "{}", one.head.theory);
+            assert_eq!(value(one, &LOAD), value(other, &LOAD), "{}", one.theory.name());
         }
         let scale = 0.02 * 100.0 / 1e-6 * 0.075 * 0.015;
         let ocvirk =
@@ -252,11 +249,16 @@ cavitation = { model = "guembel" }
         assert!((value(short, &LOAD) / (scale * ocvirk) - 1.0).abs() < 5e-3);
         assert!(value(short, &LOAD) > value(full, &LOAD));
         assert!(value(long, &LOAD) > 10.0 * value(full, &LOAD));
-        let start = long.head.film_start_deg.expect("a film start");
+        let start = long.film_start.expect("a film start").to_degrees();
         assert!((start - 20.0).abs() < 1e-9, "{start}");
-        let beside = full.beside(full);
-        assert!(beside.comparisons.iter().all(|it| it.difference() == Some(0.0)));
-        let notes = notes(0.2, &["feeds", "this"], &all);
+        let record = TheoriesRecord {
+            slenderness: 0.2,
+            without: vec!["feeds".into(), "this".into()],
+            films: all.iter().map(|film| film.record(full)).collect(),
+        };
+        let own = record.films[1].quantities.iter();
+        assert!(own.map(|(_, it)| it.numbers.difference).all(|difference| difference == Some(0.0)));
+        let notes = comparison(&record).notes;
         for part in ["without feeds, without this", "long: the ring was given a film start", "a short bearing"] {
             assert!(notes.iter().any(|note| note.contains(part)), "no {part} in {notes:?}");
         }
@@ -284,10 +286,10 @@ cavitation = { model = "guembel" }
             for (film, wanted) in found(&text).0.iter().zip(wanted) {
                 match wanted {
                     Some(words) => {
-                        assert!(film.quantities.is_empty() && film.head.status == Status::NoSolution);
-                        assert!(film.head.reason.as_ref().is_some_and(|it| it.contains(words)), "{film:?}");
+                        assert!(film.quantities.is_empty() && film.status == Status::NoSolution);
+                        assert!(film.reason.as_ref().is_some_and(|it| it.contains(words)), "{film:?}");
                     }
-                    None => assert!(!film.quantities.is_empty() && film.head.reason.is_none(), "{text}{film:?}"),
+                    None => assert!(!film.quantities.is_empty() && film.reason.is_none(), "{text}{film:?}"),
                 }
             }
         }
@@ -315,6 +317,6 @@ cavitation = { model = "guembel" }
         let ([short, full, _], _) = found(&text);
         assert!(value(&short, &ECCENTRICITY) < value(&full, &ECCENTRICITY));
         assert!(value(&short, &FILM_THICKNESS_MIN) > value(&full, &FILM_THICKNESS_MIN));
-        assert!(full.quantity(&LOAD).is_none());
+        assert!(quantity(&full, &LOAD).is_none());
     }
 }

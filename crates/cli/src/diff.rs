@@ -1,13 +1,11 @@
 //! `oilwedge diff`: what differs between two scenes or results.
 
 use crate::complain::Failure;
-use crate::readable::significant;
 use crate::terminal::output;
-use oilwedge_report::difference::{Changed, ChangedQuantity, Difference, of_results};
+use oilwedge_report::difference::{Changed, Difference, of_results};
 use oilwedge_report::json;
-use oilwedge_report::readable::readable_unit_of;
 use oilwedge_report::results::RESULT_FILE;
-use oilwedge_report::tables::{printable, table};
+use oilwedge_report::tables::printable;
 use oilwedge_study::RunOptions;
 use oilwedge_study::result::{RESULT_FORMAT, RunResult};
 use serde_json::Value;
@@ -86,22 +84,9 @@ fn in_words(difference: &Difference) -> String {
         }
     }
     if !difference.quantities.is_empty() {
-        let mut rows = table(["quantity", "A", "B", "change", "both bars", "unit", "exceeds the bars"], 1..5);
-        rows.add_rows(difference.quantities.iter().map(cells));
-        text += &format!("{rows}\n{}\n", verdict(&difference.quantities));
+        text += &(difference.table() + "\n");
     }
     text
-}
-
-/// How many of the changes exceed their bars, and how many are in doubt.
-fn verdict(quantities: &[ChangedQuantity]) -> String {
-    let count = |wanted| quantities.iter().filter(|it| it.exceeds_bars == wanted).count();
-    let (more, unknown) = (count(Some(true)), count(None));
-    let unknown = match unknown {
-        0 => String::new(),
-        unknown => format!("; of {unknown} it is not known"),
-    };
-    format!("{more} of {} changed quantities exceed both error bars together{unknown}", quantities.len())
 }
 
 /// Digits of a check sum that are shown.
@@ -115,25 +100,4 @@ fn line(changed: &Changed) -> String {
         value => printable(&value.to_string()),
     };
     format!("{}: {} -> {}", printable(&changed.key), shown(&changed.a), shown(&changed.b))
-}
-
-fn cells(quantity: &ChangedQuantity) -> [String; 7] {
-    let greatest = [quantity.a, quantity.b].into_iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
-    let (unit, size) = readable_unit_of(greatest, &quantity.unit);
-    let number =
-        |number: Option<f64>, digits| number.map_or("none".to_owned(), |number| significant(number / size, digits));
-    let verdict = match quantity.exceeds_bars {
-        Some(true) => "yes",
-        Some(false) => "no",
-        None => "not known",
-    };
-    [
-        printable(&quantity.name),
-        number(quantity.a, 6),
-        number(quantity.b, 6),
-        number(quantity.change, 3),
-        number(quantity.bars, 3),
-        unit.to_owned(),
-        verdict.to_owned(),
-    ]
 }

@@ -6,6 +6,7 @@ use crate::interrupt;
 use crate::progress::Progress;
 use crate::run_options::folder;
 use crate::terminal::{exit_code, print};
+use oilwedge_campaign::Records;
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::orbit_course::OrbitCourse;
@@ -172,7 +173,12 @@ impl Plot {
         let picture = run.picture.map(|picture| to_vtu(&picture, VtuForm::usual(&picture)));
         let picture = picture.transpose()?;
         let _writing = interrupt::writing();
-        write_results(&folder, &run.result, &[], Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
+        write_results(
+            &folder,
+            &run.result,
+            &Records::default(),
+            Beside { picture: picture.as_deref(), orbit: orbit.as_deref() },
+        )?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;
         if let Some(reason) = &run.result.head.reason {

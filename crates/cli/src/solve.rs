@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
-use oilwedge_campaign::{Records, effect_costs, mobility, standard, theories};
+use oilwedge_campaign::{Compare, Records};
 use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
@@ -187,7 +187,7 @@ impl Solve {
         let working = Progress::of(Self::task(&scene));
         let observed = RunOptions { observer: Some(working.observer()), ..options };
         let model = compile(&scene).map_err(Failure::of(path))?;
-        self.check_add_ons(&model)?;
+        self.check_compared(&model)?;
         let keep = |result| interrupt::keep(Best { result, orbit: None });
         let run = run_telling(&model, &observed, Some(&keep)).map_err(Failure::of(path))?;
         if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
@@ -196,24 +196,13 @@ impl Solve {
                 self.run.folder().display()
             )));
         }
-        let mut add_ons = Vec::new();
-        if self.cost {
-            working.turns_to("the film without each effect");
-            add_ons.push(effect_costs(&scene, &options, &run.result)?);
-        }
-        if self.standard {
-            add_ons.push(standard(&scene, &run.result));
-        }
-        if self.theories {
-            working.turns_to("the film of a short and of a long bearing");
-            add_ons.push(theories(&scene, &options, &run.result));
-        }
-        if let (true, Some(path)) = (self.mobility, &run.orbit) {
-            working.turns_to("the orbit by maps of the film");
-            add_ons.push(mobility(&model, &run.result, path)?);
+        let mut records = Records::default();
+        for kind in self.compared() {
+            working.turns_to(kind.task());
+            kind.solve(&scene, &options, &run, &mut records)?;
         }
         drop(working);
-        let json = result_json(&run.result, &add_ons)?;
+        let json = result_json(&run.result, &records)?;
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         interrupt::keep(Best { result: run.result.clone(), orbit: orbit.clone() });
         let figures = match run.picture.as_ref().filter(|_| self.plot) {
@@ -229,7 +218,7 @@ impl Solve {
         };
         let page = match self.page.is_wanted() {
             true => {
-                let (records, files) = (Records::of(&add_ons), SceneFile::all(&scene.text, path));
+                let files = SceneFile::all(&scene.text, path);
                 let extras = Extras { records: Some(&records), course: course.as_ref(), files: &files };
                 Some(film_page(&run.result, run.picture.as_ref(), extras)?)
             }
@@ -239,7 +228,7 @@ impl Solve {
         let picture = picture.transpose()?;
         let folder = self.run.folder();
         let _writing = interrupt::writing();
-        write_results(&folder, &run.result, &add_ons, Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
+        write_results(&folder, &run.result, &records, Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
         complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
@@ -248,10 +237,16 @@ impl Solve {
         output(
             self.run.json,
             || Ok(json),
-            || run_report(&run.result, self.shown(), &add_ons, Some(written)),
+            || run_report(&run.result, self.shown(), &records, Some(written)),
             Some(&folder),
         )?;
         Ok(exit_code(run.result.head.status))
+    }
+
+    /// What is compared with the film.
+    fn compared(&self) -> impl Iterator<Item = Compare> {
+        let asked = [self.cost, self.standard, self.theories, self.mobility];
+        Compare::ALL.into_iter().zip(asked).filter_map(|(kind, is_asked)| is_asked.then_some(kind))
     }
 
     /// What writes and prints the numbers of a run, without its pictures, that an interrupt ends before it ends by
@@ -259,12 +254,13 @@ impl Solve {
     fn end(&self) -> impl Fn(Best) -> u8 + Send + Sync + 'static {
         let (folder, shown, json) = (self.run.folder(), self.shown(), self.run.json);
         move |Best { result, orbit }| {
+            let none = Records::default();
             let written = || -> Result<(), Failure> {
-                let text = result_json(&result, &[])?;
-                write_results(&folder, &result, &[], Beside { picture: None, orbit: orbit.as_deref() })?;
+                let text = result_json(&result, &none)?;
+                write_results(&folder, &result, &none, Beside { picture: None, orbit: orbit.as_deref() })?;
                 complain::warn(&result.warnings);
                 let written = Written { folder: &folder, has_fields: false, pictures: "" };
-                output(json, || Ok(text), || run_report(&result, shown, &[], Some(written)), Some(&folder))
+                output(json, || Ok(text), || run_report(&result, shown, &none, Some(written)), Some(&folder))
             };
             match written() {
                 Ok(()) => u8::from(result.head.status != Status::Converged),
@@ -290,13 +286,11 @@ impl Solve {
             (self.frames.is_some(), "--frames"),
             (self.all, "--all"),
             (self.plot, "--plot"),
-            (self.cost, "--cost"),
-            (self.standard, "--standard"),
-            (self.theories, "--theories"),
             (self.fresh, "--fresh"),
-            (self.mobility, "--mobility"),
         ];
-        if let Some((_, argument)) = of_one.iter().find(|(is_given, _)| *is_given) {
+        let of_one = of_one.into_iter().filter(|(is_given, _)| *is_given).map(|(_, argument)| argument.to_owned());
+        let compared = self.compared().map(|kind| format!("--{}", kind.name()));
+        if let Some(argument) = of_one.chain(compared).next() {
             return Err(Failure::Message(format!(
                 "{argument}: has no meaning for the scene {} of a crankshaft; leave it out, or solve the scene of one of its bearings",
                 self.run.scene.display()
@@ -338,7 +332,7 @@ impl Solve {
     }
 
     /// Refuses what cannot stand beside the film of this scene.
-    fn check_add_ons(&self, model: &Model) -> Result<(), Failure> {
+    fn check_compared(&self, model: &Model) -> Result<(), Failure> {
         let of_shaft = [(self.counterweights, "--counterweights"), (self.cut, "--cut")];
         if let Some((_, argument)) = of_shaft.iter().find(|(is_given, _)| *is_given) {
             return Err(Failure::Message(format!(

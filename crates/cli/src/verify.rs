@@ -4,16 +4,15 @@ use crate::complain::Failure;
 use crate::progress::Progress;
 use crate::readable::significant;
 use crate::terminal::print;
-use oilwedge_report::folder;
-use oilwedge_report::plot::to_png;
+use oilwedge_campaign::{Alternative, Comparison, Pair};
+use oilwedge_report::sheet::{Sheet, none, number_as, text};
 use oilwedge_report::sweep::Progress as Cases;
-use oilwedge_report::tables::{heading, table, time};
+use oilwedge_report::tables::{heading, time};
+use oilwedge_report::{comparison, folder};
+use oilwedge_study::quantities::{LOAD, Quantity};
 use oilwedge_verification::cases::KNOWN_VALUES;
-use oilwedge_verification::map::{CELLS, unexplained};
-use oilwedge_verification::map_picture::{CellMap, cells_figure};
-use oilwedge_verification::page::{page, page_so_far};
+use oilwedge_verification::run_suite;
 use oilwedge_verification::suite::{self, Verdict};
-use oilwedge_verification::{run_map, run_suite};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -22,23 +21,23 @@ use std::time::{Duration, Instant};
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Verify {
-    /// Solve all hard cases and the map of stability, and write the page about them; some minutes.
+    /// Solve all hard cases, and write the page about them; some minutes.
     #[arg(long)]
     hard: bool,
 
-    /// Only this family of hard cases, without map and page; may be given more than once.
+    /// Only this family of hard cases, without the page; may be given more than once.
     #[arg(long, value_name = "NAME", conflicts_with = "hard")]
     family: Vec<String>,
 
-    /// Folder of stability.md, stability.svg and stability.png.
-    #[arg(long, value_name = "DIR", default_value = "docs/validation", requires = "hard")]
+    /// Folder of stability.md.
+    #[arg(long, value_name = "DIR", default_value = "out/verify", requires = "hard")]
     out: PathBuf,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   oilwedge verify                      cases with known answers (a second)
-  oilwedge verify --hard               all hard cases and the map, to docs/validation/stability.md
+  oilwedge verify --hard               all hard cases, to out/verify/stability.md
   oilwedge verify --family loads       one family of them
 
 Exit status: 0 every case ends as expected; 1 some do not, and are listed with their faults; 2 bad arguments, or the
@@ -56,60 +55,38 @@ impl Verify {
             (false, true) => vec![KNOWN_VALUES.to_owned()],
             (false, false) => self.family.clone(),
         };
-        let cases = suite::count(&names, true)? + if self.hard { CELLS } else { 0 };
+        let cases = suite::count(&names, true)?;
         let mut progress = Progress::of_cases();
-        let (kept, mut done) = (0, 0);
-        let mut so_far = Draft::default();
+        let mut so_far: Vec<Verdict> = Vec::new();
         if self.hard {
             // A folder that cannot be written is reported before minutes have passed.
-            so_far.write(&self.out, [0, cases])?;
+            write(&self.out, &so_far, cases)?;
         }
-        let mut failure = None;
+        let (mut written, mut failure) = (Instant::now(), None);
         let verdicts = run_suite(&names, true, &mut |series| {
-            done += series.len();
-            progress.cases(Cases { kept, done, cases });
-            if self.hard && failure.is_none() {
-                so_far.verdicts.extend_from_slice(series);
+            so_far.extend_from_slice(series);
+            let done = so_far.len();
+            progress.cases(Cases { kept: 0, done, cases });
+            if self.hard && failure.is_none() && written.elapsed() > INTERVAL {
                 progress.line(&line(series, [done, cases], clock));
-                failure = so_far.keep(&self.out, [done, cases]).err();
+                failure = write(&self.out, &so_far, cases).err();
+                written = Instant::now();
             }
         })?;
         if let Some(failure) = failure {
             return Err(failure);
         }
-        let maps = match self.hard {
-            true => {
-                so_far.write(&self.out, [done, cases])?;
-                Vec::from(run_map(&mut |count| {
-                    done += count;
-                    progress.cases(Cases { kept, done, cases });
-                    progress.line(&format!("{done} of {cases} cases, {}: map", time(clock.elapsed().as_secs_f64())));
-                })?)
-            }
-            false => Vec::new(),
-        };
         drop(progress);
-        let faults = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).count()
-            + maps.iter().flat_map(unexplained).count();
-        let mut text = report(&verdicts, &maps, clock.elapsed().as_secs_f64());
+        let outcome = format!("{} cases, {}", verdicts.len(), outcome(&verdicts));
+        let mut told = heading("Verification", &outcome) + "\n\n" + &ends(&verdicts).terminal() + "\n";
+        told += &known_values(&verdicts).map_or(String::new(), |known| format!("\n{}\n", known.terminal()));
+        told += &format!("\ntime      {}\n", time(clock.elapsed().as_secs_f64()));
         if self.hard {
-            self.write(&verdicts, &maps)?;
-            text += &format!("written   {}: stability.md, stability.svg, stability.png\n", self.out.display());
+            write(&self.out, &verdicts, cases)?;
+            told += &format!("written   {}: {PAGE}\n", self.out.display());
         }
-        print(&text, self.hard.then_some(self.out.as_path()))?;
-        Ok(if faults == 0 { ExitCode::SUCCESS } else { ExitCode::from(1) })
-    }
-
-    fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
-        let figure = cells_figure(maps);
-        let (svg, png) = (figure.to_svg(), to_png(&figure)?);
-        let text = page(verdicts, maps, PICTURES[1]);
-        let files = [
-            (PICTURES[0].as_ref(), Some(svg.as_bytes())),
-            (PICTURES[1].as_ref(), Some(&png[..])),
-            (PAGE.as_ref(), Some(text.as_bytes())),
-        ];
-        Ok(folder::replace(&self.out, &files)?)
+        print(&told, self.hard.then_some(self.out.as_path()))?;
+        Ok(ExitCode::from(u8::from(verdicts.iter().any(|verdict| !verdict.faults.is_empty()))))
     }
 }
 
@@ -122,96 +99,59 @@ fn line(series: &[Verdict], [done, cases]: [usize; 2], clock: Instant) -> String
 
 /// Time between two pages of a suite that is running.
 const INTERVAL: Duration = Duration::from_secs(1);
-
-/// The page of a suite that is running.
-#[derive(Default)]
-struct Draft {
-    verdicts: Vec<Verdict>,
-    written: Option<Instant>,
-}
-
-impl Draft {
-    /// Writes the page if the last one is old.
-    fn keep(&mut self, folder: &Path, progress: [usize; 2]) -> Result<(), Failure> {
-        match self.written {
-            Some(written) if written.elapsed() < INTERVAL => Ok(()),
-            _ => self.write(folder, progress),
-        }
-    }
-
-    /// Writes the page, whole or not at all. Pictures of an earlier run are taken away.
-    fn write(&mut self, folder: &Path, progress: [usize; 2]) -> Result<(), Failure> {
-        let text = page_so_far(&self.verdicts, progress);
-        let files =
-            [(PICTURES[0].as_ref(), None), (PICTURES[1].as_ref(), None), (PAGE.as_ref(), Some(text.as_bytes()))];
-        folder::replace(folder, &files)?;
-        self.written = Some(Instant::now());
-        Ok(())
-    }
-}
-
 /// File of the page.
 const PAGE: &str = "stability.md";
-/// File of the picture of the page.
-const PICTURES: [&str; 2] = ["stability.svg", "stability.png"];
 
-/// Computed numbers beside known ones, in a table; nothing where there are none.
-fn known_values(verdicts: &[Verdict]) -> String {
-    let mut cells = table(["case", "quantity", "known", "computed", "± error", "difference", "unit"], 2..6);
-    let mut is_empty = true;
-    for verdict in verdicts {
-        for it in &verdict.known {
-            let (computed, bar) = it.computed;
-            cells.add_row([
-                verdict.case.name(),
-                it.quantity.clone(),
-                significant(it.known, 6),
-                significant(computed, 6),
-                significant(bar, 2),
-                significant(it.difference, 2),
-                it.unit.to_owned(),
-            ]);
-            is_empty = false;
+/// Writes the page of the cases that have ended, whole or not at all.
+fn write(folder: &Path, verdicts: &[Verdict], cases: usize) -> Result<(), Failure> {
+    let note = match verdicts.len() == cases {
+        true => format!("{cases} cases, {}.", outcome(verdicts)),
+        false => {
+            format!("**Incomplete: {} of {cases} cases.** The run has not ended, or was ended early.", verdicts.len())
         }
-    }
-    match is_empty {
-        true => String::new(),
-        false => format!("\n{cells}\n"),
+    };
+    let page = format!("# Hard cases\n\n{note}\n\n{}", ends(verdicts).markdown());
+    Ok(folder::replace(folder, &[(PAGE.as_ref(), Some(page.as_bytes()))])?)
+}
+
+fn outcome(verdicts: &[Verdict]) -> String {
+    match verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).count() {
+        0 => "all as expected".to_owned(),
+        count => format!("{count} unexplained"),
     }
 }
 
-/// The cases in a table, their faults below it.
-fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
-    let mut cells = table(["case", "ends", "seconds", "load [N]", "bar", "compared with"], 2..5);
-    let number = |value: Option<f64>, digits| value.map_or(String::new(), |value| significant(value, digits));
-    for verdict in verdicts {
+/// Computed numbers beside known ones; nothing where there are none.
+fn known_values(verdicts: &[Verdict]) -> Option<Sheet> {
+    let named =
+        |verdict: &Verdict, it: &Pair| Pair { name: format!("{}: {}", verdict.case.name(), it.name), ..it.clone() };
+    let pairs = verdicts.iter().flat_map(|verdict| verdict.known.iter().map(|it| named(verdict, it))).collect();
+    let computed = Alternative { name: "computed".to_owned(), pairs, seconds: None };
+    let known = Comparison { film: "known".to_owned(), alternatives: vec![computed], ..Comparison::default() };
+    Some(comparison::sheet(&known)).filter(|sheet| !sheet.rows.is_empty())
+}
+
+/// How the cases ended, their faults below.
+fn ends(verdicts: &[Verdict]) -> Sheet {
+    let row = |verdict: &Verdict| {
         let mark = if verdict.faults.is_empty() { "" } else { "! " };
-        cells.add_row([
-            format!("{mark}{}", verdict.case.name()),
-            verdict.end.name().to_owned(),
-            format!("{:.2}", verdict.seconds),
-            number(verdict.load.map(|(load, _)| load), 5),
-            number(verdict.load.and_then(|(_, bar)| bar), 2),
-            verdict.against.clone(),
-        ]);
-    }
-    let known = known_values(verdicts);
-    let faulty: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).collect();
-    let outcome = match faulty.len() {
-        0 => "all as expected".to_owned(),
-        count => format!("{count} unexplained"),
+        let load = verdict.result.as_ref().and_then(|result| result.quantity(&LOAD));
+        let number =
+            |value: Option<f64>, digits| value.map_or_else(none, |value| number_as(value, significant(value, digits)));
+        vec![
+            text(format!("{mark}{}", verdict.case.name())),
+            text(verdict.end.name()),
+            number_as(verdict.seconds, format!("{:.2}", verdict.seconds)),
+            number(load.map(|load| load.value), 5),
+            number(load.and_then(Quantity::error), 2),
+            text(verdict.against.as_str()),
+        ]
     };
-    let mut text = heading("Verification", &format!("{} cases, {outcome}", verdicts.len()))
-        + "\n\n"
-        + &cells.to_string()
-        + "\n"
-        + &known;
-    for verdict in faulty {
-        text += &format!("\n! {} ({})\n", verdict.case.name(), verdict.case.family);
-        text += &verdict.faults.iter().map(|fault| format!("    {fault}\n")).collect::<String>();
+    let header = ["case", "ends", "seconds", "load [N]", "bar", "compared with"];
+    let mut sheet = Sheet::new("", header, verdicts.iter().map(row).collect());
+    for verdict in verdicts.iter().filter(|verdict| !verdict.faults.is_empty()) {
+        let name = format!("! {} ({}):", verdict.case.name(), verdict.case.family);
+        sheet.notes.push(format!("{name} {}", verdict.faults.join("; ")));
     }
-    for cell in maps.iter().flat_map(unexplained) {
-        text += &format!("\n! map: {cell}\n");
-    }
-    text + &format!("\ntime      {}\n", time(seconds))
+    sheet
 }

@@ -1,6 +1,6 @@
 //! The numbers of a run, as JSON and as tables.
 
-use oilwedge_campaign::AddOn;
+use oilwedge_campaign::Records;
 use oilwedge_report::tables::{Shown, run_report};
 use oilwedge_study::result::RunResult;
 use pyo3::prelude::*;
@@ -18,19 +18,19 @@ pub(crate) struct Numbers {
 /// What tables are made of.
 enum Tables {
     /// The result itself.
-    Run(Box<RunResult>, Vec<AddOn>),
+    Run(Box<RunResult>, Box<Records>),
     /// The short and the whole table, of a result that came from another process.
     Texts([String; 2]),
 }
 
 impl Numbers {
-    pub(crate) fn of_run(json: String, result: RunResult, add_ons: Vec<AddOn>) -> Self {
-        Self { json, tables: Tables::Run(Box::new(result), add_ons) }
+    pub(crate) fn of_run(json: String, result: RunResult, records: Records) -> Self {
+        Self { json, tables: Tables::Run(Box::new(result), Box::new(records)) }
     }
 
     fn shown(&self, shown: Shown) -> String {
         match (&self.tables, shown) {
-            (Tables::Run(result, add_ons), shown) => run_report(result, shown, add_ons, None),
+            (Tables::Run(result, records), shown) => run_report(result, shown, records, None),
             (Tables::Texts([short, _]), Shown::Headlines) => short.clone(),
             (Tables::Texts([_, whole]), Shown::All) => whole.clone(),
         }

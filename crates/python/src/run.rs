@@ -1,6 +1,6 @@
 //! One scene to its result.
 
-use oilwedge_campaign::{AddOn, effect_costs, mobility, standard, theories};
+use oilwedge_campaign::{Compare, Records};
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::result_json;
 use oilwedge_study::orbit::no_map;
@@ -57,32 +57,23 @@ pub(crate) fn solve<'py>(py: Python<'py>, scene: &Scene, asked: Asked, add_ons: 
     let found = done(py, asked.threads, move |interrupt| {
         let options = asked.options(&own, interrupt);
         let model = oilwedge_study::compile(&own).map_err(Failure::of(&path))?;
-        if let Some(reason) = no_map(&model).filter(|_| add_ons.iter().any(|name| name == MOBILITY)) {
+        if let Some(reason) = no_map(&model).filter(|_| add_ons.iter().any(|name| name == Compare::Mobility.name())) {
             return Err(Failure::Argument(format!(
-                "add_ons: no map stands for the film of {}, since {reason}; leave out \"{MOBILITY}\"",
-                path.display()
+                "add_ons: no map stands for the film of {}, since {reason}; leave out \"{}\"",
+                path.display(),
+                Compare::Mobility.name()
             )));
         }
         let run = oilwedge_study::run_telling(&model, &options, None).map_err(Failure::of(&path))?;
-        let mut tables: Vec<AddOn> = Vec::new();
-        for name in &add_ons {
-            let table = match (name.as_str(), &run.orbit) {
-                ("cost", _) => Some(effect_costs(&own, &options, &run.result).map_err(Failure::of(&path))?),
-                ("standard", _) => Some(standard(&own, &run.result)),
-                ("theories", _) => Some(theories(&own, &options, &run.result)),
-                (MOBILITY, Some(orbit)) => Some(mobility(&model, &run.result, orbit).map_err(Failure::of(&path))?),
-                _ => None,
-            };
-            tables.extend(table);
+        let mut records = Records::default();
+        for kind in Compare::ALL.into_iter().filter(|kind| add_ons.iter().any(|name| name == kind.name())) {
+            kind.solve(&own, &options, &run, &mut records).map_err(Failure::of(&path))?;
         }
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
-        let json = result_json(&run.result, &tables)?;
-        Ok((Numbers::of_run(json, run.result, tables), run.picture, orbit))
+        let json = result_json(&run.result, &records)?;
+        Ok((Numbers::of_run(json, run.result, records), run.picture, orbit))
     });
     let (numbers, picture, orbit): (Numbers, Option<FilmPicture>, Option<Vec<u8>>) = found?;
     let film = picture.map(|picture| moved(py, picture)).transpose()?;
     Ok((numbers, film, orbit.map(|table| PyBytes::new(py, &table))))
 }
-
-/// Name of the add-on that follows an orbit by maps.
-const MOBILITY: &str = "mobility";

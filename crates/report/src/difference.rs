@@ -3,9 +3,11 @@
 use std::collections::BTreeSet;
 
 use crate::Error;
+use crate::comparison::sheet;
+use oilwedge_campaign::{Alternative, Comparison, Pair};
 use oilwedge_study::quantities::{CATALOGUE, Quantity, Unit};
 use oilwedge_study::result::RunResult;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 /// A key of a scene or result whose value differs.
@@ -19,25 +21,6 @@ pub struct Changed {
     pub b: Value,
 }
 
-/// A quantity whose value differs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ChangedQuantity {
-    /// Name of the quantity.
-    pub name: String,
-    /// Unit of the quantity.
-    pub unit: String,
-    /// Value of the first; `null` where it is absent.
-    pub a: Option<f64>,
-    /// Value of the second; `null` where it is absent.
-    pub b: Option<f64>,
-    /// `b - a`; of angles the lesser way round.
-    pub change: Option<f64>,
-    /// Sum of the half widths of both error bars; `null` where one has none.
-    pub bars: Option<f64>,
-    /// Whether the change is more than this sum, so that the bars do not overlap; `null` where it cannot be known.
-    pub exceeds_bars: Option<bool>,
-}
-
 /// All that differs.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Difference {
@@ -47,7 +30,8 @@ pub struct Difference {
     /// of the scene and geometry where a result does not hold the text of its scene.
     pub facts: Vec<Changed>,
     /// Quantities that differ by more than round-off, in the order of the catalogue.
-    pub quantities: Vec<ChangedQuantity>,
+    #[serde(serialize_with = "in_json")]
+    pub quantities: Vec<Pair>,
 }
 
 impl Difference {
@@ -55,6 +39,29 @@ impl Difference {
     pub fn is_none(&self) -> bool {
         self.keys.is_empty() && self.facts.is_empty() && self.quantities.is_empty()
     }
+
+    /// The quantities of both side by side, and how many of their changes exceed the error bars.
+    pub fn table(&self) -> String {
+        let count = |wanted| self.quantities.iter().filter(|it| it.exceeds_bars() == wanted).count();
+        let (more, of) = (count(Some(true)), self.quantities.len());
+        let unknown = match count(None) {
+            0 => String::new(),
+            unknown => format!("; of {unknown} it is not known"),
+        };
+        let note = format!("{more} of {of} changed quantities exceed both error bars together{unknown}");
+        let b = Alternative { name: "B".to_owned(), pairs: self.quantities.clone(), seconds: None };
+        sheet(&Comparison { film: "A".to_owned(), alternatives: vec![b], notes: vec![note], ..Comparison::default() })
+            .terminal()
+    }
+}
+
+fn in_json<S: Serializer>(quantities: &[Pair], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(quantities.iter().map(|it| {
+        let [a, b] = it.values();
+        let (unit, change, bars) = (it.row.unit.name(), it.difference(), it.error());
+        json!({ "name": it.name, "unit": unit, "a": a, "b": b, "change": change, "bars": bars,
+            "exceeds_bars": it.exceeds_bars() })
+    }))
 }
 
 /// Round-off relative to the greatest value of a unit [1].
@@ -132,29 +139,18 @@ fn names<'a>(a: &'a Map<String, Value>, b: &'a Map<String, Value>) -> impl Itera
     a.keys().chain(others).map(String::as_str)
 }
 
-fn quantities(a: &[Quantity], b: &[Quantity]) -> Vec<ChangedQuantity> {
-    let changed = |name: &str| {
+fn quantities(a: &[Quantity], b: &[Quantity]) -> Vec<Pair> {
+    let names: BTreeSet<&str> = a.iter().chain(b).map(|it| it.name.as_ref()).collect();
+    let pairs = names.into_iter().filter_map(|name| {
         let [first, second] = [a, b].map(|all| all.iter().find(|it| it.name == name));
-        let row = first.or(second)?.row;
-        let [from, to] = [first, second].map(|it| it.map(|it| it.value));
-        let change = from.zip(to).map(|(from, to)| row.difference(to, from));
-        let bars = first.and_then(Quantity::error).zip(second.and_then(Quantity::error)).map(|(a, b)| a + b);
-        let round_off = ROUND_OFF * greatest(a, row.unit).max(greatest(b, row.unit));
-        let is_changed = from != to && change.is_none_or(|change| change.abs() > round_off);
-        is_changed.then(|| ChangedQuantity {
-            name: name.to_owned(),
-            unit: row.unit.name().to_owned(),
-            a: from,
-            b: to,
-            change,
-            bars,
-            exceeds_bars: change.zip(bars).map(|(change, bars)| change.abs() > bars),
-        })
+        Pair::between(first, second)
+    });
+    let is_changed = |it: &Pair| {
+        let round_off = ROUND_OFF * greatest(a, it.row.unit).max(greatest(b, it.row.unit));
+        it.difference().is_none_or(|change| change.abs() > round_off)
     };
-    let names = |of: &'_ [Quantity]| of.iter().map(|it| it.name.clone()).collect::<BTreeSet<_>>();
-    let (own, others) = (names(a), names(b));
-    let mut all: Vec<_> = own.iter().chain(others.difference(&own)).filter_map(|name| changed(name)).collect();
-    all.sort_by_key(|quantity| CATALOGUE.iter().position(|row| row.has(&quantity.name)));
+    let mut all: Vec<_> = pairs.filter(is_changed).collect();
+    all.sort_by_key(|it| CATALOGUE.iter().position(|row| row.has(&it.name)));
     all
 }
 
@@ -183,13 +179,13 @@ mod tests {
         let a = result(100.0, Some(1.0), 359.0);
         let to = |b: &RunResult| of_results(&a, b).expect("a difference");
         assert!(to(&a).is_none());
-        let exceeds = |load: f64, error: Option<f64>| to(&result(load, error, 359.0)).quantities[0].exceeds_bars;
+        let exceeds = |load: f64, error: Option<f64>| to(&result(load, error, 359.0)).quantities[0].exceeds_bars();
         assert_eq!(exceeds(102.9, Some(2.0)), Some(false));
         assert_eq!(exceeds(96.9, Some(2.0)), Some(true));
         assert_eq!(exceeds(96.9, None), None);
         // Angles differ the lesser way round.
         let turned = to(&result(100.0, Some(1.0), 1.0)).quantities;
-        assert_eq!((turned[0].change, turned[0].exceeds_bars), (Some(2.0), Some(true)));
+        assert_eq!((turned[0].difference(), turned[0].exceeds_bars()), (Some(2.0), Some(true)));
     }
 
     #[test]

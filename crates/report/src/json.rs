@@ -2,7 +2,7 @@
 
 use crate::Error;
 use ciborium::Value;
-use oilwedge_campaign::{AddOn, Records};
+use oilwedge_campaign::Records;
 use oilwedge_study::result::RunResult;
 use serde::{Deserialize, Serialize};
 
@@ -31,8 +31,8 @@ pub struct ResultFile {
 ///
 /// # Errors
 /// As [`json`].
-pub fn result_json(result: &RunResult, add_ons: &[AddOn]) -> Result<String, Error> {
-    json(&ResultFile { result: result.clone(), records: Records::of(add_ons) })
+pub fn result_json(result: &RunResult, records: &Records) -> Result<String, Error> {
+    json(&ResultFile { result: result.clone(), records: records.clone() })
 }
 
 /// What a value must not hold.

@@ -49,9 +49,25 @@ pub fn readable_unit_of(value: f64, unit: &str) -> (&str, f64) {
     }
 }
 
-/// A unit as it is printed, with its true letters.
+/// Digits as powers.
+const SUPERSCRIPTS: [char; 10] =
+    ['\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}'];
+/// A number with a true minus, and a power of ten in place of an exponent.
+pub(crate) fn with_minus(number: String) -> String {
+    let (mantissa, exponent) = number.split_once('e').unwrap_or((&number, ""));
+    let power = |letter: char| match letter {
+        '-' => '\u{207b}',
+        digit => digit.to_digit(10).map_or(digit, |digit| SUPERSCRIPTS[digit as usize]),
+    };
+    let power: String = exponent.chars().map(power).collect();
+    let ten = if power.is_empty() { "" } else { "\u{b7}10" };
+    format!("{}{ten}{power}", mantissa.replace('-', "\u{2212}"))
+}
+
+/// A unit as it is printed, with its true letters; nothing for a pure number.
 pub fn printed_unit(unit: &str) -> String {
     match unit {
+        "1" => String::new(),
         "deg" => "\u{b0}".to_owned(),
         "degC" => "\u{b0}C".to_owned(),
         "um" => "\u{b5}m".to_owned(),

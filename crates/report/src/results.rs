@@ -10,7 +10,7 @@ use crate::frames::{COLLECTION_FILE, remove_frames};
 use crate::json::result_json;
 use crate::page::PAGE_FILE;
 use crate::plot::{TEMPERATURE_FILES, temperature_figure, to_png};
-use oilwedge_campaign::AddOn;
+use oilwedge_campaign::Records;
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::result::RunResult;
@@ -41,8 +41,8 @@ pub struct Beside<'a> {
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
-pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: Beside) -> Result<(), Error> {
-    let json = result_json(result, add_ons)?;
+pub fn write_results(dir: &Path, result: &RunResult, records: &Records, beside: Beside) -> Result<(), Error> {
+    let json = result_json(result, records)?;
     let figure = temperature_figure(result, PAGE_WIDTH);
     let svg = figure.as_ref().map(Figure::to_svg);
     let png = figure.as_ref().map(to_png).transpose()?;
@@ -96,11 +96,11 @@ mod tests {
     fn results_replace_those_of_an_earlier_run() -> Result<(), Box<dyn std::error::Error>> {
         let folder = tempfile::tempdir()?;
         let dir = folder.path().join("out/study");
-        write_results(&dir, &example(), &[], pictured(b"first"))?;
+        write_results(&dir, &example(), &Records::default(), pictured(b"first"))?;
         assert_eq!(names(&dir)?, ["film.vtu", "result.json"]);
-        write_results(&dir, &example(), &[], pictured(b"second"))?;
+        write_results(&dir, &example(), &Records::default(), pictured(b"second"))?;
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"second");
-        write_results(&dir, &example(), &[], Beside::default())?;
+        write_results(&dir, &example(), &Records::default(), Beside::default())?;
         assert_eq!(names(&dir)?, ["result.json"]);
         Ok(())
     }
@@ -109,21 +109,27 @@ mod tests {
     fn a_failure_leaves_what_was_there() -> Result<(), Box<dyn std::error::Error>> {
         let folder = tempfile::tempdir()?;
         let dir = folder.path().join("out");
-        write_results(&dir, &example(), &[], pictured(b"first"))?;
+        write_results(&dir, &example(), &Records::default(), pictured(b"first"))?;
         let before = fs::read(dir.join(RESULT_FILE))?;
         let mut bad = example();
         bad.head.title = "another".into();
         bad.balances.mass = f64::NAN;
-        assert!(matches!(write_results(&dir, &bad, &[], pictured(b"second")), Err(Error::NotFinite { .. })));
+        assert!(matches!(
+            write_results(&dir, &bad, &Records::default(), pictured(b"second")),
+            Err(Error::NotFinite { .. })
+        ));
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"first");
         assert_eq!(fs::read(dir.join(RESULT_FILE))?, before);
 
         let taken = folder.path().join("taken");
         fs::create_dir_all(taken.join(RESULT_FILE))?;
-        assert!(matches!(write_results(&taken, &example(), &[], pictured(b"x")), Err(Error::Folder { .. })));
+        assert!(matches!(
+            write_results(&taken, &example(), &Records::default(), pictured(b"x")),
+            Err(Error::Folder { .. })
+        ));
         assert_eq!(names(&taken)?, ["result.json"]);
         fs::write(folder.path().join("file"), "")?;
-        let error = write_results(&folder.path().join("file"), &example(), &[], Beside::default())
+        let error = write_results(&folder.path().join("file"), &example(), &Records::default(), Beside::default())
             .expect_err("a file is no folder");
         assert!(error.to_string().contains("file"), "{error}");
         Ok(())

@@ -14,7 +14,7 @@ use crate::made_mesh;
 
 /// How a run of a case ended.
 #[derive(Debug)]
-pub(crate) enum Answer {
+pub enum Answer {
     /// A run with a result.
     Run(Box<Run>),
     /// The scene or its mesh was refused, with this message.
@@ -23,7 +23,7 @@ pub(crate) enum Answer {
 
 impl Answer {
     /// How it ended, in one word.
-    pub(crate) fn end(&self) -> Expect {
+    pub fn end(&self) -> Expect {
         match self {
             Self::Refused(_) => Expect::Refused,
             Self::Run(run) => match run.result.head.status {
@@ -35,23 +35,15 @@ impl Answer {
     }
 
     /// Value of a quantity, of a film that was found.
-    pub(crate) fn value(&self, name: &str) -> Option<f64> {
+    pub fn value(&self, name: &str) -> Option<f64> {
         match self {
             Self::Run(run) => run.result.by_name(name).map(|quantity| quantity.value),
             Self::Refused(_) => None,
         }
     }
 
-    /// Half width of the error bar of a quantity; zero where it has none.
-    pub(crate) fn error(&self, name: &str) -> f64 {
-        match self {
-            Self::Run(run) => run.result.by_name(name).and_then(|quantity| quantity.error()).unwrap_or(0.0),
-            Self::Refused(_) => 0.0,
-        }
-    }
-
     /// Why there is no answer.
-    pub(crate) fn reason(&self) -> Option<&str> {
+    pub fn reason(&self) -> Option<&str> {
         match self {
             Self::Refused(message) => Some(message),
             Self::Run(run) => run.result.head.reason.as_deref(),
@@ -63,13 +55,13 @@ impl Answer {
 const MOST_UNKNOWNS: usize = 60_000;
 
 /// Solves the scene of a table.
-pub(crate) fn solve(table: &Table) -> Answer {
+pub fn solve(table: &Table) -> Answer {
     solve_within(table, MOST_UNKNOWNS)
 }
 
 /// Solves the scene of a table on meshes of at most so many unknowns; where they do not reach its tolerance, the best
 /// of them is the answer.
-pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
+pub fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
     let scene = match read(table) {
         Ok(scene) => scene,
         Err(message) => return Answer::Refused(message),
@@ -82,7 +74,7 @@ pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
 }
 
 /// What the effects of the scene of a table put into the sockets of its film; `None` where it is refused.
-pub(crate) fn sockets(table: &Table) -> Option<Sockets> {
+pub fn sockets(table: &Table) -> Option<Sockets> {
     read(table).ok().map(|scene| Sockets::of(&scene))
 }
 
@@ -112,7 +104,7 @@ fn with_causes(error: &dyn std::error::Error) -> String {
 ///
 /// # Errors
 /// Why it cannot be made, in words.
-pub(crate) fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, String> {
+pub fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, String> {
     let mut scene = case.scene.clone();
     if let Some(recipe) = &case.mesh {
         let path = dir.join(format!("{number}.msh"));
@@ -129,7 +121,7 @@ pub(crate) fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, S
 }
 
 /// A scene with a viscosity law of this coefficient [1/Pa].
-pub(crate) fn with_law(scene: &Table, alpha: f64, law: &LimitedLaw) -> Table {
+pub fn with_law(scene: &Table, alpha: f64, law: &LimitedLaw) -> Table {
     let mut scene = scene.clone();
     let table = [
         ("alpha".to_owned(), Value::String(format!("{alpha} 1/Pa"))),
@@ -147,7 +139,7 @@ const HALVINGS: usize = 16;
 ///
 /// # Errors
 /// There is no film without it.
-pub(crate) fn limit(scene: &Table, law: &LimitedLaw) -> Result<f64, String> {
+pub fn limit(scene: &Table, law: &LimitedLaw) -> Result<f64, String> {
     let plain = solve(scene);
     let pressure = plain.value(oilwedge_study::quantities::PRESSURE_MAX.name).filter(|pressure| *pressure > 0.0);
     let conservative = match pressure {

@@ -180,7 +180,7 @@ fn change(scene: &mut Table, set: &Table, without: &[String]) {
 }
 
 /// Sets a key with dots; tables on its way are made.
-pub(crate) fn put(scene: &mut Table, key: &str, value: Value) {
+pub fn put(scene: &mut Table, key: &str, value: Value) {
     let (table, key) = match key.rsplit_once('.') {
         Some((tables, key)) => (table_at(scene, tables), key),
         None => (scene, key),

@@ -1,5 +1,6 @@
 //! What must hold of an answer, whatever the case.
 
+use oilwedge_campaign::Records;
 use oilwedge_report::result_json;
 use oilwedge_reynolds::Form;
 use oilwedge_study::Run;
@@ -69,7 +70,7 @@ fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
 
 fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
     let result = &run.result;
-    if let Err(error) = result_json(result, &[]) {
+    if let Err(error) = result_json(result, &Records::default()) {
         faults.push(error.to_string());
     }
     let is_balance = sockets(&case.scene).is_none_or(|sockets| sockets.form == Form::Conservative);

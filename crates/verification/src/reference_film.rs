@@ -1,9 +1,10 @@
 //! A second method for every answer: the same film on a finer mesh, another scene that must agree, or known values.
 
+use oilwedge_campaign::Pair;
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
 use oilwedge_study::Run;
-use oilwedge_study::quantities::{ECCENTRICITY, LOAD};
+use oilwedge_study::quantities::{Bar, ECCENTRICITY, LOAD, Quantity};
 use toml::{Table, Value};
 
 use crate::answer::{Answer, sockets, solve, solve_within};
@@ -22,28 +23,13 @@ const MOST_UNKNOWNS: usize = 20_000;
 /// Finest and coarsest tolerance of the reference.
 const TOLERANCES: [f64; 2] = [1e-7, 0.1];
 
-/// A number beside its known value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Comparison {
-    /// Name of the quantity.
-    pub quantity: String,
-    /// Unit of the quantity.
-    pub unit: &'static str,
-    /// The known value.
-    pub known: f64,
-    /// The value computed, and its bar.
-    pub computed: (f64, f64),
-    /// The latter less the former.
-    pub difference: f64,
-}
-
 /// What stood against an answer.
 #[derive(Debug, Default)]
 pub(crate) struct Second {
     /// The methods in words.
     pub(crate) methods: String,
-    /// Numbers beside known ones.
-    pub(crate) known: Vec<Comparison>,
+    /// Known values, and the numbers beside them.
+    pub(crate) known: Vec<Pair>,
 }
 
 /// Holds another method against an answer; what does not agree goes to `faults`.
@@ -144,7 +130,7 @@ fn beside_known(
     scene: &Table,
     run: &Run,
     faults: &mut Vec<String>,
-) -> (String, Option<Comparison>) {
+) -> (String, Option<Pair>) {
     let Some(quantity) = run.result.by_name(name) else {
         faults.push(format!("{name} is not there"));
         return (String::new(), None);
@@ -155,25 +141,19 @@ fn beside_known(
         return (String::new(), None);
     };
     let bar = quantity.error().unwrap_or(0.0);
-    let difference = quantity.row.difference(quantity.value, value);
-    if difference.abs() > bar + known.to * value.abs() {
+    if quantity.row.difference(quantity.value, value).abs() > bar + known.to * value.abs() {
         faults.push(format!(
             "{name} is {:.8e} with a bar of {bar:.1e}, known is {value:.8e} to {:.0e}",
             quantity.value, known.to
         ));
     }
-    let comparison = Comparison {
-        quantity: name.to_owned(),
-        unit: quantity.unit(),
-        known: value,
-        computed: (quantity.value, bar),
-        difference,
-    };
+    let bar = Some(Bar::of(known.to * value.abs()));
+    let pair = Pair::between(Some(&Quantity { value, bar, ..quantity.clone() }), Some(quantity));
     let method = match known.form {
         Some(form) => format!("closed form ({form:?})"),
         None => format!("known {name}"),
     };
-    (method, Some(comparison))
+    (method, pair)
 }
 
 /// The Sommerfeld number of a closed form at the eccentricity and slenderness of a scene.

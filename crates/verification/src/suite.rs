@@ -1,16 +1,18 @@
-//! The suite: every case solved, judged by itself, by its series and by a second method.
+//! The suite: every case solved, judged by itself and by a second method.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::channel;
 use std::time::Instant;
 
+use oilwedge_campaign::Pair;
+use oilwedge_study::result::RunResult;
+
 use crate::answer::{self, Answer};
 use crate::cases::{BadFamily, Case, cases, families};
 use crate::family::{Expect, Family, Series};
 use crate::faults::faults;
-use crate::reference_film::{Comparison, Second, against};
-use crate::series::across;
+use crate::reference_film::{Second, against};
 
 /// What was found of one case.
 #[derive(Debug, Clone)]
@@ -27,18 +29,14 @@ pub struct Verdict {
     pub end: Expect,
     /// Seconds that it took.
     pub seconds: f64,
-    /// Nonlinear iterations on the mesh of the result.
-    pub iterations: usize,
-    /// Triangles of the mesh of the result.
-    pub triangles: usize,
-    /// Load [N] and its bar.
-    pub load: Option<(f64, Option<f64>)>,
+    /// The numbers; `None`: the scene or its mesh was refused.
+    pub result: Option<RunResult>,
     /// Why there is no answer.
     pub reason: Option<String>,
     /// What stood against the answer, in words; empty where there is none.
     pub against: String,
-    /// Numbers beside their known values.
-    pub known: Vec<Comparison>,
+    /// Known values, and the numbers beside them.
+    pub known: Vec<Pair>,
     /// What does not hold; nothing where all is well.
     pub faults: Vec<String>,
 }
@@ -67,7 +65,6 @@ pub enum SuiteError {
 
 /// The cases of one series, which are judged together.
 struct Work {
-    name: &'static str,
     family: Family,
     series: Series,
     cases: Vec<Case>,
@@ -84,7 +81,6 @@ fn work(names: &[String], long: bool) -> Result<Vec<Work>, SuiteError> {
     let wanted = |name: &str| names.is_empty() || names.iter().any(|wanted| wanted == name);
     let series = (families.iter().filter(|(name, _)| wanted(name))).flat_map(|(name, family)| {
         (family.series.iter().filter(|series| long || !series.long)).map(|series| Work {
-            name,
             family: family.clone(),
             series: series.clone(),
             cases: cases(name, family, series),
@@ -128,7 +124,7 @@ pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&[Verdict])
 ///
 /// # Errors
 /// [`SuiteError::Threads`].
-pub(crate) fn in_threads<T: Send>(
+pub fn in_threads<T: Send>(
     count: usize,
     piece: impl Fn(usize) -> T + Sync,
     ended: &mut dyn FnMut(&T),
@@ -158,20 +154,11 @@ pub(crate) fn in_threads<T: Send>(
 
 /// All cases of a series.
 fn judged(work: &Work, folder: &Path, place: usize) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    let mut answers = Vec::new();
-    for (number, case) in work.cases.iter().enumerate() {
-        let (verdict, answer) = one(work, case, folder, 1000 * place + number);
-        verdicts.push(verdict);
-        answers.push(answer);
-    }
-    for (verdict, faults) in verdicts.iter_mut().zip(across(&work.series, &answers)) {
-        verdict.faults.extend(faults);
-    }
-    verdicts
+    let cases = work.cases.iter().enumerate();
+    cases.map(|(number, case)| one(work, case, folder, 1000 * place + number)).collect()
 }
 
-fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answer) {
+fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> Verdict {
     let scene = answer::prepare(case, folder, number);
     let clock = Instant::now();
     let answer = match &scene {
@@ -187,26 +174,20 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
     if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
         second = against(&work.series, scene, run, &mut faults);
     }
-    let result = match &answer {
-        Answer::Run(run) => Some(&run.result),
-        Answer::Refused(_) => None,
-    };
-    let load = result.and_then(|result| result.quantity(&oilwedge_study::quantities::LOAD));
-    let verdict = Verdict {
+    Verdict {
         case: case.clone(),
         title: work.family.title.clone(),
         reason_of_family: work.family.reason.clone(),
         why: work.series.why.clone(),
         end: answer.end(),
         seconds,
-        iterations: result.map_or(0, |result| result.counts.nonlinear_iterations),
-        triangles: result.map_or(0, |result| result.mesh.cells),
-        load: load.map(|load| (load.value, load.error())),
         reason: answer.reason().map(str::to_owned),
+        result: match answer {
+            Answer::Run(run) => Some(run.result),
+            Answer::Refused(_) => None,
+        },
         against: second.methods,
         known: second.known,
         faults,
-    };
-    debug_assert_eq!(work.name, case.family);
-    (verdict, answer)
+    }
 }

@@ -5,17 +5,19 @@ mod commands;
 use std::error::Error;
 use std::process::ExitCode;
 
-use commands::{accuracy, compare, house, orbits, performance, prices, shafts, tilted, validation};
+use commands::{accuracy, compare, crates, house, orbits, performance, prices, shafts, stability, tilted, validation};
 
 /// What each command is for; the head of its file in `src/commands` tells its arguments.
-const COMMANDS: [(&str, &str); 9] = [
+const COMMANDS: [(&str, &str); 11] = [
     ("accuracy", "how often error bars hold: docs/validation/accuracy.md"),
     ("compare", "what differs between two programs: scenes, engines, random bearings"),
+    ("crates", "the drawing of docs/architecture.md: docs/images/crates.svg"),
     ("house", "files that know an effect, circles of imports, sizes of the crates"),
     ("orbits", "bars of random orbits"),
     ("performance", "times: docs/performance.md; `performance gate` counts instructions"),
     ("prices", "what the next digit costs: docs/validation/prices.md"),
     ("shafts", "random shafts over their cycles"),
+    ("stability", "hard cases and the map of stability: docs/validation/stability.md"),
     ("tilted", "random tilted and elastic bearings: docs/validation/random_bearings.md"),
     ("validation", "computed tables and figures of the other pages"),
 ];
@@ -28,11 +30,13 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     match command.as_str() {
         "accuracy" => accuracy::run(arguments)?,
         "compare" => compare::run(arguments)?,
+        "crates" => crates::run()?,
         "house" => house::run(arguments),
         "orbits" => orbits::run(arguments),
         "performance" => return Ok(performance::run(arguments)?),
         "prices" => prices::run(arguments)?,
         "shafts" => shafts::run(arguments),
+        "stability" => stability::run()?,
         "tilted" => tilted::run(arguments)?,
         "validation" => validation::run(arguments)?,
         _ => return Ok(usage()),

@@ -1,7 +1,8 @@
 //! The deletion test: an effect goes away by deleting its files and its rows, and following at most five compile
 //! errors.
 //!
-//! A copy of the tree loses the files and the rows of two effects. The lines at which the compiler then reports errors
+//! First a toy effect is added to a copy of the tree by the steps of `CONTRIBUTING.md`, solved with, and removed. Then
+//! the copy loses the files and the rows of two effects. The lines at which the compiler then reports errors
 //! are deleted too, and counted for the effect that they name, until the program compiles; it must solve the plain
 //! scene to the same number.
 
@@ -9,6 +10,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::toy_effect;
 use oilwedge_tests::program::{cargo, oilwedge, repository};
 use serde_json::Value;
 use tempfile::TempDir;
@@ -67,7 +69,7 @@ const EFFECTS: [Effect; 2] = [
 ];
 
 #[test]
-fn effects_go_away_with_their_files_and_rows() {
+fn an_effect_comes_by_steps_and_effects_go_away_with_their_files_and_rows() {
     let folder = TempDir::new().expect("a folder");
     for entry in TREE {
         copy(&repository().join(entry), &folder.path().join(entry));
@@ -77,17 +79,27 @@ fn effects_go_away_with_their_files_and_rows() {
         + &format!("\n[[bin]]\nname = \"{PROGRAM}\"\npath = \"src/main.rs\"\n");
     std::fs::write(&manifest, text).expect("a manifest");
     let plain = load(&oilwedge(folder.path(), &["solve", "scenes/01_plain_ring.toml", "--json"]).stdout);
+    let before = toy_effect::add(folder.path());
+    assert_eq!(errors(folder.path()), BTreeSet::new(), "the steps of CONTRIBUTING.md");
+    let loads = toy_effect::scenes().map(|scene| {
+        std::fs::write(folder.path().join("toy.toml"), scene).expect("a scene");
+        load_by_copy(folder.path(), "toy.toml")
+    });
+    assert!(loads[1] < 0.9 * loads[0] && (loads[1] / loads[2] - 1.0).abs() < 1e-9, "{loads:?}");
+    assert_eq!(load_by_copy(folder.path(), "scenes/01_plain_ring.toml"), plain);
+    toy_effect::remove(folder.path(), &before);
     for effect in &EFFECTS {
         delete(folder.path(), effect);
     }
     mend(folder.path());
+    assert_eq!(load_by_copy(folder.path(), "scenes/01_plain_ring.toml"), plain);
+}
+
+/// The load that the program of the copy computes.
+fn load_by_copy(tree: &Path, scene: &str) -> f64 {
     let program = own_folder().join(format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX));
-    let output = Command::new(program)
-        .args(["solve", "scenes/01_plain_ring.toml", "--json"])
-        .current_dir(folder.path())
-        .output()
-        .expect("the program starts");
-    assert_eq!(load(&output.stdout), plain);
+    let output = Command::new(program).args(["solve", scene, "--json"]).current_dir(tree).output();
+    load(&output.expect("the program starts").stdout)
 }
 
 /// The value of the load in a result.

@@ -1,10 +1,11 @@
 //! The hard cases of `tests/hard_cases` that are quick end as they must.
 
+use oilwedge_full::stability::trends::judge_trends;
 use oilwedge_verification::family::Expect;
 use oilwedge_verification::run_suite;
 use oilwedge_verification::suite::{self, Verdict};
 
-/// Families that are solved in a minute together; the others take several, and are left to `oilwedge verify --hard`.
+/// Families that are solved in a minute together; the others take several, and are left to the command `stability`.
 const QUICK: [&str; 13] = [
     "known_values",
     "feed_pressure",
@@ -25,7 +26,9 @@ const QUICK: [&str; 13] = [
 fn every_quick_case_is_explained() {
     let mut told = 0;
     let quick = QUICK.map(str::to_owned);
-    let verdicts = run_suite(&quick, false, &mut |series| told += series.len()).expect("the families can be read");
+    let verdicts = run_suite(&quick, false, &mut |series| told += series.len());
+    let mut verdicts = verdicts.expect("the families can be read");
+    judge_trends(&mut verdicts);
     assert_eq!(told, verdicts.len());
     let all = suite::count(&[], true).expect("the families can be read");
     assert!(all >= 150 && verdicts.len() >= 80, "{} of {all} cases", verdicts.len());

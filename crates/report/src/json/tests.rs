@@ -20,7 +20,7 @@ pub(crate) fn example() -> RunResult {
 
 #[test]
 fn the_json_is_that_of_the_contract() {
-    let text = result_json(&example(), &[]).expect("all numbers are finite");
+    let text = result_json(&example(), &Records::default()).expect("all numbers are finite");
     let value: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
     assert_eq!(value["status"], "not_converged");
     assert_eq!(value["reason"], serde_json::Value::Null);
@@ -103,9 +103,9 @@ fn what_is_not_finite_is_not_written() {
     for spoil in spoil {
         let mut result = example();
         spoil(&mut result);
-        assert!(matches!(result_json(&result, &[]), Err(Error::NotFinite { .. })));
+        assert!(matches!(result_json(&result, &Records::default()), Err(Error::NotFinite { .. })));
     }
     let mut result = example();
     result.quantities[1].name = "load".into();
-    assert!(matches!(result_json(&result, &[]), Err(Error::Twice { .. })));
+    assert!(matches!(result_json(&result, &Records::default()), Err(Error::Twice { .. })));
 }

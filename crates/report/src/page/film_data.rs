@@ -14,8 +14,8 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::packing::{Packed, Prediction, packed, triangles};
-use super::quantities::shown_unit;
 use crate::plot::{DrawnFilm, FieldColours, drawn_fields};
+use crate::readable::printed_unit;
 use crate::readable::{printed_symbol, readable_unit_of};
 
 /// Steps of a turn, of the length, and of the range of a field.
@@ -135,7 +135,7 @@ impl FieldData {
             name: row.name.to_owned(),
             label: row.label.to_owned(),
             symbol: printed_symbol(row.symbol).replace('*', ""),
-            unit: shown_unit(unit),
+            unit: printed_unit(unit),
             size,
             interpolation: match row.interpolation {
                 Interpolation::Linear => "linear",

@@ -3,10 +3,10 @@
 use oilwedge_drawing::PAGE_WIDTH;
 use serde::Serialize;
 
-use super::table::Table;
 use super::{Drawn, drawn};
 use crate::orbit_course::OrbitCourse;
 use crate::plot::{film_over_cycle, path_and_load};
+use crate::sheet::Sheet;
 
 /// What a page leads with.
 #[derive(Debug, Default, Serialize)]
@@ -17,7 +17,7 @@ pub(super) struct Lead {
     pub(super) beside: Vec<Drawn>,
     /// A figure a row.
     pub(super) figures: Vec<Drawn>,
-    pub(super) table: Option<Table>,
+    pub(super) table: Option<Sheet>,
 }
 
 impl Lead {

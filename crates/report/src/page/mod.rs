@@ -7,12 +7,11 @@
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
 //! Reading order: this file (what the page shows), `verdict.rs` (what it says first), `lead.rs` (what comes before all
-//! else), `files.rs` (what is saved with the scene), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`,
+//! else), `files.rs` (what is saved with the scene), `quantities.rs`, `tables.rs`,
 //! `studies.rs`, `shaft.rs`, `film_data.rs` and `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and
 //! `thinning.rs` (a film that is too large).
 
 mod coarser;
-mod comparisons;
 mod files;
 mod film_data;
 mod lead;
@@ -21,7 +20,6 @@ mod quantities;
 mod shaft;
 mod studies;
 mod sweep_data;
-mod table;
 mod tables;
 mod thinning;
 mod verdict;
@@ -32,8 +30,8 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use minijinja::Environment;
 use minijinja::value::Serde;
-use oilwedge_campaign::Records;
 use oilwedge_campaign::convergence::ConvergenceReport;
+use oilwedge_campaign::{Records, comparisons};
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Effects;
@@ -45,8 +43,11 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::Error;
+use crate::comparison::sheet;
+use crate::criteria::criteria_sheet;
 use crate::orbit_course::OrbitCourse;
 use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
+use crate::sheet::Sheet;
 use crate::sketch::words;
 use crate::sweep::{SWEEP_FORMAT, SweepResult};
 use coarser::coarser;
@@ -55,7 +56,6 @@ use film_data::FilmData;
 use lead::Lead;
 use quantities::{Shown, cards, quantities};
 use sweep_data::SweepData;
-use table::Table;
 use verdict::Outcome;
 
 pub use files::SceneFile;
@@ -137,7 +137,7 @@ struct Page {
     reason: String,
     /// What the header says first.
     verdict: Option<Outcome>,
-    criteria: Option<Table>,
+    criteria: Option<Sheet>,
     /// What the analysis asks, before all else: figures, and a table.
     lead: Lead,
     simulated: Vec<Told>,
@@ -156,12 +156,12 @@ struct Page {
     cases: Option<String>,
     quantities: Vec<Shown>,
     warnings: Vec<String>,
-    balances: Table,
-    assumptions: Table,
-    tables: Vec<Table>,
-    work: Vec<Table>,
+    balances: Sheet,
+    assumptions: Sheet,
+    tables: Vec<Sheet>,
+    work: Vec<Sheet>,
     mesh: String,
-    timings: Table,
+    timings: Sheet,
     scene: String,
     /// The files that the scene names.
     files: SavedFiles,
@@ -181,7 +181,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
         verdict: Outcome::of(&result.criteria, result.head.status),
         cards: cards(&quantities, &result.effects),
         quantities,
-        criteria: verdict::table(&result.criteria),
+        criteria: criteria_sheet(&result.criteria),
         film_title: "The film".to_owned(),
         warnings: texts(&result.warnings),
         balances: tables::balances(result),
@@ -191,7 +191,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
             .into_iter()
             .flatten()
             .collect(),
-        tables: comparisons::comparisons(records),
+        tables: compared(records, result),
         timings: tables::timings_of_film(result, records),
         command: command("solve", result.bars),
         ..head(&result.head, &result.effects, extras.files)
@@ -313,6 +313,13 @@ fn embedded(data: &impl Serialize) -> Result<String, Error> {
 fn drawn(figures: &[(String, Figure)]) -> Vec<Drawn> {
     let each = |(name, figure): &(String, Figure)| Drawn { name: name.clone(), svg: figure.to_svg() };
     figures.par_iter().map(each).collect()
+}
+
+/// What is compared with the film; times stand among the other times.
+fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
+    let mut all = comparisons(records, result);
+    all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
+    all.iter().filter_map(|it| sheet(it).if_any()).collect()
 }
 
 fn texts(warnings: &[Warning]) -> Vec<String> {

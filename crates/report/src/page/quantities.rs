@@ -10,14 +10,10 @@ use oilwedge_study::quantities::{
 use oilwedge_study::result::{RunResult, headlines};
 use serde::Serialize;
 
-use crate::digits::{bar, quantity_value, unresolved};
-use crate::readable::{printed_symbol, printed_unit, readable_unit};
+use crate::digits::bar;
+use crate::readable::{printed_symbol, printed_unit, readable_unit, with_minus};
+use crate::sheet::{bar_in_words, value_in_words};
 
-/// Digits of a value without a bar.
-const DIGITS: usize = 6;
-/// Digits as powers.
-const SUPERSCRIPTS: [char; 10] =
-    ['\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}'];
 /// Cards at the head of the page.
 const CARDS: usize = 8;
 
@@ -83,42 +79,17 @@ impl Shown {
             what: row.what,
             definition: row.definition,
             symbol: html_symbol(row.symbol),
-            value: with_minus(match error {
-                None if has_bars => unresolved(value / size),
-                error => quantity_value(value / size, error.map(|error| error / size), DIGITS),
-            }),
-            unit: shown_unit(unit),
+            value: with_minus(value_in_words(value, error, has_bars, size)),
+            unit: printed_unit(unit),
             si: format!("{value}"),
-            bar: match error {
-                Some(0.0) => "exact".to_owned(),
-                Some(error) => format!("\u{b1} {}", with_minus(bar(error / size))),
-                None if has_bars => "not resolved".to_owned(),
-                None => "not estimated".to_owned(),
+            bar: match bar_in_words(error, has_bars, size) {
+                number if error.is_some_and(|error| error > 0.0) => format!("\u{b1} {}", with_minus(number)),
+                words => words,
             },
             bar_si: error.map(|error| format!("{error}")).unwrap_or_default(),
             parts: Vec::new(),
         }
     }
-}
-
-/// A unit with its true letters; nothing for a pure number.
-pub(super) fn shown_unit(unit: &str) -> String {
-    match unit {
-        "1" => String::new(),
-        unit => printed_unit(unit),
-    }
-}
-
-/// A number with a true minus, and a power of ten in place of an exponent.
-pub(super) fn with_minus(number: String) -> String {
-    let (mantissa, exponent) = number.split_once('e').unwrap_or((&number, ""));
-    let power = |letter: char| match letter {
-        '-' => '\u{207b}',
-        digit => digit.to_digit(10).map_or(digit, |digit| SUPERSCRIPTS[digit as usize]),
-    };
-    let power: String = exponent.chars().map(power).collect();
-    let ten = if power.is_empty() { "" } else { "\u{b7}10" };
-    format!("{}{ten}{power}", mantissa.replace('-', "\u{2212}"))
 }
 
 /// A quantity's name in words; what it is of stands behind a comma.

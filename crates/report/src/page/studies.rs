@@ -4,10 +4,9 @@ use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport};
 use oilwedge_scene::sweep::Axis;
 use oilwedge_study::result::Verdict;
 
-use super::quantities::{shown_unit, with_minus};
-use super::table::{Cell, DIGITS, Table, count, number_as, of_axis, optional, text, without_zeros};
-use super::verdict;
+use crate::criteria;
 use crate::digits::{quantity_value, significant};
+use crate::sheet::{Cell, DIGITS, Sheet, count, none, number_as, of_axis, optional, text, without_zeros};
 use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
 /// Digits of the value whose convergence is studied.
@@ -28,7 +27,7 @@ pub(super) fn cases_in_words(rows: &[CaseRecord]) -> String {
 
 /// The rows of a sweep: its axes in their order, the columns that the scene asks for or the main quantities, the
 /// verdict where the scene sets limits, and how each case ended. A sweep that has not ended has none.
-pub(super) fn sweep_rows(sweep: &SweepResult) -> Option<Table> {
+pub(super) fn sweep_rows(sweep: &SweepResult) -> Option<Sheet> {
     let quantities: Vec<(String, &str, f64)> = sweep
         .names(&[])
         .into_iter()
@@ -58,11 +57,12 @@ pub(super) fn sweep_rows(sweep: &SweepResult) -> Option<Table> {
     });
     let which = if sweep.columns.is_empty() { "The main quantities" } else { "The columns that the scene asks for" };
     let all = format!("{which}; sweep.csv has their error bars.");
-    sweep.complete.then(|| Table {
+    sweep.complete.then(|| Sheet {
         title: "All cases".to_owned(),
         header,
         rows: shown.collect(),
         notes: [all].into_iter().chain(reasons).collect(),
+        ..Sheet::default()
     })
 }
 
@@ -71,36 +71,36 @@ fn verdict_of(row: &CaseRecord) -> Cell {
     let word = row.verdict.map_or("", Verdict::name);
     let missed = row.limits.join(", ");
     let comma = if missed.is_empty() { "" } else { ": " };
-    Cell { kind: verdict::kind(row.verdict), ..text(format!("{word}{comma}{missed}")) }
+    Cell { kind: criteria::kind(row.verdict), ..text(format!("{word}{comma}{missed}")) }
 }
 
 /// The value of a quantity in a unit of that size, with the digits of its bar.
 fn quantity(it: Option<&CaseQuantity>, size: f64) -> Cell {
     let Some(CaseQuantity { value, error, .. }) = it else {
-        return text("\u{2013}");
+        return none();
     };
     let error = error.map(|error| error / size);
     let shown = quantity_value(value / size, error, DIGITS);
-    number_as(*value, with_minus(if error == Some(0.0) { without_zeros(shown) } else { shown }))
+    number_as(*value, if error == Some(0.0) { without_zeros(shown) } else { shown })
 }
 
 fn unit_of(unit: &str) -> String {
     match unit {
         "1" | "" => String::new(),
-        unit => format!(", {}", shown_unit(unit)),
+        unit => format!(", {unit}"),
     }
 }
 
 /// The levels of a convergence study.
-pub(super) fn study_levels(study: &ConvergenceReport) -> Option<Table> {
+pub(super) fn study_levels(study: &ConvergenceReport) -> Option<Sheet> {
     let row = |(course, level): (&Course, &LevelReport)| {
-        let value = number_as(level.value, with_minus(significant(level.value, VALUE_DIGITS)));
+        let value = number_as(level.value, significant(level.value, VALUE_DIGITS));
         let sizes = [level.level, level.cells, level.unknowns].map(count);
         let errors = [level.relative_bar, level.relative_error].map(optional);
         [text(course.strategy.name())].into_iter().chain(sizes).chain([value]).chain(errors).collect()
     };
     let header = ["strategy", "level", "triangles", "unknowns", "value", "relative bar", "relative error"];
-    let mut table = Table::new("Levels", header, study.levels().map(row).collect());
+    let mut table = Sheet::new("Levels", header, study.levels().map(row).collect());
     table.notes.clone_from(&study.notes);
     table.if_any()
 }

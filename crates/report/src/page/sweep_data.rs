@@ -6,8 +6,8 @@ use oilwedge_study::result::Verdict;
 use serde::Serialize;
 
 use super::packing::{Packed, packed};
-use super::quantities::shown_unit;
 use crate::plot::quantity_names;
+use crate::readable::printed_unit;
 use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
 /// A sweep.
@@ -85,7 +85,7 @@ impl AxisData {
     fn of(axis: &Axis) -> Self {
         Self {
             label: axis.name.replace('_', " "),
-            unit: shown_unit(&axis.unit),
+            unit: printed_unit(&axis.unit),
             is_numeric: axis.is_numeric(),
             values: axis.values.clone(),
         }
@@ -95,6 +95,6 @@ impl AxisData {
 impl QuantityData {
     fn of(sweep: &SweepResult, name: &str) -> Self {
         let (unit, size) = sweep.unit_of(name).unwrap_or(("", 1.0));
-        Self { label: sweep.heading(name), unit: shown_unit(unit), size }
+        Self { label: sweep.heading(name), unit: printed_unit(unit), size }
     }
 }

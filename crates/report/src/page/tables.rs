@@ -5,12 +5,11 @@ use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
 use oilwedge_study::result::{Balances, Counts, HistoryStep, LevelFacts, RunResult};
 
-use super::quantities::with_minus;
-use super::table::{Cell, DIGITS, Table, count, number, sized, text, without_zeros};
 use crate::digits::significant;
+use crate::sheet::{Cell, DIGITS, Sheet, count, number, sized, text, without_zeros};
 
 /// What must vanish, and what was left of it.
-pub(super) fn balances(result: &RunResult) -> Table {
+pub(super) fn balances(result: &RunResult) -> Sheet {
     let Balances { mass, power, moment, force, tilt, deflection, thermal, energy } = result.balances;
     let rows = [
         (Some(mass), "oil that enters less oil that leaves, over the oil that passes"),
@@ -23,12 +22,12 @@ pub(super) fn balances(result: &RunResult) -> Table {
         (result.temperature.as_ref().map(|_| thermal), "power of friction less what is carried off, over the friction"),
     ];
     let rows = rows.into_iter().filter_map(|(left, what)| Some(vec![text(what), number(left?)]));
-    Table::new("", ["balance", "left over"], rows.collect())
+    Sheet::new("", ["balance", "left over"], rows.collect())
 }
 
 /// The table of the assumptions that the film meets.
-pub(super) fn assumptions(result: &RunResult) -> Table {
-    let Some(regime) = &result.regime else { return Table::new("", ["assumption", "here", "valid"], Vec::new()) };
+pub(super) fn assumptions(result: &RunResult) -> Sheet {
+    let Some(regime) = &result.regime else { return Sheet::new("", ["assumption", "here", "valid"], Vec::new()) };
     let least_film = result.quantity(&FILM_THICKNESS_MIN).map(|it| it.value);
     let micrometres = |value: f64| sized(value, 1e-6, "\u{b5}m");
     let below = |limit: f64| format!("below {}", number(limit).text);
@@ -44,10 +43,7 @@ pub(super) fn assumptions(result: &RunResult) -> Table {
         "rigid surfaces: elastic deflection",
         Some(micrometres(regime.deflection)),
         least_film.map_or(String::new(), |film| {
-            format!(
-                "small against the least film, {} \u{b5}m",
-                with_minus(without_zeros(significant(film / 1e-6, DIGITS)))
-            )
+            format!("small against the least film, {} \u{b5}m", without_zeros(significant(film / 1e-6, DIGITS)))
         }),
     );
     add("viscosity law: pressure exponent alpha p", regime.pressure_exponent.map(number), String::new());
@@ -57,17 +53,17 @@ pub(super) fn assumptions(result: &RunResult) -> Table {
         String::new(),
     );
     add("density taken for these", Some(sized(regime.density, 1.0, "kg/m\u{b3}")), String::new());
-    Table::new("", ["assumption", "here", "valid"], rows)
+    Sheet::new("", ["assumption", "here", "valid"], rows)
 }
 
 /// The meshes on the way to a tolerance.
-pub(super) fn levels(levels: &[LevelFacts]) -> Option<Table> {
+pub(super) fn levels(levels: &[LevelFacts]) -> Option<Sheet> {
     let rows = levels.iter().map(|it| vec![count(it.unknowns), count(it.cells), text(it.refinement.name())]);
-    Table::new("Meshes towards the tolerance", ["unknowns", "triangles", "refinement"], rows.collect()).if_any()
+    Sheet::new("Meshes towards the tolerance", ["unknowns", "triangles", "refinement"], rows.collect()).if_any()
 }
 
 /// How often expensive operations were done, and the iteration.
-pub(super) fn work(counts: &Counts) -> Table {
+pub(super) fn work(counts: &Counts) -> Sheet {
     let rows = [
         ("bars", Some(counts.bars)),
         ("deflection products", counts.deflection_products),
@@ -80,24 +76,24 @@ pub(super) fn work(counts: &Counts) -> Table {
         ("temperature steps", Some(counts.temperature_steps)),
     ];
     let rows = rows.into_iter().filter_map(|(what, times)| Some(vec![text(what), count(times?)]));
-    Table::new("Work", ["operation", "count"], rows.collect())
+    Sheet::new("Work", ["operation", "count"], rows.collect())
 }
 
 /// Steps of the nonlinear iteration.
-pub(super) fn history(steps: &[HistoryStep]) -> Option<Table> {
+pub(super) fn history(steps: &[HistoryStep]) -> Option<Sheet> {
     let rows = steps.iter().map(|it| vec![count(it.step), number(it.residual), count(it.active)]);
-    Table::new("Nonlinear iteration", ["step", "relative residual", "nodes in the cavity"], rows.collect()).if_any()
+    Sheet::new("Nonlinear iteration", ["step", "relative residual", "nodes in the cavity"], rows.collect()).if_any()
 }
 
 /// Wall times [ms] of parts, by their names; the only numbers that differ from run to run.
-pub(super) fn timings(parts: &[(String, f64)]) -> Table {
+pub(super) fn timings(parts: &[(String, f64)]) -> Sheet {
     let mut parts: Vec<_> = parts.iter().collect();
     parts.sort_by_key(|(part, _)| part);
-    Table::new("", ["part", "ms"], parts.into_iter().map(|(part, it)| timing(part.as_str(), *it)).collect())
+    Sheet::new("", ["part", "ms"], parts.into_iter().map(|(part, it)| timing(part.as_str(), *it)).collect())
 }
 
 /// Wall times of a film, also those of meshes and of the films without an effect.
-pub(super) fn timings_of_film(result: &RunResult, records: &Records) -> Table {
+pub(super) fn timings_of_film(result: &RunResult, records: &Records) -> Sheet {
     let mut table = timings(&result.timing_s);
     let levels = (1..).zip(&result.levels).map(|(number, level)| timing(format!("mesh {number}"), level.seconds));
     let costs = records.cost.iter().flatten().map(|it| timing(format!("without {}", it.effect), it.seconds_without));

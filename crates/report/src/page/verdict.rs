@@ -3,11 +3,9 @@
 use oilwedge_study::result::{Criterion, Reserve, Status, Verdict};
 use serde::Serialize;
 
-use super::quantities::{shown_unit, with_minus};
-use super::table::{Cell, DIGITS, Table, number_as, sized, text};
-use crate::digits::{bar, quantity_value, unresolved};
+use crate::readable::printed_unit;
 use crate::sweep::CaseRecord;
-use crate::tables::{first_faults, word};
+use crate::tables::first_faults;
 
 /// The verdict as the header shows it.
 #[derive(Debug, Clone, Serialize)]
@@ -60,64 +58,10 @@ impl Outcome {
     }
 }
 
-/// What a bearing is judged by, and what is usual.
-pub(super) fn table(criteria: &[Criterion]) -> Option<Table> {
-    let title = match Verdict::of(criteria) {
-        Some(_) => "Design criteria",
-        None => "Usual values, which nobody set as limits",
-    };
-    Table::new(title, ["criterion", "verdict", "here", "error bar", "limit"], criteria.iter().map(row).collect())
-        .if_any()
-}
-
-/// The worst verdict of a bearing as a cell of a table.
-pub(super) fn cell(criteria: &[Criterion]) -> Cell {
-    let verdict = Verdict::of(criteria);
-    Cell { kind: kind(verdict), ..text(verdict.map_or("\u{2013}", Verdict::name)) }
-}
-
-/// How a verdict is coloured.
-pub(super) fn kind(verdict: Option<Verdict>) -> &'static str {
-    match verdict {
-        Some(Verdict::Pass) => "good",
-        Some(Verdict::Fail) => "bad",
-        Some(Verdict::Undecided) | None => "open",
-    }
-}
-
-fn row(criterion: &Criterion) -> Vec<Cell> {
-    let unit = shown_unit(&criterion.unit);
-    let in_unit = |number: String| format!("{} {unit}", with_minus(number)).trim_end().to_owned();
-    let value = match criterion.reserve {
-        Some(Reserve::NotResolved) => unresolved(criterion.value),
-        _ => quantity_value(criterion.value, criterion.bar, DIGITS),
-    };
-    let bar = match (criterion.bar, criterion.reserve) {
-        (Some(0.0), _) => "exact".to_owned(),
-        (Some(error), _) => in_unit(bar(error)),
-        (None, Some(Reserve::NotResolved)) => "not resolved".to_owned(),
-        (None, _) => "not asked for".to_owned(),
-    };
-    let bound = |limit: Option<f64>| limit.map(|limit| sized(limit, 1.0, &unit).text);
-    let limit = match (bound(criterion.least), bound(criterion.most)) {
-        (Some(least), Some(most)) => format!("{least} to {most}"),
-        (Some(least), None) => format!("above {least}"),
-        (None, most) => format!("below {}", most.unwrap_or_default()),
-    };
-    let usual = if criterion.decides { "" } else { "usual value " };
-    vec![
-        text(criterion.what.as_str()),
-        Cell { kind: kind(criterion.decides.then_some(criterion.verdict)), ..text(word(criterion)) },
-        number_as(criterion.value, in_unit(value)),
-        Cell { is_number: true, ..text(bar) },
-        text(format!("{usual}{limit}")),
-    ]
-}
-
 /// Units of a sentence with their true letters.
 fn with_true_letters(sentence: &str) -> String {
     match sentence.rsplit_once(' ') {
-        Some((rest, unit)) => format!("{rest} {}", shown_unit(unit)).trim_end().to_owned(),
+        Some((rest, unit)) => format!("{rest} {}", printed_unit(unit)).trim_end().to_owned(),
         None => sentence.to_owned(),
     }
 }

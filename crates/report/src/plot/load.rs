@@ -111,7 +111,7 @@ impl<'a> Drawn<'a> {
     /// Where the tip of the force goes, with rings and crank angles, cut to where it goes.
     fn polar(&self, frame: Frame, title: &str) -> Chart {
         let tip: Vec<_> = self.angles().map(|angle| self.force(frame, angle)).collect();
-        let sheet = Sheet::around(&tip);
+        let sheet = ForcePlane::around(&tip);
         let marks = (0..).map(|k| MARKED * f64::from(k));
         let marks = marks.take_while(|mark| mark.to_radians() < self.cycle.period() - 1e-9);
         let marks: Vec<_> = marks.map(|mark| (mark, self.force(frame, mark.to_radians()))).collect();
@@ -125,7 +125,7 @@ pub(super) fn polar(
     title: &str,
     tip: Vec<[f64; 2]>,
     marks: &[(f64, [f64; 2])],
-    (name, sheet): (&str, &Sheet),
+    (name, sheet): (&str, &ForcePlane),
 ) -> Chart {
     let mut chart = Chart::new(title, Label::default(), Label::default());
     chart.kind = Kind::Drawing;
@@ -145,14 +145,14 @@ pub(super) fn polar(
 }
 
 /// The rectangle of a polar diagram, in the unit of the force.
-pub(super) struct Sheet {
+pub(super) struct ForcePlane {
     low: [f64; 2],
     high: [f64; 2],
     /// The longer side.
     extent: f64,
 }
 
-impl Sheet {
+impl ForcePlane {
     /// The frame around a curve and the origin.
     pub(super) fn around(curve: &[[f64; 2]]) -> Self {
         let [x, y] = [0, 1].map(|axis| least_and_greatest(curve.iter().map(|point| point[axis]).chain([0.0])));

@@ -7,7 +7,7 @@ use oilwedge_drawing::{
     charts_figure, number,
 };
 
-use super::load::{Sheet, polar};
+use super::load::{ForcePlane, polar};
 use crate::orbit_course::OrbitCourse;
 use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, LOAD_X, LOAD_Y, PRESSURE_MAX, Row};
 
@@ -46,7 +46,7 @@ pub(crate) fn path_and_load(title: &str, course: &OrbitCourse, width: f64) -> Ve
     let tip = kilonewtons(course.even_angles().collect());
     let marks: Vec<f64> = course.marked_angles(MARKED).collect();
     let marks: Vec<_> = marks.iter().copied().zip(kilonewtons(marks.clone())).collect();
-    let sheet = Sheet::around(&tip);
+    let sheet = ForcePlane::around(&tip);
     let name = format!("crank angle, each {MARKED} deg");
     let has_load = !tip.is_empty();
     let load = has_load.then(|| polar("", tip, &marks, (&name, &sheet)));

@@ -7,7 +7,7 @@ use oilwedge_study::quantities::{
 };
 use oilwedge_study::shaft::Variant;
 
-use super::load::{Sheet, polar};
+use super::load::{ForcePlane, polar};
 use super::orbit::circle;
 use super::shaft::shaft_figure;
 use super::shaft_line::shaft_line;
@@ -69,7 +69,7 @@ fn loads(view: &ShaftView) -> Vec<Chart> {
         forces.into_iter().map(|force| force.map(|part| 1e-3 * part)).collect()
     };
     let tips: Vec<_> = view.journals().map(|(_, course)| kilonewtons(course, course.even_angles().collect())).collect();
-    let sheet = Sheet::around(&tips.concat());
+    let sheet = ForcePlane::around(&tips.concat());
     let name = format!("crank angle, each {MARKED} deg");
     let chart = |((bearing, course), tip): ((&str, &OrbitCourse), Vec<[f64; 2]>)| {
         let marks: Vec<f64> = course.marked_angles(MARKED).collect();

@@ -22,7 +22,7 @@ const ROUND_OFF: f64 = 1e-6;
 const ABSENT: Colour = Colour([205, 205, 205]);
 
 fn label(axis: &SweepAxis) -> Label {
-    let unit = printed_unit(if axis.unit == "1" { "" } else { &axis.unit });
+    let unit = printed_unit(&axis.unit);
     let comma = if unit.is_empty() { "" } else { ", " };
     Label::plain(&format!("{}{comma}{unit}", axis.name.replace('_', " ")))
 }
@@ -182,7 +182,7 @@ fn chart(cases: &SweepResult, name: &str, across: usize, upwards: Option<usize>)
             (Some(axis), Some(index)) => {
                 indices[axis] = index;
                 let other = &cases.axes[axis];
-                let unit = printed_unit(if other.unit == "1" { "" } else { &other.unit });
+                let unit = printed_unit(&other.unit);
                 format!("{} = {} {unit}", other.name.replace('_', " "), word(other, index)).trim_end().to_owned()
             }
             _ => String::new(),

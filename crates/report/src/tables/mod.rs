@@ -1,9 +1,8 @@
 //! Results as tables and lines for people, as the command line prints them and Python shows them.
 //!
 //! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`,
-//! `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`, `shaft.rs`.
+//! `temperature.rs`, `dynamics.rs`; `sweep.rs`, `shaft.rs`.
 
-mod add_ons;
 mod criteria;
 mod dynamics;
 mod pieces;
@@ -15,7 +14,6 @@ mod sweep;
 mod temperature;
 mod verdict;
 
-pub(crate) use criteria::word;
 pub use pieces::{counted, duration, effects, heading, mesh, printable, status, table, time};
 #[cfg(test)]
 pub(crate) use run::tests::result as example;

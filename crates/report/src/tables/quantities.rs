@@ -1,14 +1,12 @@
 //! The table of quantities with their error bars, and what the bars are made of.
 
 use super::pieces::{printable, table, time};
-use crate::digits::{bar, quantity_value, unresolved};
+use crate::digits::bar;
 use crate::readable::readable_unit;
+use crate::sheet::{bar_in_words, value_in_words};
 use oilwedge_study::effects::Socket;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, ECCENTRICITY, LOAD, Quantity};
 use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
-
-/// Digits of a value without a bar.
-const DIGITS: usize = 6;
 
 /// All quantities, with their error bars where these were estimated.
 pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>, bars: bool) -> String {
@@ -18,15 +16,8 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
     };
     for quantity in quantities {
         let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
-        let value = match quantity.error() {
-            None if bars => unresolved(quantity.value / size),
-            error => quantity_value(quantity.value / size, error.map(|error| error / size), DIGITS),
-        };
-        let error = match quantity.error() {
-            None => "not resolved".to_owned(),
-            Some(0.0) => "exact".to_owned(),
-            Some(error) => bar(error / size),
-        };
+        let value = value_in_words(quantity.value, quantity.error(), bars, size);
+        let error = bar_in_words(quantity.error(), bars, size);
         let (name, row) = (printable(&quantity.name), quantity.row);
         match bars {
             true => table.add_row([&name, row.symbol, &value, &error, unit, row.what]),
@@ -83,6 +74,7 @@ mod tests {
     use crate::tables::run::run_report;
     use crate::tables::run::tests::{result, written};
     use crate::tables::shown::Shown;
+    use oilwedge_campaign::Records;
     use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::quantities::Bar;
 
@@ -123,7 +115,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
+        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -133,9 +125,9 @@ balance";
         assert!(text.contains(wanted), "{text}");
         let position = EFFECTS.iter().copied().filter(|effect| effect.socket == Socket::Position);
         result.effects.simulated.extend(position);
-        assert!(!run_report(&result, Shown::Headlines, &[], Some(written())).contains("bar  "));
+        assert!(!run_report(&result, Shown::Headlines, &Records::default(), Some(written())).contains("bar  "));
         result.quantities[2].bar = Some(Bar { position: 2e-5, ..Bar::default() });
-        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
+        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

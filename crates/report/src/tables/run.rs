@@ -1,6 +1,5 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
-use super::add_ons::add_on;
 use super::criteria::criteria;
 use super::dynamics;
 use super::pieces::{effects, heading, mesh, status, time};
@@ -8,9 +7,10 @@ use super::quantities::{bars, quantities};
 use super::shown::Shown;
 use super::temperature;
 use super::verdict::verdict;
+use crate::comparison::sheet;
 use crate::digits::significant;
 use crate::readable::readable_unit;
-use oilwedge_campaign::AddOn;
+use oilwedge_campaign::{Records, comparisons};
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
 use oilwedge_study::result::{Balances, Counts, LinearRoute, LinearSolver, RunResult, headlines};
@@ -42,7 +42,7 @@ impl Written<'_> {
 
 /// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if
 /// anything was, and last the verdict.
-pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: Option<Written>) -> String {
+pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: Option<Written>) -> String {
     let mut parts = vec![heading(&result.head.title, status(result.head.status))];
     if let Some(reason) = &result.head.reason {
         parts.push(format!("reason: {reason}"));
@@ -52,7 +52,7 @@ pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: 
     parts.extend(criteria(result));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
-    parts.extend(add_ons.iter().map(add_on));
+    parts.extend(comparisons(records, result).iter().map(|it| sheet(it).terminal()));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
@@ -242,7 +242,7 @@ pub(crate) mod tests {
 
     #[test]
     fn a_run_is_shown_in_readable_units() {
-        let text = run_report(&result(), Shown::Headlines, &[], Some(written()));
+        let text = run_report(&result(), Shown::Headlines, &Records::default(), Some(written()));
         let parts = [
             "Hole-fed shell: converged",
             "not simulated",
@@ -266,7 +266,8 @@ pub(crate) mod tests {
     fn the_rest_is_shown_when_asked_for_and_the_verdict_is_last() {
         let mut result = result();
         result.quantities.push(Quantity::new(&LOAD_X, 12.0));
-        let [short, all] = [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], Some(written())));
+        let [short, all] = [Shown::Headlines, Shown::All]
+            .map(|shown| run_report(&result, shown, &Records::default(), Some(written())));
         assert!(!short.contains("load_x") && short.contains("--all shows all 3 quantities"), "{short}");
         assert!(all.find("attitude_angle") < all.find("load_x") && all.find("load_x").is_some(), "{all}");
         for text in [short, all] {
@@ -281,21 +282,23 @@ pub(crate) mod tests {
         result.counts.nonlinear_iterations = 12;
         for (levels, words) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
-            let text = run_report(&result, Shown::Headlines, &[], Some(written()));
+            let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
             let work = format!("12 nonlinear iterations, started from {words}\n");
             assert!(text.contains(&work) && text.contains("cavity    42 % of the film\n"), "{text}");
         }
-        assert!(!run_report(&self::result(), Shown::Headlines, &[], Some(written())).contains("cavity "));
+        assert!(
+            !run_report(&self::result(), Shown::Headlines, &Records::default(), Some(written())).contains("cavity ")
+        );
     }
 
     #[test]
     fn the_joint_of_a_cap_has_a_table_of_its_own() {
         let mut result = result();
         result.quantities.insert(1, Quantity::new(&BOLT_TORQUE, 55.6));
-        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
+        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
-        assert!(!run_report(&self::result(), Shown::Headlines, &[], Some(written())).contains("cap"));
+        assert!(!run_report(&self::result(), Shown::Headlines, &Records::default(), Some(written())).contains("cap"));
     }
 
     #[test]
@@ -304,7 +307,12 @@ pub(crate) mod tests {
         result.head.status = Status::NoSolution;
         result.head.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(&result, Shown::Headlines, &[], Some(Written { has_fields: false, ..written() }));
+        let text = run_report(
+            &result,
+            Shown::Headlines,
+            &Records::default(),
+            Some(Written { has_fields: false, ..written() }),
+        );
         assert!(text.contains("there is no solution") && text.contains("reason: no steady film"), "{text}");
         assert!(!text.contains("balance") && !text.contains("film.vtu"), "{text}");
     }
@@ -315,7 +323,7 @@ pub(crate) mod tests {
         result.head.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
-        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
+        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }

@@ -1,6 +1,5 @@
 //! The last line of a run: how it ended, what the film is fit for, and how many warnings there are.
 
-use super::criteria;
 use super::pieces::{counted, status};
 use oilwedge_study::result::{Criterion, RunResult, Status, Verdict};
 use oilwedge_study::shaft::ShaftResult;
@@ -15,7 +14,7 @@ pub(crate) fn verdict(result: &RunResult) -> String {
 
 /// The line of the verdict of a crankshaft, by the criteria of all its bearings.
 pub(crate) fn of_shaft(result: &ShaftResult) -> String {
-    line(status(result.head.status).to_owned(), &criteria::of_shaft(result), result.warnings.len())
+    line(status(result.head.status).to_owned(), &crate::criteria::of_shaft(result), result.warnings.len())
 }
 
 fn line(ending: String, criteria: &[Criterion], warnings: usize) -> String {

@@ -3,38 +3,20 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use crate::map_picture::{CellMap, Outcome};
+use super::map_picture::{CellMap, Outcome};
 
-use crate::family::Expect;
-use crate::map::unexplained;
-use crate::suite::Verdict;
-
-/// The page of a suite that is still running: the cases so far by family, of so many in all; the maps come last.
-pub fn page_so_far(verdicts: &[Verdict], [done, cases]: [usize; 2]) -> String {
-    let mut families: Vec<&str> = Vec::new();
-    for verdict in verdicts {
-        if !families.contains(&verdict.case.family) {
-            families.push(verdict.case.family);
-        }
-    }
-    let mut grouped = verdicts.to_vec();
-    grouped.sort_by_key(|verdict| families.iter().position(|family| *family == verdict.case.family));
-    let note = format!("**Incomplete: {done} of {cases} cases.** The run has not ended, or was ended early.\n\n");
-    written(&grouped, &[], "", &note)
-}
+use super::map::unexplained;
+use oilwedge_study::quantities::{LOAD, Quantity};
+use oilwedge_verification::Verdict;
+use oilwedge_verification::family::Expect;
 
 /// The page: what was asked, how each case ended, and the maps. `picture` is the file that shows them.
 pub fn page(verdicts: &[Verdict], maps: &[CellMap], picture: &str) -> String {
-    written(verdicts, maps, picture, "")
-}
-
-fn written(verdicts: &[Verdict], maps: &[CellMap], picture: &str, note: &str) -> String {
     let mut text = String::from(
-        "# Hard cases: where the solver is stable\n\nWritten by `oilwedge verify --hard`; the cases are in `tests/hard_cases`, one file a family, each with its reason. \
+        "# Hard cases: where the solver is stable\n\nWritten by `cargo run --release -p oilwedge-full -- stability`; the cases are in `tests/hard_cases`, one file a family, each with its reason. \
          A case is explained if it ends as it must, its balances close, its signs hold, it fits the other cases of its series, and a second method \
          (a finer mesh, another scene that must agree, known values) agrees within the error bars of both.\n\n",
     );
-    text += note;
     // Writing to a String cannot fail.
     let _ = summary(&mut text, verdicts);
     let _ = drawn(&mut text, maps, picture);
@@ -100,10 +82,10 @@ fn drawn(text: &mut String, maps: &[CellMap], picture: &str) -> std::fmt::Result
 }
 
 fn row(text: &mut String, verdict: &Verdict) -> std::fmt::Result {
-    let (load, bar) = match verdict.load {
-        Some((load, bar)) => (format!("{load:.5e}"), bar.map_or("-".to_owned(), |bar| format!("{bar:.1e}"))),
-        None => ("-".to_owned(), "-".to_owned()),
-    };
+    let result = verdict.result.as_ref();
+    let load = result.and_then(|result| result.quantity(&LOAD));
+    let bar = load.and_then(Quantity::error).map_or("-".to_owned(), |bar| format!("{bar:.1e}"));
+    let load = load.map_or("-".to_owned(), |load| format!("{:.5e}", load.value));
     let against = match verdict.end {
         Expect::Converged => verdict.against.clone(),
         _ => verdict.reason.as_deref().map_or(String::new(), first_words),
@@ -113,8 +95,8 @@ fn row(text: &mut String, verdict: &Verdict) -> std::fmt::Result {
         "| {} | {} | {} | {} | {load} | {bar} | {:.2} | {} |",
         verdict.case.name(),
         verdict.end.name(),
-        verdict.iterations,
-        verdict.triangles,
+        result.map_or(0, |result| result.counts.nonlinear_iterations),
+        result.map_or(0, |result| result.mesh.cells),
         verdict.seconds,
         against.replace('|', "/")
     )

@@ -1,14 +1,14 @@
 //! The map of where the solver is stable: eccentricity against the coefficient of the viscosity law over its limit, and
 //! against slenderness.
 
-use crate::map_picture::{CellMap, Outcome};
+use super::map_picture::{CellMap, Outcome};
 use serde::Deserialize;
 use toml::{Table, Value};
 
-use crate::answer::{Answer, limit, solve_within, with_law};
-use crate::cases::put;
-use crate::family::{Expect, LimitedLaw};
-use crate::suite::{SuiteError, in_threads};
+use oilwedge_verification::answer::{Answer, limit, solve_within, with_law};
+use oilwedge_verification::cases::put;
+use oilwedge_verification::family::{Expect, LimitedLaw};
+use oilwedge_verification::suite::{SuiteError, in_threads};
 
 /// Eccentricities of both maps.
 const ECCENTRICITIES: [f64; 12] = [0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 0.999, 0.9999];
@@ -18,25 +18,30 @@ const OF_LIMIT: [f64; 9] = [0.1, 0.5, 0.8, 0.9, 0.99, 1.01, 1.1, 2.0, 10.0];
 const SLENDERNESS: [f64; 11] = [0.01, 0.03, 0.1, 0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 100.0];
 
 /// The scene of all cells, Swift-Stieber's film of a ring, the viscosity law with a limit, and the title of its map.
-const RECIPE: &str = include_str!("../../../tests/hard_cases/map.toml");
+const RECIPE: &str = include_str!("../../../hard_cases/map.toml");
 
 /// Unknowns of a cell at most: films a hundred diameters long, and those near the limit of existence, need many.
-const MOST_UNKNOWNS: usize = 300_000;
+pub const MOST_UNKNOWNS: usize = 300_000;
 
 /// Cells of both maps.
 pub const CELLS: usize = ECCENTRICITIES.len() * (OF_LIMIT.len() + SLENDERNESS.len());
 
 /// What the cells are made of.
 #[derive(Deserialize)]
-struct Recipe {
-    title: String,
-    limited: LimitedLaw,
-    scene: Table,
+pub struct Recipe {
+    /// Title of the map.
+    pub title: String,
+    /// The viscosity law with a limit.
+    pub limited: LimitedLaw,
+    /// The scene of all cells.
+    pub scene: Table,
 }
 
+/// The recipe of the cells.
+///
 /// # Panics
 /// If the recipe, which is part of the program, is none: a test reads it.
-fn recipe() -> Recipe {
+pub fn recipe() -> Recipe {
     toml::from_str(RECIPE).expect("the recipe of the map")
 }
 
@@ -66,7 +71,7 @@ fn column(place: usize) -> Vec<Outcome> {
 }
 
 /// What became of a cell whose film must not exist (`beyond`), or must.
-fn cell(answer: &Answer, beyond: bool) -> Outcome {
+pub fn cell(answer: &Answer, beyond: bool) -> Outcome {
     match (answer, answer.end(), beyond) {
         (Answer::Run(run), Expect::Converged, false) => Outcome::Answer(run.result.counts.nonlinear_iterations),
         (_, Expect::NoSolution, true) => Outcome::Absent("no film".to_owned()),
@@ -111,23 +116,4 @@ pub fn unexplained(map: &CellMap) -> Vec<String> {
         }
     }
     list
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cells_are_explained_on_their_side_of_the_limit() {
-        let Recipe { mut scene, limited, .. } = recipe();
-        put(&mut scene, "journal.eccentricity", Value::Float(0.7));
-        let alpha = limit(&scene, &limited).expect("a film");
-        let at = |part: f64| solve_within(&with_law(&scene, part * alpha, &limited), MOST_UNKNOWNS);
-        let (below, beyond) = (at(0.5), at(2.0));
-        assert!(matches!(cell(&below, false), Outcome::Answer(1..)));
-        assert!(matches!(cell(&beyond, true), Outcome::Absent(_)));
-        // On the wrong side both would be grey.
-        assert!(matches!(cell(&below, true), Outcome::Unexplained(_)));
-        assert!(matches!(cell(&beyond, false), Outcome::Unexplained(_)));
-    }
 }

@@ -80,29 +80,3 @@ fn painted(cell: &Outcome) -> Cell {
     };
     Cell { fill, word: Label::plain(&word) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_cell_is_drawn_with_its_word() {
-        let map = CellMap {
-            title: "A map".into(),
-            x: "eccentricity".into(),
-            columns: vec!["0.1".into(), "0.9".into()],
-            y: "slenderness".into(),
-            rows: vec!["1".into(), "2".into()],
-            cells: vec![
-                vec![Outcome::Answer(7), Outcome::Absent("limit".into())],
-                vec![Outcome::Answer(23), Outcome::Unexplained("?".into())],
-            ],
-        };
-        let figure = cells_figure(&[map.clone(), map]);
-        let svg = figure.to_svg();
-        for word in ["A map", "eccentricity", "slenderness", "\n7\n", "\nlimit\n", "\n23\n", "\n?\n"] {
-            assert!(svg.contains(word), "no {word:?} in {svg}");
-        }
-        assert!(figure.to_png().is_ok());
-    }
-}
