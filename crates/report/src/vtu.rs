@@ -7,7 +7,7 @@ use quick_xml::events::BytesText;
 use quick_xml::{Error as Xml, Writer};
 use rayon::prelude::*;
 
-use self::array::{Array, Numbers};
+use self::array::{Array, ArrayNumbers};
 use crate::Error;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 
@@ -79,7 +79,7 @@ fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, compression: C
     let offsets: Vec<u64> = (1..=picture.cells.len() as u64).map(|cell| 6 * cell).collect();
     let types = vec![QUADRATIC_TRIANGLE; picture.cells.len()];
     let connectivity: Vec<u64> = connectivity.collect();
-    let points = Numbers::Float64(picture.points.as_flattened());
+    let points = ArrayNumbers::Float64(picture.points.as_flattened());
     let parts = [
         ("PointData", picture.point_data.iter().map(array).collect()),
         ("CellData", picture.cell_data.iter().map(array).collect()),
@@ -87,9 +87,9 @@ fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, compression: C
         (
             "Cells",
             vec![
-                Array::plain("connectivity", 1, Numbers::UInt64(&connectivity)),
-                Array::plain("offsets", 1, Numbers::UInt64(&offsets)),
-                Array::plain("types", 1, Numbers::UInt8(&types)),
+                Array::plain("connectivity", 1, ArrayNumbers::UInt64(&connectivity)),
+                Array::plain("offsets", 1, ArrayNumbers::UInt64(&offsets)),
+                Array::plain("types", 1, ArrayNumbers::UInt8(&types)),
             ],
         ),
     ];
@@ -126,7 +126,7 @@ fn array(field: &PictureField) -> Array<'_> {
         FieldValues::Scalars(values) => (1, values.as_slice()),
         FieldValues::Vectors(values) => (3, values.as_flattened()),
     };
-    Array { name: &field.name, unit: Some(&field.unit), components, numbers: Numbers::Float64(numbers) }
+    Array { name: &field.name, unit: Some(&field.unit), components, numbers: ArrayNumbers::Float64(numbers) }
 }
 
 /// The lines as data of the whole field: of each an array of its name, in each row the two points of a piece.

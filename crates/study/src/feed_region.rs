@@ -3,8 +3,8 @@
 //! The oil reaches the film through the rim of their union. How much of it came through the hole has no meaning there,
 //! so the union has one name, that of its feeds joined by `+` in the order of the scene.
 
-use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Meeting, Shape, meeting};
+use oilwedge_mesh::developed::LinerDomain;
+use oilwedge_mesh::generate::{Meeting, RoundedRectangle, meeting};
 use oilwedge_scene::{Feed, MeshSource, Scene};
 
 /// One or several feeds that are one region of the film.
@@ -55,8 +55,8 @@ pub fn feed_regions(scene: &Scene) -> Vec<FeedRegion<'_>> {
 }
 
 /// The liner on which feeds are drawn.
-pub(crate) fn liner(scene: &Scene) -> Liner {
-    Liner {
+pub(crate) fn liner(scene: &Scene) -> LinerDomain {
+    LinerDomain {
         radius: scene.bearing.radius(),
         length: scene.bearing.length,
         arc: scene.bearing.arc.map(|arc| (arc.from, arc.to)),
@@ -64,15 +64,19 @@ pub(crate) fn liner(scene: &Scene) -> Liner {
 }
 
 /// The shape of a feed on the developed surface, where the scene gives it.
-pub fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
+pub fn shape(scene: &Scene, feed: &Feed) -> Option<RoundedRectangle> {
     let radius = scene.bearing.radius();
-    let hole = feed.hole.map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
+    let hole = feed.hole.map(|hole| RoundedRectangle::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
     let groove = feed.groove.map(|groove| {
         let (middle, half) = match groove.arc {
             Some(arc) => (0.5 * (arc.from + arc.to), 0.5 * radius * (arc.to - arc.from)),
             None => (0.0, f64::INFINITY),
         };
-        Shape { centre: [radius * middle, groove.z], half: [half, 0.5 * groove.width], corner: groove.corner }
+        RoundedRectangle {
+            centre: [radius * middle, groove.z],
+            half: [half, 0.5 * groove.width],
+            corner: groove.corner,
+        }
     });
     hole.or(groove)
 }

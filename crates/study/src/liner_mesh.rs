@@ -2,7 +2,7 @@
 
 use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
-    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate_graded, generate_in_rows,
+    Blueprint, DrawingError, Feature, Grading, RoundedRectangle, RowLengths, Sense, generate_graded, generate_in_rows,
     generate_in_rows_like, triangles_graded, triangles_in_rows,
 };
 use oilwedge_mesh::quality::lies_in_rows;
@@ -169,9 +169,9 @@ pub fn resized(scene: &Scene, factor: f64) -> Option<Scene> {
 /// The feeds that the scene describes, as they are drawn.
 fn features(scene: &Scene) -> Vec<Feature> {
     let of_region = |region: FeedRegion<'_>| {
-        let shapes: Vec<Shape> = region.feeds.iter().filter_map(|feed| shape(scene, feed)).collect();
+        let shapes: Vec<RoundedRectangle> = region.feeds.iter().filter_map(|feed| shape(scene, feed)).collect();
         // A groove all around would leave two films; a deeper film is still a film.
-        let meshed = region.pressure().is_none() || shapes.iter().any(Shape::is_full_turn);
+        let meshed = region.pressure().is_none() || shapes.iter().any(RoundedRectangle::is_full_turn);
         let feature = |shape| Feature { name: region.name.clone(), shape, meshed };
         shapes.into_iter().map(feature).collect::<Vec<Feature>>()
     };
@@ -203,7 +203,7 @@ fn by_grading<T>(
     scene: &Scene,
     blueprint: &Blueprint,
     (longest, scale): (f64, &FilmScale),
-    in_rows: impl FnOnce(&Blueprint, &Rows) -> Result<T, Vec<DrawingError>>,
+    in_rows: impl FnOnce(&Blueprint, &RowLengths) -> Result<T, Vec<DrawingError>>,
     free: impl FnOnce(&Blueprint, &dyn Fn([f64; 2]) -> f64, Grading) -> Result<T, Vec<DrawingError>>,
 ) -> Result<T, Vec<DrawingError>> {
     // The films of an orbit are many, and each groove and hole is beside the thinnest film for a moment only.
@@ -216,7 +216,7 @@ fn by_grading<T>(
             // Columns are as dense as the thinnest film along the axis needs.
             let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
             let sense = Sense::of(scene.journal.speed);
-            let rows = Rows { along, across, sense, grading };
+            let rows = RowLengths { along, across, sense, grading };
             in_rows(blueprint, &rows)
         }
         None => free(blueprint, &|at| longest * scale.at(at) / LONGEST, grading),
