@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use cap::Cap;
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use oilwedge_fuzz::{bounded, mutate_words};
-use oilwedge_mesh::{Liner, Mesh, Quality, coarsen, developed, flip, gmsh};
+use oilwedge_mesh::{LinerDomain, Mesh, Quality, coarsen, developed, flip, gmsh};
 
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
@@ -32,7 +32,7 @@ fn check(file: &gmsh::MshFile) {
     }
     // The liners of the seeds.
     for arc in [None, Some((0.0, 0.5 * TAU))] {
-        let liner = Liner {
+        let liner = LinerDomain {
             radius: 1.0,
             length: 2.0,
             arc,

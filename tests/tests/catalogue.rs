@@ -1,7 +1,7 @@
 //! The catalogue of keys, quantities, effects, fields and warnings: every row has all its columns, and its words are
 //! written once.
 
-use oilwedge_report::catalogue::{Entry, entries};
+use oilwedge_report::catalogue::{CatalogueEntry, entries};
 use oilwedge_tests::house::sources;
 use oilwedge_tests::program::repository;
 
@@ -9,7 +9,7 @@ use oilwedge_tests::program::repository;
 const FEWEST_WORDS: usize = 4;
 
 /// The columns that each row of a kind has.
-fn columns(entry: &Entry) -> &'static [&'static str] {
+fn columns(entry: &CatalogueEntry) -> &'static [&'static str] {
     let is_table = entry.columns.iter().any(|(name, _)| *name == "keys");
     match entry.kind {
         "key" if entry.name == "title" || is_table => &["form", "if absent"],

@@ -36,7 +36,7 @@ fn bearing(cavitation: Cavitation, eps: f64, angle: f64, speed: f64) -> (FilmPro
 fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProblem, Arc<FilmSystem>) {
     let mesh = oilwedge_mesh::generate::generate(
         &oilwedge_mesh::generate::Blueprint {
-            liner: oilwedge_mesh::developed::Liner { radius: RADIUS, length: LENGTH, arc: Some((-1.5, 1.5)) },
+            liner: oilwedge_mesh::developed::LinerDomain { radius: RADIUS, length: LENGTH, arc: Some((-1.5, 1.5)) },
             features: Vec::new(),
             line: None,
         },

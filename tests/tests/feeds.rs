@@ -1,7 +1,7 @@
 //! Feeds that overlap, and grooves that divide the film.
 
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
-use oilwedge_mesh::{developed::Liner, quality::Quality};
+use oilwedge_mesh::generate::{Blueprint, Feature, RoundedRectangle, generate};
+use oilwedge_mesh::{developed::LinerDomain, quality::Quality};
 use oilwedge_scene::Scene;
 use oilwedge_study::outline::LinerOutline;
 use oilwedge_study::warnings::warnings;
@@ -125,13 +125,20 @@ fn the_share_of_a_union_has_a_bar() {
 /// Holes in grooves all around, across the seam, and three in a row.
 #[test]
 fn unions_are_meshed_well() {
-    let liner = Liner { radius: 0.03, length: 0.03, arc: None };
-    let rectangle = |x: f64, half: [f64; 2]| Shape { centre: [x, 0.0], half, corner: 0.0 };
+    let liner = LinerDomain { radius: 0.03, length: 0.03, arc: None };
+    let rectangle = |x: f64, half: [f64; 2]| RoundedRectangle { centre: [x, 0.0], half, corner: 0.0 };
     let cases = [
-        (true, vec![rectangle(0.0, [f64::INFINITY, 2e-3]), Shape::disc([0.05, 0.0], 5e-3)]),
-        (false, vec![rectangle(0.0, [5e-3, 9e-3]), Shape::disc([-6e-3, 2e-3], 4e-3)]),
-        (false, vec![Shape::disc([0.05, 0.0], 5e-3), Shape::disc([0.056, 0.0], 5e-3), Shape::disc([0.06, 3e-3], 5e-3)]),
-        (false, vec![rectangle(0.05, [3e-3, 0.015]), Shape::disc([0.05, 0.0], 5e-3)]),
+        (true, vec![rectangle(0.0, [f64::INFINITY, 2e-3]), RoundedRectangle::disc([0.05, 0.0], 5e-3)]),
+        (false, vec![rectangle(0.0, [5e-3, 9e-3]), RoundedRectangle::disc([-6e-3, 2e-3], 4e-3)]),
+        (
+            false,
+            vec![
+                RoundedRectangle::disc([0.05, 0.0], 5e-3),
+                RoundedRectangle::disc([0.056, 0.0], 5e-3),
+                RoundedRectangle::disc([0.06, 3e-3], 5e-3),
+            ],
+        ),
+        (false, vec![rectangle(0.05, [3e-3, 0.015]), RoundedRectangle::disc([0.05, 0.0], 5e-3)]),
     ];
     for (meshed, shapes) in cases {
         let feature = |shape| Feature { name: "one".to_owned(), shape, meshed };

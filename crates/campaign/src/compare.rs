@@ -11,7 +11,7 @@ use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::shaft::{BearingReport, ShaftResult, Variant};
 use oilwedge_study::{CompileError, compile};
 
-use crate::comparison::{Alternative, Comparison, Pair, pairs};
+use crate::comparison::{Alternative, Comparison, QuantityPair, pairs};
 use crate::records::Records;
 use crate::{cost, mobility, standard, theories};
 
@@ -98,7 +98,7 @@ const OF_BEARINGS: [&Row; 6] =
 /// The table of a shaft beside that of the scene, bearing by bearing.
 pub fn shafts(own: &ShaftResult, variant: Variant, other: &ShaftResult) -> Comparison {
     let of_bearing = |(own, other): (&BearingReport, &BearingReport)| {
-        let named = |it: Pair| Pair { name: format!("{}: {}", own.name, it.name), ..it };
+        let named = |it: QuantityPair| QuantityPair { name: format!("{}: {}", own.name, it.name), ..it };
         pairs(&OF_BEARINGS, &own.quantities, &other.quantities).into_iter().map(named).collect::<Vec<_>>()
     };
     let pairs = own.bearings.iter().zip(&other.bearings).flat_map(of_bearing).collect();

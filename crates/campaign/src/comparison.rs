@@ -30,14 +30,14 @@ pub struct Alternative {
     /// Name of the alternative, as `without barus`.
     pub name: String,
     /// Numbers of the film beside those of the alternative; none where there is no answer.
-    pub pairs: Vec<Pair>,
+    pub pairs: Vec<QuantityPair>,
     /// Wall times of the film and of this answer [s], where they are compared.
     pub seconds: Option<[f64; 2]>,
 }
 
 /// One quantity of a film and of another answer, of which at least one has it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Pair {
+pub struct QuantityPair {
     /// Row of the quantity in the catalogue.
     pub row: &'static Row,
     /// Name of the quantity.
@@ -48,7 +48,7 @@ pub struct Pair {
     pub other: Option<Quantity>,
 }
 
-impl Pair {
+impl QuantityPair {
     /// A quantity of the film beside that of another answer; `None` where neither has it.
     pub fn between(film: Option<&Quantity>, other: Option<&Quantity>) -> Option<Self> {
         let one = film.or(other)?;
@@ -78,17 +78,17 @@ impl Pair {
 }
 
 /// The quantities of `rows` of the film beside those of another answer.
-pub(crate) fn pairs(rows: &[&'static Row], film: &[Quantity], other: &[Quantity]) -> Vec<Pair> {
+pub(crate) fn pairs(rows: &[&'static Row], film: &[Quantity], other: &[Quantity]) -> Vec<QuantityPair> {
     let find = |all: &'_ [Quantity], row: &Row| all.iter().position(|it| it.row == row);
     let pair = |row: &&'static Row| {
         let [film, other] = [film, other].map(|all| find(all, row).map(|place| &all[place]));
-        Pair::between(film, other)
+        QuantityPair::between(film, other)
     };
     rows.iter().filter_map(pair).collect()
 }
 
 /// What a changed scene gives, or why it gives nothing.
-pub(crate) struct Answer {
+pub(crate) struct ChangedRun {
     pub(crate) status: Status,
     pub(crate) reason: Option<String>,
     /// The result, where the scene could be run.
@@ -96,14 +96,14 @@ pub(crate) struct Answer {
 }
 
 /// Solves a changed scene. A scene that cannot be run has its reason, as one without a film has.
-pub(crate) fn answer(scene: &Scene, options: &RunOptions) -> Answer {
-    let none = |reason: String| Answer { status: Status::NoSolution, reason: Some(reason), result: None };
+pub(crate) fn answer(scene: &Scene, options: &RunOptions) -> ChangedRun {
+    let none = |reason: String| ChangedRun { status: Status::NoSolution, reason: Some(reason), result: None };
     // A journal at rest, for one, carries no oil into a cavity that conserves it.
     if let Some(complaint) = oilwedge_study::complaints(scene).first() {
         return none(complaint.to_string());
     }
     match run(scene, options) {
-        Ok(found) => Answer {
+        Ok(found) => ChangedRun {
             status: found.result.head.status,
             reason: found.result.head.reason.clone(),
             result: Some(found.result),
@@ -121,8 +121,8 @@ mod tests {
         Some(Quantity { bar: error.map(Bar::of), ..Quantity::new(row, value) })
     }
 
-    fn between(film: Option<Quantity>, other: Option<Quantity>) -> Pair {
-        Pair::between(film.as_ref(), other.as_ref()).expect("one of two")
+    fn between(film: Option<Quantity>, other: Option<Quantity>) -> QuantityPair {
+        QuantityPair::between(film.as_ref(), other.as_ref()).expect("one of two")
     }
 
     #[test]
@@ -133,7 +133,7 @@ mod tests {
         assert_eq!(between(load(12.0, None), load(10.0, Some(0.25))).exceeds_bars(), None);
         let lost = between(load(12.0, Some(0.5)), None);
         assert_eq!((lost.difference(), lost.error()), (None, None));
-        assert!(Pair::between(None, None).is_none());
+        assert!(QuantityPair::between(None, None).is_none());
     }
 
     #[test]

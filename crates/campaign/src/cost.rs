@@ -13,7 +13,7 @@ use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::scope::Scope;
 
-use crate::comparison::{Alternative, Comparison, Pair, answer, pairs};
+use crate::comparison::{Alternative, Comparison, QuantityPair, answer, pairs};
 use crate::records::{CostRecord, read_back, recorded};
 
 /// Runs of one scene at most, of which the median time is reported.
@@ -94,8 +94,8 @@ pub(crate) fn comparison(costs: &[CostRecord], result: &RunResult) -> Comparison
 }
 
 /// Whether nothing changes beyond the error bars; `None` where bars that could decide are missing.
-fn could_be_left_out(changes: &[Pair]) -> Option<bool> {
-    let exceeds = |it: &Pair| it.difference().map_or(Some(true), |_| it.exceeds_bars());
+fn could_be_left_out(changes: &[QuantityPair]) -> Option<bool> {
+    let exceeds = |it: &QuantityPair| it.difference().map_or(Some(true), |_| it.exceeds_bars());
     let answers: Vec<_> = changes.iter().map(exceeds).collect();
     match answers.contains(&Some(true)) || answers.is_empty() {
         true => Some(false),
@@ -150,10 +150,10 @@ mod tests {
     use oilwedge_study::quantities::{Bar, LOAD, Quantity};
     use oilwedge_study::result::Status;
 
-    fn compared(changes: &[(f64, Option<f64>)]) -> Vec<Pair> {
+    fn compared(changes: &[(f64, Option<f64>)]) -> Vec<QuantityPair> {
         let load = |value: f64, error: Option<f64>| Quantity { bar: error.map(Bar::of), ..Quantity::new(&LOAD, value) };
         let change = |&(change, error): &(f64, _)| {
-            Pair::between(Some(&load(10.0 + change, error)), Some(&load(10.0, Some(0.0))))
+            QuantityPair::between(Some(&load(10.0 + change, error)), Some(&load(10.0, Some(0.0))))
         };
         changes.iter().filter_map(change).collect()
     }

@@ -14,7 +14,7 @@ mod theories;
 
 pub use characteristics::characteristics;
 pub use compare::{Compare, comparisons, shafts};
-pub use comparison::{Alternative, Comparison, Pair};
+pub use comparison::{Alternative, Comparison, QuantityPair};
 pub use convergence::converge;
 pub use records::Records;
 

@@ -5,7 +5,7 @@ use oilwedge_study::quantities::{Bar, Quantity, row};
 use oilwedge_study::result::{Status, in_order};
 use serde::{Deserialize, Serialize};
 
-use crate::comparison::Pair;
+use crate::comparison::QuantityPair;
 
 /// The records in the result file; what was not asked for is absent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -30,7 +30,7 @@ pub struct Records {
 
 /// Numbers of one quantity in the result file, in its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Compared<T> {
+pub struct RecordedPair<T> {
     /// Symbol of the quantity.
     pub symbol: String,
     /// Unit of the number.
@@ -43,24 +43,24 @@ pub struct Compared<T> {
 /// Numbers of a pair in the result file.
 pub(crate) trait PairNumbers: Sized {
     /// The numbers of a pair; `None` where it has none.
-    fn of(pair: &Pair) -> Option<Self>;
+    fn of(pair: &QuantityPair) -> Option<Self>;
 
     /// Value and error of the other answer, beside a film with this error.
     fn other(&self, film: Option<f64>) -> Option<(f64, Option<f64>)>;
 }
 
 /// The numbers of pairs by the names of their quantities.
-pub(crate) fn recorded<T: PairNumbers>(pairs: &[Pair]) -> Vec<(String, Compared<T>)> {
-    let entry = |it: &Pair| {
+pub(crate) fn recorded<T: PairNumbers>(pairs: &[QuantityPair]) -> Vec<(String, RecordedPair<T>)> {
+    let entry = |it: &QuantityPair| {
         let (symbol, unit) = (it.row.symbol.to_owned(), it.row.unit.name().to_owned());
-        Some((it.name.clone(), Compared { symbol, unit, numbers: T::of(it)? }))
+        Some((it.name.clone(), RecordedPair { symbol, unit, numbers: T::of(it)? }))
     };
     pairs.iter().filter_map(entry).collect()
 }
 
 /// The quantities of the other answer, beside the film with these `quantities`.
-pub(crate) fn read_back<T: PairNumbers>(recorded: &[(String, Compared<T>)], film: &[Quantity]) -> Vec<Quantity> {
-    let quantity = |(name, it): &(String, Compared<T>)| {
+pub(crate) fn read_back<T: PairNumbers>(recorded: &[(String, RecordedPair<T>)], film: &[Quantity]) -> Vec<Quantity> {
+    let quantity = |(name, it): &(String, RecordedPair<T>)| {
         let error = film.iter().find(|own| own.name == *name).and_then(Quantity::error);
         let (value, error) = it.numbers.other(error)?;
         Some(Quantity { bar: error.map(Bar::of), ..named(name, value)? })
@@ -86,7 +86,7 @@ pub struct CostRecord {
     pub reason: Option<String>,
     /// By name of quantity; an object in JSON.
     #[serde(with = "in_order")]
-    pub changes: Vec<(String, Compared<Change>)>,
+    pub changes: Vec<(String, RecordedPair<Change>)>,
     /// Whether nothing changes beyond the error bars; `null` where that is not known.
     pub could_be_left_out: Option<bool>,
     /// Wall time with all effects [s].
@@ -109,7 +109,7 @@ pub struct Change {
 }
 
 impl PairNumbers for Change {
-    fn of(pair: &Pair) -> Option<Self> {
+    fn of(pair: &QuantityPair) -> Option<Self> {
         let [with, without] = pair.values();
         let change = with.zip(without).map(|(with, without)| pair.row.difference(with, without));
         Some(Self { with, without, change, error: pair.error() })
@@ -144,7 +144,7 @@ pub struct FilmRecord {
     pub film_start_deg: Option<f64>,
     /// By name; an object in JSON.
     #[serde(with = "in_order")]
-    pub quantities: Vec<(String, Compared<TheoryNumber>)>,
+    pub quantities: Vec<(String, RecordedPair<TheoryNumber>)>,
 }
 
 /// A quantity of the film of a theory.
@@ -159,7 +159,7 @@ pub struct TheoryNumber {
 }
 
 impl PairNumbers for TheoryNumber {
-    fn of(pair: &Pair) -> Option<Self> {
+    fn of(pair: &QuantityPair) -> Option<Self> {
         let other = pair.other.as_ref()?;
         Some(Self { value: other.value, error: other.error(), difference: pair.difference() })
     }
@@ -220,7 +220,7 @@ pub struct MapRecord {
     pub orbit: ByMap,
     /// By name; an object in JSON.
     #[serde(with = "in_order")]
-    pub quantities: Vec<(String, Compared<MapNumber>)>,
+    pub quantities: Vec<(String, RecordedPair<MapNumber>)>,
 }
 
 /// A quantity of an orbit by a map.
@@ -233,7 +233,7 @@ pub struct MapNumber {
 }
 
 impl PairNumbers for MapNumber {
-    fn of(pair: &Pair) -> Option<Self> {
+    fn of(pair: &QuantityPair) -> Option<Self> {
         Some(Self { value: pair.other.as_ref()?.value, difference: pair.difference() })
     }
 

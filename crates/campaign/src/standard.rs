@@ -13,7 +13,7 @@ use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::{self, Bar, Quantity, Row, VISCOSITY_EFFECTIVE};
 use oilwedge_study::result::RunResult;
 
-use crate::comparison::{Alternative, Comparison, Pair, pairs};
+use crate::comparison::{Alternative, Comparison, QuantityPair, pairs};
 use crate::records::{OwnBalance, StandardNumber, StandardRecord, named};
 
 mod feed;
@@ -86,7 +86,7 @@ fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<StandardR
 }
 
 impl StandardNumber {
-    fn of(pair: &Pair) -> Option<Self> {
+    fn of(pair: &QuantityPair) -> Option<Self> {
         let film = pair.film.as_ref()?;
         Some(Self {
             quantity: pair.name.clone(),
@@ -99,10 +99,10 @@ impl StandardNumber {
     }
 
     /// The number of the standard beside that of the film.
-    fn pair(&self) -> Option<Pair> {
+    fn pair(&self) -> Option<QuantityPair> {
         let film = named(&self.quantity, self.film)?;
         let film = Quantity { bar: self.error.map(Bar::of), ..film };
-        Pair::between(Some(&film), named(&self.quantity, self.standard).as_ref())
+        QuantityPair::between(Some(&film), named(&self.quantity, self.standard).as_ref())
     }
 }
 

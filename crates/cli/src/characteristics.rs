@@ -2,7 +2,7 @@
 
 use crate::characteristics_report::characteristics_report;
 use crate::complain::{self, Failure};
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::characteristics::{characteristics, check, fit};
@@ -48,11 +48,11 @@ impl CharacteristicsOf {
         let folder = self.run.folder();
         files::check(&folder)?;
         let options = self.run.options(&scene, Interrupt::NEVER)?;
-        let working = Progress::of("the film of each motion");
+        let working = ProgressLine::of("the film of each motion");
         let mut found = characteristics(&scene, &options).map_err(Failure::of(path))?;
         drop(working);
         if self.fit {
-            let progress = Mutex::new(Progress::of_cases());
+            let progress = Mutex::new(ProgressLine::of_cases());
             let done = |done: usize, cases: usize| {
                 if let Ok(mut progress) = progress.lock() {
                     progress.cases(Cases { kept: 0, done, cases });

@@ -2,7 +2,7 @@
 
 use crate::readable::{bar, quantity_value, readable_unit, significant};
 use oilwedge_campaign::characteristics::fit::{Domain, Fit};
-use oilwedge_campaign::characteristics::{Carried, Characteristics, JournalFacts, Number, Units};
+use oilwedge_campaign::characteristics::{Characteristics, ForceAndMoment, JournalFacts, NumberWithBar, Units};
 use oilwedge_report::characteristics::FILE;
 use oilwedge_report::tables::{heading, printable, status, table};
 use oilwedge_study::quantities::Unit;
@@ -81,7 +81,7 @@ fn together(found: &Characteristics) -> String {
     let header = names.map(|(name, (unit, _))| format!("{name}\n{unit}"));
     let header = ["this film".to_owned(), "rate\n1/s".to_owned()].into_iter().chain(header);
     let mut table = table(header, 1..6);
-    let cells = |carried: Option<&Carried>| four(carried, |number, k| shown(number, names[k].1.1));
+    let cells = |carried: Option<&ForceAndMoment>| four(carried, |number, k| shown(number, names[k].1.1));
     for part in &found.parts {
         let rate = significant(part.rate, 4);
         table.add_row([words(part.part), rate].into_iter().chain(cells(part.share.as_ref())));
@@ -106,7 +106,7 @@ fn times(ratio: f64) -> String {
     }
 }
 
-fn four(carried: Option<&Carried>, cell: impl Fn(Number, usize) -> String) -> [String; 4] {
+fn four(carried: Option<&ForceAndMoment>, cell: impl Fn(NumberWithBar, usize) -> String) -> [String; 4] {
     match carried {
         Some(carried) => {
             let numbers = carried.numbers();
@@ -117,7 +117,7 @@ fn four(carried: Option<&Carried>, cell: impl Fn(Number, usize) -> String) -> [S
 }
 
 /// A number in a unit of this size; zero by symmetry without a bar.
-fn shown(number: Number, size: f64) -> String {
+fn shown(number: NumberWithBar, size: f64) -> String {
     let (value, error) = (number.value / size, number.error.map(|error| error / size));
     match error.filter(|error| *error > 0.0) {
         _ if number.zero_by_symmetry || value == 0.0 => "0".to_owned(),

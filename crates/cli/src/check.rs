@@ -12,7 +12,7 @@ use std::process::ExitCode;
 /// Arguments of `oilwedge check`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub(crate) struct Check {
+pub(crate) struct CheckCommand {
     /// A scene (TOML), or a mesh by itself (a gmsh 4.1 file, its name ending in .msh, lengths in metres).
     #[arg(value_name = "SCENE|MESH")]
     file: PathBuf,
@@ -29,7 +29,7 @@ Examples:
 
 Exit status: 0 it can be used; 2 it cannot (all errors are on stderr).";
 
-impl Check {
+impl CheckCommand {
     /// Checks the file, and prints what is in it.
     ///
     /// # Errors

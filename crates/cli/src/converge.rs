@@ -4,7 +4,7 @@ use crate::complain::Failure;
 use crate::interrupt;
 use crate::levels_table::convergence_report;
 use crate::plot;
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::report::PageArguments;
 use crate::run_options::folder;
 use crate::terminal::{exit_code, output};
@@ -73,7 +73,7 @@ impl Converge {
         let scene = oilwedge_study::read(&self.scene)?;
         let folder = folder(&self.out, &self.scene);
         files::check(&folder)?;
-        let mut progress = Progress::of_seconds(self.max_seconds);
+        let mut progress = ProgressLine::of_seconds(self.max_seconds);
         let study = converge(&scene, &budget, &mut progress).map_err(Failure::of(&self.scene))?;
         drop(progress);
         let report = &study.report;

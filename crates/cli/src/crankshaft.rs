@@ -3,7 +3,7 @@
 use crate::complain::{self, Failure};
 use crate::interrupt;
 use crate::plot;
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::report::PageArguments;
 use crate::terminal::{exit_code, output};
 use oilwedge_report::json;
@@ -46,7 +46,7 @@ pub(crate) fn is_crankshaft(error: &SceneError) -> bool {
 
 /// What is asked of a run.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Asked<'a> {
+pub(crate) struct ShaftRequest<'a> {
     /// The scene.
     pub(crate) scene: &'a Path,
     /// Folder of the results.
@@ -58,12 +58,12 @@ pub(crate) struct Asked<'a> {
     /// Whether there is to be a page.
     pub(crate) page: PageArguments,
     /// What is printed.
-    pub(crate) shown: Form,
+    pub(crate) shown: ShaftOutput,
 }
 
 /// What is printed of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum ShaftOutput {
     /// One JSON object.
     Json,
     /// A table.
@@ -74,9 +74,9 @@ pub(crate) enum Form {
 ///
 /// # Errors
 /// [`Failure`]: a scene cannot be used, or the results cannot be written.
-pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
+pub(crate) fn solve(asked: ShaftRequest) -> Result<ExitCode, Failure> {
     let scene = ShaftScene::read(asked.scene)?;
-    let working = Progress::of("the films of all bearings; Ctrl-C ends with the cycles that are complete");
+    let working = ProgressLine::of("the films of all bearings; Ctrl-C ends with the cycles that are complete");
     let options = RunOptions { interrupt: interrupt::listen()?, observer: Some(working.observer()), ..asked.options };
     let mut run = run_shaft(&scene, &options)?;
     let mut beside: Vec<ShaftBeside> = Vec::new();
@@ -103,7 +103,7 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
     complain::warn_of_sweep(scene.sweep.as_ref().map(|plan| plan.cases() * bearings));
     complain::warn(&run.result.warnings);
     output(
-        asked.shown == Form::Json,
+        asked.shown == ShaftOutput::Json,
         || Ok(text),
         || shaft_report(&run.result, &beside, asked.folder, (&files, &pictures)),
         Some(asked.folder),

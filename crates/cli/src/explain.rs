@@ -2,7 +2,7 @@
 
 use crate::complain::Failure;
 use crate::terminal::output;
-use oilwedge_report::catalogue::{Entry, entries, explain};
+use oilwedge_report::catalogue::{CatalogueEntry, entries, explain};
 use oilwedge_report::json;
 use std::process::ExitCode;
 
@@ -51,8 +51,8 @@ impl Explain {
             })?,
         };
         let text = || match self.all || meant.len() > MOST_IN_FULL {
-            true => meant.iter().map(Entry::line).collect(),
-            false => meant.iter().map(Entry::in_words).collect::<Vec<_>>().join("\n"),
+            true => meant.iter().map(CatalogueEntry::line).collect(),
+            false => meant.iter().map(CatalogueEntry::in_words).collect::<Vec<_>>().join("\n"),
         };
         output(self.json, || json(&meant), text, None)?;
         Ok(ExitCode::SUCCESS)

@@ -21,9 +21,9 @@ const LOOK: Duration = Duration::from_millis(30);
 
 static ASKED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// The best answer so far.
-static BEST: Mutex<Option<Best>> = Mutex::new(None);
+static BEST: Mutex<Option<LatestAnswer>> = Mutex::new(None);
 /// Writes that of a run that does not end by itself, and returns its exit status.
-static END: OnceLock<Box<dyn Fn(Best) -> u8 + Send + Sync>> = OnceLock::new();
+static END: OnceLock<Box<dyn Fn(LatestAnswer) -> u8 + Send + Sync>> = OnceLock::new();
 /// Held by whoever writes results: the run, or what ends it.
 static WRITING: Mutex<()> = Mutex::new(());
 
@@ -55,7 +55,7 @@ fn refused(error: io::Error) -> Failure {
 }
 
 /// The answer of a run that does not end by itself.
-pub(crate) struct Best {
+pub(crate) struct LatestAnswer {
     /// Numbers of the best film.
     pub(crate) result: RunResult,
     /// Content of `orbit.csv`, if it is that of an orbit.
@@ -63,12 +63,12 @@ pub(crate) struct Best {
 }
 
 /// Ends a run that does not end by itself by writing its best answer.
-pub(crate) fn end_with(end: impl Fn(Best) -> u8 + Send + Sync + 'static) {
+pub(crate) fn end_with(end: impl Fn(LatestAnswer) -> u8 + Send + Sync + 'static) {
     drop(END.set(Box::new(end)));
 }
 
 /// Keeps the best answer so far, in place of the one before.
-pub(crate) fn keep(best: Best) {
+pub(crate) fn keep(best: LatestAnswer) {
     *BEST.lock().unwrap_or_else(PoisonError::into_inner) = Some(best);
 }
 

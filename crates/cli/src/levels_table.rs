@@ -1,7 +1,7 @@
 //! A convergence study for people: a table of levels for each strategy, and the cost of accuracies.
 
 use crate::readable::{readable_unit, significant};
-use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price, TIME_PARTS};
+use oilwedge_campaign::convergence::{ConvergenceReport, LevelReport, Measure, Price, StrategyLevels, TIME_PARTS};
 use oilwedge_report::tables::{effects, heading, printable, status, table, time};
 use oilwedge_study::quantities::{self, Unit};
 use std::path::Path;
@@ -70,7 +70,7 @@ fn unit_of(report: &ConvergenceReport) -> Unit {
     quantities::row(&report.goal.name).map_or(Unit::One, |row| row.unit)
 }
 
-fn levels(course: &Course, report: &ConvergenceReport) -> String {
+fn levels(course: &StrategyLevels, report: &ConvergenceReport) -> String {
     let share = |level: &LevelReport, part: &str| level.seconds.part(part) / level.seconds.total;
     let needed: Vec<&str> = (TIME_PARTS[..TIME_PARTS.len() - 1].iter().copied())
         .filter(|part| course.levels.iter().any(|level| share(level, part) > SMALL))

@@ -23,7 +23,7 @@ const LEAST_SHARE: f64 = 1e-3;
 /// Arguments of `oilwedge load`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub(crate) struct Load {
+pub(crate) struct LoadCommand {
     /// The scene, whose load changes over a cycle: [load] with file, harmonics or bearing.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
@@ -49,7 +49,7 @@ Exit status: 0 done; 2 bad scene, table or arguments (nothing was written).";
 /// The file of the numbers.
 const LOAD_FILE: &str = "load.json";
 
-impl Load {
+impl LoadCommand {
     /// Prints and draws the load.
     ///
     /// # Errors

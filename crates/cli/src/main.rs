@@ -76,15 +76,15 @@ enum Verb {
     /// Solve a scene: the numbers to the terminal and result.json, the fields to film.vtu.
     Solve(solve::Solve),
     /// Read a scene and its mesh, or a mesh alone, and show what it holds or what is wrong with it.
-    Check(check::Check),
+    Check(check::CheckCommand),
     /// Mesh the liner that a scene describes and write it for gmsh.
-    Mesh(mesh::Mesh),
+    Mesh(mesh::MeshCommand),
     /// Solve a scene on ever finer meshes by three strategies, and show what accuracy costs.
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
-    Sweep(sweep::Sweep),
+    Sweep(sweep::SweepCommand),
     /// Print and draw the load of a scene over a cycle.
-    Load(load::Load),
+    Load(load::LoadCommand),
     /// Solve the film of each motion of the journal by itself: its sixteen characteristics, and their sum beside the
     /// film.
     Characteristics(characteristics::CharacteristicsOf),
@@ -93,7 +93,7 @@ enum Verb {
     /// Write one HTML page about the results in a folder.
     Report(report::Report),
     /// Show viscosity and density of an oil by temperature, or which oils a scene may name.
-    Oil(oil::Oil),
+    Oil(oil::OilCommand),
     /// Write a scene with comments to begin with, and its schema.
     New(new::New),
     /// Explain a quantity, effect, key of a scene, field or warning by its name.

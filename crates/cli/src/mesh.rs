@@ -11,7 +11,7 @@ use std::process::ExitCode;
 /// Arguments of `oilwedge mesh`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub(crate) struct Mesh {
+pub(crate) struct MeshCommand {
     /// The scene: a TOML file that describes one bearing.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
@@ -28,7 +28,7 @@ Examples:
 
 Exit status: 0 written; 2 the scene or its liner cannot be meshed, or the file cannot be written.";
 
-impl Mesh {
+impl MeshCommand {
     /// Meshes the liner and writes it.
     ///
     /// # Errors

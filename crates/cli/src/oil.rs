@@ -12,7 +12,7 @@ use std::process::ExitCode;
 /// Arguments of `oilwedge oil`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub(crate) struct Oil {
+pub(crate) struct OilCommand {
     /// The grade, as "SAE 10W-40" or "ISO VG 46"; without it all grades are listed.
     #[arg(value_name = "NAME", num_args = 0..)]
     name: Vec<String>,
@@ -40,7 +40,7 @@ fn temperature(text: &str) -> Result<f64, String> {
     unit::parse(text, Dimension::Temperature).map_err(|error| format!("{error}; {}", error.help("80 C")))
 }
 
-impl Oil {
+impl OilCommand {
     /// Prints what is known of a grade, or which there are.
     ///
     /// # Errors

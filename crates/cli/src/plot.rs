@@ -3,7 +3,7 @@
 
 use crate::complain::{self, Failure};
 use crate::interrupt;
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::run_options::folder;
 use crate::terminal::{exit_code, print};
 use oilwedge_campaign::Records;
@@ -15,7 +15,7 @@ use oilwedge_report::plot::{
     self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PictureFiles, PlotOptions, Unknown, WIDTHS, film_figures, orbit_figures,
     orbits_beside, picture_files, write_pictures,
 };
-use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
+use oilwedge_report::results::{ORBIT_FILE, PICTURE_FILE, RESULT_FILE, ResultCompanions, write_results};
 use oilwedge_report::sweep::{REPORT_FILE, SweepResult};
 use oilwedge_report::tables::printable;
 use oilwedge_report::vtu::{VtuForm, to_vtu};
@@ -159,7 +159,7 @@ impl Plot {
         let scene = oilwedge_study::read(&self.of)?;
         let options =
             RunOptions { interrupt: interrupt::listen_in_time(interrupt::NOTHING)?, ..RunOptions::of(&scene) };
-        let working = Progress::of("the film");
+        let working = ProgressLine::of("the film");
         let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;
         drop(working);
         let folder = folder(&self.out, &self.of);
@@ -177,7 +177,7 @@ impl Plot {
             &folder,
             &run.result,
             &Records::default(),
-            Beside { picture: picture.as_deref(), orbit: orbit.as_deref() },
+            ResultCompanions { picture: picture.as_deref(), orbit: orbit.as_deref() },
         )?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;

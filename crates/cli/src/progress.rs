@@ -18,7 +18,7 @@ const SILENCE: Duration = Duration::from_secs(5);
 
 /// How a run gets on: one line that changes on a terminal, else a line for each mesh and every few seconds.
 #[derive(Debug)]
-pub(crate) struct Steps {
+pub(crate) struct RunSteps {
     bar: ProgressBar,
     now: Mutex<Now>,
 }
@@ -63,7 +63,7 @@ impl Now {
     }
 }
 
-impl Steps {
+impl RunSteps {
     fn show(&self, change: impl FnOnce(&mut Now)) {
         let Ok(mut now) = self.now.lock() else { return };
         change(&mut now);
@@ -78,13 +78,13 @@ impl Steps {
     }
 }
 
-impl SearchObserver for Steps {
+impl SearchObserver for RunSteps {
     fn position(&self, number: usize, residual: f64) {
         self.show(|now| now.position = format!("position {number} off the load by {} of it", significant(residual, 2)));
     }
 }
 
-impl OrbitObserver for Steps {
+impl OrbitObserver for RunSteps {
     fn step(&self, number: usize, angle: f64, period: f64) {
         self.show(|now| {
             let taken = now.begin_of_cycle(number).elapsed().as_secs_f64();
@@ -94,7 +94,7 @@ impl OrbitObserver for Steps {
     }
 }
 
-impl RunObserver for Steps {
+impl RunObserver for RunSteps {
     fn level(&self, number: usize, unknowns: usize) {
         self.show(|now| {
             now.level = format!("level {number}: {unknowns} unknowns");
@@ -157,7 +157,7 @@ fn bars(reached: &Reached) -> String {
 }
 
 /// A line of progress, taken away when it is dropped.
-pub(crate) struct Progress {
+pub(crate) struct ProgressLine {
     bar: ProgressBar,
     begun: Instant,
     /// Time at which the last line was written where there is no terminal.
@@ -172,7 +172,7 @@ fn seconds_left(now: Cases, elapsed: f64) -> Option<f64> {
     (own > 0 && left > 0).then(|| elapsed * left as f64 / own as f64)
 }
 
-impl Progress {
+impl ProgressLine {
     /// What is being computed, and for how long.
     pub(crate) fn of(task: &'static str) -> Self {
         let progress = Self::drawn("{spinner} {elapsed} {msg}", None);
@@ -182,7 +182,7 @@ impl Progress {
 
     /// Shows how a run gets on.
     pub(crate) fn observer(&self) -> &'static dyn RunObserver {
-        let steps = Steps { bar: self.bar.clone(), now: Mutex::new(Now::at_first()) };
+        let steps = RunSteps { bar: self.bar.clone(), now: Mutex::new(Now::at_first()) };
         // One for each run of the program.
         Box::leak(Box::new(steps))
     }
@@ -259,13 +259,13 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
 }
 
-impl Observer for Progress {
+impl Observer for ProgressLine {
     fn begins(&mut self, strategy: Strategy, level: usize, cells: usize, expected: Option<f64>) {
         let expected = expected.map_or(String::new(), |seconds| format!(", some {seconds:.1} s"));
         self.show_time();

@@ -2,9 +2,9 @@
 
 use crate::complain::{self, Failure};
 use crate::crankshaft;
-use crate::interrupt::{self, Best};
+use crate::interrupt::{self, LatestAnswer};
 use crate::plot;
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
@@ -15,7 +15,7 @@ use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page};
 use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
-use oilwedge_report::results::{Beside, earlier_orbit, write_results};
+use oilwedge_report::results::{ResultCompanions, earlier_orbit, write_results};
 use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, Precision, VtuForm, to_vtu};
 use oilwedge_scene::Scene;
@@ -184,11 +184,11 @@ impl Solve {
             earlier: earlier_orbit(&self.run.folder(), &scene).filter(|_| !self.fresh),
             ..self.run.options(&scene, interrupt)?
         };
-        let working = Progress::of(Self::task(&scene));
+        let working = ProgressLine::of(Self::task(&scene));
         let observed = RunOptions { observer: Some(working.observer()), ..options };
         let model = compile(&scene).map_err(Failure::of(path))?;
         self.check_compared(&model)?;
-        let keep = |result| interrupt::keep(Best { result, orbit: None });
+        let keep = |result| interrupt::keep(LatestAnswer { result, orbit: None });
         let run = run_telling(&model, &observed, Some(&keep)).map_err(Failure::of(path))?;
         if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
             return Err(Failure::Interrupted(format!(
@@ -204,7 +204,7 @@ impl Solve {
         drop(working);
         let json = result_json(&run.result, &records)?;
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
-        interrupt::keep(Best { result: run.result.clone(), orbit: orbit.clone() });
+        interrupt::keep(LatestAnswer { result: run.result.clone(), orbit: orbit.clone() });
         let figures = match run.picture.as_ref().filter(|_| self.plot) {
             Some(picture) => plot::figures_of_film(&run.result, picture, &plot::usual())?,
             None => Vec::new(),
@@ -228,7 +228,12 @@ impl Solve {
         let picture = picture.transpose()?;
         let folder = self.run.folder();
         let _writing = interrupt::writing();
-        write_results(&folder, &run.result, &records, Beside { picture: picture.as_deref(), orbit: orbit.as_deref() })?;
+        write_results(
+            &folder,
+            &run.result,
+            &records,
+            ResultCompanions { picture: picture.as_deref(), orbit: orbit.as_deref() },
+        )?;
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
         complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
@@ -251,13 +256,13 @@ impl Solve {
 
     /// What writes and prints the numbers of a run, without its pictures, that an interrupt ends before it ends by
     /// itself; the exit status.
-    fn end(&self) -> impl Fn(Best) -> u8 + Send + Sync + 'static {
+    fn end(&self) -> impl Fn(LatestAnswer) -> u8 + Send + Sync + 'static {
         let (folder, shown, json) = (self.run.folder(), self.shown(), self.run.json);
-        move |Best { result, orbit }| {
+        move |LatestAnswer { result, orbit }| {
             let none = Records::default();
             let written = || -> Result<(), Failure> {
                 let text = result_json(&result, &none)?;
-                write_results(&folder, &result, &none, Beside { picture: None, orbit: orbit.as_deref() })?;
+                write_results(&folder, &result, &none, ResultCompanions { picture: None, orbit: orbit.as_deref() })?;
                 complain::warn(&result.warnings);
                 let written = Written { folder: &folder, has_fields: false, pictures: "" };
                 output(json, || Ok(text), || run_report(&result, shown, &none, Some(written)), Some(&folder))
@@ -299,15 +304,15 @@ impl Solve {
         let beside = [(self.cut, Variant::Cut), (self.counterweights, Variant::Counterweights)];
         let beside: Vec<Variant> =
             beside.into_iter().filter_map(|(is_given, variant)| is_given.then_some(variant)).collect();
-        crankshaft::solve(crankshaft::Asked {
+        crankshaft::solve(crankshaft::ShaftRequest {
             scene: &self.run.scene,
             folder: &self.run.folder(),
             options: self.run.options_of_shaft(),
             beside: &beside,
             page: self.page,
             shown: match self.run.json {
-                true => crankshaft::Form::Json,
-                false => crankshaft::Form::Table,
+                true => crankshaft::ShaftOutput::Json,
+                false => crankshaft::ShaftOutput::Table,
             },
         })
     }

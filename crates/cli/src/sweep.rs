@@ -4,7 +4,7 @@ use crate::complain::{Failure, warn};
 use crate::crankshaft::is_crankshaft;
 use crate::interrupt;
 use crate::plot;
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::output;
@@ -21,7 +21,7 @@ use std::process::ExitCode;
 /// Arguments of `oilwedge sweep`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub(crate) struct Sweep {
+pub(crate) struct SweepCommand {
     #[command(flatten)]
     run: RunArguments,
 
@@ -66,7 +66,7 @@ Rows are written as cases end. The same command continues a sweep that was kille
 Exit status: 0 all cases are in the table, also those without a film (their row has the reason); 1 no case has an
 answer (not with --part); 2 bad scene, mesh or arguments, or another sweep in the folder; 130 ended by Ctrl-C with its rows kept.";
 
-impl Sweep {
+impl SweepCommand {
     /// Runs the sweep, and prints it.
     ///
     /// # Errors
@@ -137,7 +137,7 @@ const KEPT: &str = "the cases that ended before are kept; the same command goes 
 
 /// Computes a sweep or a part of it, and shows how far it has got.
 fn computed(cases: &Cases, options: &SweepOptions, folder: &Path) -> Result<SweepReport, SweepError> {
-    let mut progress = Progress::of_cases();
+    let mut progress = ProgressLine::of_cases();
     let notify = &mut |notice: Notice| match notice {
         Notice::Forecast(forecast) => progress.say(&words(&forecast)),
         Notice::Progress(now) => progress.cases(now),

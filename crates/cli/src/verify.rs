@@ -1,10 +1,10 @@
 //! `oilwedge verify`: this program against known answers and hard cases.
 
 use crate::complain::Failure;
-use crate::progress::Progress;
+use crate::progress::ProgressLine;
 use crate::readable::significant;
 use crate::terminal::print;
-use oilwedge_campaign::{Alternative, Comparison, Pair};
+use oilwedge_campaign::{Alternative, Comparison, QuantityPair};
 use oilwedge_report::sheet::{Sheet, none, number_as, text};
 use oilwedge_report::sweep::Progress as Cases;
 use oilwedge_report::tables::{heading, time};
@@ -12,7 +12,7 @@ use oilwedge_report::{comparison, folder};
 use oilwedge_study::quantities::{LOAD, Quantity};
 use oilwedge_verification::cases::KNOWN_VALUES;
 use oilwedge_verification::run_suite;
-use oilwedge_verification::suite::{self, Verdict};
+use oilwedge_verification::suite::{self, CaseVerdict};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -56,8 +56,8 @@ impl Verify {
             (false, false) => self.family.clone(),
         };
         let cases = suite::count(&names, true)?;
-        let mut progress = Progress::of_cases();
-        let mut so_far: Vec<Verdict> = Vec::new();
+        let mut progress = ProgressLine::of_cases();
+        let mut so_far: Vec<CaseVerdict> = Vec::new();
         if self.hard {
             // A folder that cannot be written is reported before minutes have passed.
             write(&self.out, &so_far, cases)?;
@@ -91,8 +91,8 @@ impl Verify {
 }
 
 /// How far the suite has got, and which series ended.
-fn line(series: &[Verdict], [done, cases]: [usize; 2], clock: Instant) -> String {
-    let name = |verdict: &Verdict| format!("{}, {}", verdict.case.family, verdict.case.series);
+fn line(series: &[CaseVerdict], [done, cases]: [usize; 2], clock: Instant) -> String {
+    let name = |verdict: &CaseVerdict| format!("{}, {}", verdict.case.family, verdict.case.series);
     let name = series.first().map_or(String::new(), name);
     format!("{done} of {cases} cases, {}: {name}", time(clock.elapsed().as_secs_f64()))
 }
@@ -103,7 +103,7 @@ const INTERVAL: Duration = Duration::from_secs(1);
 const PAGE: &str = "stability.md";
 
 /// Writes the page of the cases that have ended, whole or not at all.
-fn write(folder: &Path, verdicts: &[Verdict], cases: usize) -> Result<(), Failure> {
+fn write(folder: &Path, verdicts: &[CaseVerdict], cases: usize) -> Result<(), Failure> {
     let note = match verdicts.len() == cases {
         true => format!("{cases} cases, {}.", outcome(verdicts)),
         false => {
@@ -114,7 +114,7 @@ fn write(folder: &Path, verdicts: &[Verdict], cases: usize) -> Result<(), Failur
     Ok(folder::replace(folder, &[(PAGE.as_ref(), Some(page.as_bytes()))])?)
 }
 
-fn outcome(verdicts: &[Verdict]) -> String {
+fn outcome(verdicts: &[CaseVerdict]) -> String {
     match verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).count() {
         0 => "all as expected".to_owned(),
         count => format!("{count} unexplained"),
@@ -122,9 +122,11 @@ fn outcome(verdicts: &[Verdict]) -> String {
 }
 
 /// Computed numbers beside known ones; nothing where there are none.
-fn known_values(verdicts: &[Verdict]) -> Option<Sheet> {
-    let named =
-        |verdict: &Verdict, it: &Pair| Pair { name: format!("{}: {}", verdict.case.name(), it.name), ..it.clone() };
+fn known_values(verdicts: &[CaseVerdict]) -> Option<Sheet> {
+    let named = |verdict: &CaseVerdict, it: &QuantityPair| QuantityPair {
+        name: format!("{}: {}", verdict.case.name(), it.name),
+        ..it.clone()
+    };
     let pairs = verdicts.iter().flat_map(|verdict| verdict.known.iter().map(|it| named(verdict, it))).collect();
     let computed = Alternative { name: "computed".to_owned(), pairs, seconds: None };
     let known = Comparison { film: "known".to_owned(), alternatives: vec![computed], ..Comparison::default() };
@@ -132,8 +134,8 @@ fn known_values(verdicts: &[Verdict]) -> Option<Sheet> {
 }
 
 /// How the cases ended, their faults below.
-fn ends(verdicts: &[Verdict]) -> Sheet {
-    let row = |verdict: &Verdict| {
+fn ends(verdicts: &[CaseVerdict]) -> Sheet {
+    let row = |verdict: &CaseVerdict| {
         let mark = if verdict.faults.is_empty() { "" } else { "! " };
         let load = verdict.result.as_ref().and_then(|result| result.quantity(&LOAD));
         let number =

@@ -13,7 +13,7 @@ const RIGHT: f64 = 1.5;
 
 /// A cell: its colour and its word.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Cell {
+pub struct ColouredCell {
     /// Colour of the cell.
     pub fill: Colour,
     /// Word in the cell, left out where it does not fit.
@@ -36,7 +36,7 @@ pub struct CellGrid {
     /// A word for each row, from below.
     pub rows: Vec<Label>,
     /// Rows of cells, from below.
-    pub cells: Vec<Vec<Cell>>,
+    pub cells: Vec<Vec<ColouredCell>>,
 }
 
 impl CellGrid {
@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn every_cell_is_drawn_with_its_word() {
-        let cell = |fill: Colour, word: &str| Cell { fill, word: word.into() };
+        let cell = |fill: Colour, word: &str| ColouredCell { fill, word: word.into() };
         let grid = CellGrid {
             title: "A grid".into(),
             legend: "what colours mean".into(),

@@ -1,7 +1,7 @@
 //! Curves with marks and error bars over two axes, and several such charts on one sheet with one legend.
 
 use crate::{
-    Anchor, Axis, Colour, Entry, Figure, Frame, GREY, GRID, LETTERS, Label, Letters, Mark, Pen, Rectangle,
+    Anchor, Axis, Colour, Figure, GREY, GRID, LETTERS, Label, LegendEntry, Letters, Mark, Pen, PlotFrame, Rectangle,
     SMALLEST_LETTERS, Scale, Stroke, draw_legend, legend_height,
 };
 
@@ -54,8 +54,8 @@ impl Series {
         Self { mark: Some(mark), ..self }
     }
 
-    fn entry(&self) -> Entry {
-        Entry { name: self.name.clone(), colour: self.colour, stroke: self.stroke, mark: self.mark, area: None }
+    fn entry(&self) -> LegendEntry {
+        LegendEntry { name: self.name.clone(), colour: self.colour, stroke: self.stroke, mark: self.mark, area: None }
     }
 }
 
@@ -83,7 +83,7 @@ pub struct Note {
 
 /// What kind of picture a chart is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ChartKind {
     /// Curves over axes.
     Curves,
     /// A drawing: no axes, and equal lengths both ways.
@@ -100,7 +100,7 @@ pub struct Chart {
     /// Name and scale of the axis upwards.
     pub y: (Label, Scale),
     /// What kind of picture it is.
-    pub kind: Kind,
+    pub kind: ChartKind,
     /// Bands drawn behind the curves.
     pub bands: Vec<Band>,
     /// What is drawn, the uppermost last.
@@ -116,7 +116,7 @@ impl Chart {
             title: Label::plain(title),
             x: (x, Scale::Linear),
             y: (y, Scale::Linear),
-            kind: Kind::Curves,
+            kind: ChartKind::Curves,
             bands: Vec::new(),
             series: Vec::new(),
             notes: Vec::new(),
@@ -124,7 +124,7 @@ impl Chart {
     }
 
     /// Entries of a legend: the first series of each name.
-    pub fn entries(&self) -> Vec<Entry> {
+    pub fn entries(&self) -> Vec<LegendEntry> {
         entries(std::slice::from_ref(self))
     }
 
@@ -138,7 +138,7 @@ impl Chart {
         self.series
             .iter()
             .flat_map(ends)
-            .chain(notes.filter(|_| self.kind == Kind::Drawing))
+            .chain(notes.filter(|_| self.kind == ChartKind::Drawing))
             .collect::<Vec<_>>()
             .into_iter()
     }
@@ -163,15 +163,15 @@ impl Chart {
         };
         let outer = [left, top + line, width, height - line];
         let frame = match self.kind {
-            Kind::Curves => Frame::within(outer, x, y),
-            Kind::Drawing => {
+            ChartKind::Curves => PlotFrame::within(outer, x, y),
+            ChartKind::Drawing => {
                 let scale = f64::max(x.extent() / outer[2], y.extent() / outer[3]);
                 let (x, y) = (x.widened(scale * outer[2]), y.widened(scale * outer[3]));
-                Frame { inner: outer, x, y }
+                PlotFrame { inner: outer, x, y }
             }
         };
         figure.text([frame.inner[0], top + 0.45 * line], &self.title, Letters::default().bold(), Anchor::Left);
-        if self.kind == Kind::Curves {
+        if self.kind == ChartKind::Curves {
             self.bands.iter().for_each(|band| draw_band(figure, &frame, band));
             frame.draw_grid(figure);
             self.bands.iter().for_each(|band| draw_note_of(figure, &frame, band));
@@ -183,7 +183,7 @@ impl Chart {
             let letters = Letters::sized(SMALLEST_LETTERS).coloured(note.colour).with_halo();
             figure.text(frame.at(note.at), &note.label, letters, Anchor::Centre);
         }
-        if self.kind == Kind::Curves {
+        if self.kind == ChartKind::Curves {
             frame.draw(figure);
         }
     }
@@ -194,7 +194,7 @@ fn with_room([left, top, width, height]: Rectangle) -> Rectangle {
     [left - 1.3, top - 1.3, width + 2.6, height + 2.6]
 }
 
-fn draw_band(figure: &mut Figure, frame: &Frame, band: &Band) {
+fn draw_band(figure: &mut Figure, frame: &PlotFrame, band: &Band) {
     if let Some([high, low]) = extent(frame, band) {
         let [left, _, width, _] = frame.inner;
         figure.rectangle([left, high, width, low - high], GRID);
@@ -202,7 +202,7 @@ fn draw_band(figure: &mut Figure, frame: &Frame, band: &Band) {
 }
 
 /// What a band means, where it has room for that.
-fn draw_note_of(figure: &mut Figure, frame: &Frame, band: &Band) {
+fn draw_note_of(figure: &mut Figure, frame: &PlotFrame, band: &Band) {
     let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
     let fits =
         |[high, low]: &[f64; 2]| low - high > 1.2 * letters.line() && band.note.width(letters) < frame.inner[2] - 3.0;
@@ -219,7 +219,7 @@ fn draw_note_of(figure: &mut Figure, frame: &Frame, band: &Band) {
 }
 
 /// The upper and the lower end of a band on the sheet [mm], where it is within the frame.
-fn extent(frame: &Frame, band: &Band) -> Option<[f64; 2]> {
+fn extent(frame: &PlotFrame, band: &Band) -> Option<[f64; 2]> {
     let [_, top, _, height] = frame.inner;
     let place = |value: f64| frame.at([1.0, value])[1].clamp(top, top + height);
     let high = place(band.high);
@@ -227,7 +227,7 @@ fn extent(frame: &Frame, band: &Band) -> Option<[f64; 2]> {
     (low > high).then_some([high, low])
 }
 
-fn draw_series(figure: &mut Figure, frame: &Frame, series: &Series) {
+fn draw_series(figure: &mut Figure, frame: &PlotFrame, series: &Series) {
     let points: Vec<[f64; 2]> = series.points.iter().map(|point| frame.at(*point)).collect();
     let is_finite = |point: &[f64; 2]| point.iter().all(|part| part.is_finite());
     let bars = series
@@ -259,8 +259,8 @@ fn draw_series(figure: &mut Figure, frame: &Frame, series: &Series) {
 }
 
 /// The first series of each name.
-fn entries(charts: &[Chart]) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = Vec::new();
+fn entries(charts: &[Chart]) -> Vec<LegendEntry> {
+    let mut entries: Vec<LegendEntry> = Vec::new();
     for series in charts.iter().flat_map(|chart| &chart.series) {
         if !series.name.is_empty() && entries.iter().all(|entry| entry.name != series.name) {
             entries.push(series.entry());
@@ -312,7 +312,7 @@ mod tests {
         chart.bands = vec![Band { low: f64::NEG_INFINITY, high: 0.1, note: "noise".into() }];
         let circle = (0..=36).map(|k| f64::from(10 * k).to_radians()).map(|phi| [10.0 * phi.cos(), 30.0 * phi.sin()]);
         let mut drawing = Chart::new("liner", Label::default(), Label::default());
-        drawing.kind = Kind::Drawing;
+        drawing.kind = ChartKind::Drawing;
         drawing.series = vec![Series::line("right", BLUE, circle.collect()).stroked(Stroke::Dashed)];
         drawing.notes = vec![Note { at: [0.0, 0.0], label: "O".into(), colour: BLUE }];
         let figure = charts_figure("Two charts", &[chart, drawing], 2, PAGE_WIDTH);

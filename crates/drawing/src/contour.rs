@@ -7,8 +7,8 @@
 
 use std::collections::HashMap;
 
-use crate::outline::{Edges, Place, place};
-use crate::patch::{Side, sides};
+use crate::outline::{Edges, FinePlace, place};
+use crate::patch::{PatchSide, sides};
 use crate::{Figure, Levels, Patch, least_and_greatest};
 
 /// Length of the sides of small triangles [mm], and how many there are along the side of a triangle.
@@ -34,7 +34,7 @@ fn root([start, middle, end]: [f64; 3]) -> f64 {
 }
 
 /// A patch that runs against the clock, with what its sides share with their neighbours.
-struct Cell {
+struct ContourPatch {
     patch: Patch,
     /// Whether each side runs from its lesser place to its greater.
     forwards: [bool; 3],
@@ -44,7 +44,7 @@ struct Cell {
     beyond: [Option<usize>; 3],
 }
 
-impl Cell {
+impl ContourPatch {
     /// Values and places at the nodes of a side in the order that both its triangles take.
     fn side(&self, side: usize) -> [[f64; 3]; 3] {
         let node = |k: usize| {
@@ -85,7 +85,7 @@ impl Cell {
     }
 
     /// Where the level crosses the line between two points of the grid of `n` divisions.
-    fn crossing(&self, ends: [[u32; 2]; 2], n: u32, level: f64) -> Place {
+    fn crossing(&self, ends: [[u32; 2]; 2], n: u32, level: f64) -> FinePlace {
         let [from, to] = ends.map(|[i, j]| [2 * i, 2 * j]);
         let middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
         let mut nodes = [from, middle, to].map(|at| self.at(at, 2 * n));
@@ -144,8 +144,8 @@ impl Cell {
     }
 }
 
-fn cells(patches: &[Patch]) -> Vec<Cell> {
-    let mut of_side: HashMap<Side, [Option<usize>; 2]> = HashMap::new();
+fn cells(patches: &[Patch]) -> Vec<ContourPatch> {
+    let mut of_side: HashMap<PatchSide, [Option<usize>; 2]> = HashMap::new();
     let mut cells = Vec::with_capacity(patches.len());
     for patch in patches {
         let [a, b, c] = [0, 1, 2].map(|k| patch.points[k]);
@@ -164,7 +164,12 @@ fn cells(patches: &[Patch]) -> Vec<Cell> {
         let v = patch.values;
         let controls = (0..3).map(|k| 2.0 * v[3 + k] - 0.5 * (v[k] + v[(k + 1) % 3]));
         let bounds = least_and_greatest(v[..3].iter().copied().chain(controls));
-        cells.push(Cell { patch, forwards: sides.map(|(_, is_forwards)| is_forwards), bounds, beyond: [None; 3] });
+        cells.push(ContourPatch {
+            patch,
+            forwards: sides.map(|(_, is_forwards)| is_forwards),
+            bounds,
+            beyond: [None; 3],
+        });
     }
     for k in 0..cells.len() {
         let sides = sides(&cells[k].patch);
@@ -174,8 +179,8 @@ fn cells(patches: &[Patch]) -> Vec<Cell> {
 }
 
 /// Divisions of a side, so that the longest has small parts.
-fn divisions(cells: &[Cell]) -> u32 {
-    let length = |cell: &Cell, k: usize| {
+fn divisions(cells: &[ContourPatch]) -> u32 {
+    let length = |cell: &ContourPatch, k: usize| {
         let (a, b) = (cell.patch.points[k], cell.patch.points[(k + 1) % 3]);
         (b[0] - a[0]).hypot(b[1] - a[1])
     };
@@ -184,8 +189,8 @@ fn divisions(cells: &[Cell]) -> u32 {
 }
 
 /// Outlines of where the field is at or above the level.
-fn above(cells: &[Cell], level: f64, n: u32) -> Vec<Vec<[f64; 2]>> {
-    let is_above = |cell: &Cell| cell.bounds[0] >= level;
+fn above(cells: &[ContourPatch], level: f64, n: u32) -> Vec<Vec<[f64; 2]>> {
+    let is_above = |cell: &ContourPatch| cell.bounds[0] >= level;
     let mut edges = Edges::default();
     for cell in cells {
         if is_above(cell) {

@@ -18,7 +18,7 @@ const FINE: Colour = Colour([241, 241, 241]);
 
 /// Axes around a rectangle of the sheet.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
+pub struct PlotFrame {
     /// Rectangle that the frame encloses on the sheet [mm].
     pub inner: Rectangle,
     /// The axis across.
@@ -36,7 +36,7 @@ fn widest(ticks: &[(f64, Label)]) -> f64 {
     ticks.iter().map(|(_, label)| label.width(numbers())).fold(0.0, f64::max)
 }
 
-impl Frame {
+impl PlotFrame {
     /// The frame whose axes, numbers and names fill the rectangle `outer`.
     pub fn within(outer: Rectangle, x: Axis, y: Axis) -> Self {
         let [left, top, width, height] = outer;

@@ -7,7 +7,7 @@ const SAMPLE: [f64; 3] = [7.0, 1.5, 4.0];
 
 /// An entry of a legend: a curve, an area or a mark.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub struct LegendEntry {
     /// What it is.
     pub name: Label,
     /// Colour of the entry.
@@ -20,7 +20,7 @@ pub struct Entry {
     pub area: Option<Colour>,
 }
 
-impl Entry {
+impl LegendEntry {
     fn width(&self) -> f64 {
         SAMPLE[0] + SAMPLE[1] + self.name.width(letters())
     }
@@ -31,8 +31,8 @@ fn letters() -> Letters {
 }
 
 /// Rows of at most that width.
-fn rows(entries: &[Entry], width: f64) -> Vec<Vec<&Entry>> {
-    let mut rows: Vec<Vec<&Entry>> = Vec::new();
+fn rows(entries: &[LegendEntry], width: f64) -> Vec<Vec<&LegendEntry>> {
+    let mut rows: Vec<Vec<&LegendEntry>> = Vec::new();
     let mut left = 0.0;
     for entry in entries {
         let needed = entry.width() + SAMPLE[2];
@@ -49,12 +49,12 @@ fn rows(entries: &[Entry], width: f64) -> Vec<Vec<&Entry>> {
 }
 
 /// Height of the legend [mm] at that width.
-pub fn legend_height(entries: &[Entry], width: f64) -> f64 {
+pub fn legend_height(entries: &[LegendEntry], width: f64) -> f64 {
     letters().line() * rows(entries, width).len() as f64
 }
 
 /// Draws the legend from its left top on.
-pub fn draw_legend(figure: &mut Figure, entries: &[Entry], [left, top]: [f64; 2], width: f64) {
+pub fn draw_legend(figure: &mut Figure, entries: &[LegendEntry], [left, top]: [f64; 2], width: f64) {
     let line = letters().line();
     for (k, row) in rows(entries, width).into_iter().enumerate() {
         let y = top + line * (k as f64 + 0.5);

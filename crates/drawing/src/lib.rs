@@ -30,14 +30,14 @@ mod text;
 mod wires;
 
 pub use axis::{Axis, Scale, least_and_greatest, linear_steps, number};
-pub use cells::{CELL_HEIGHT, Cell, CellGrid};
-pub use chart::{Band, Chart, Kind, Note, Series, charts_figure};
+pub use cells::{CELL_HEIGHT, CellGrid, ColouredCell};
+pub use chart::{Band, Chart, ChartKind, Note, Series, charts_figure};
 pub use colour::{BLACK, BLUE, Colour, GREEN, GREY, GRID, INK, ORANGE, PURPLE, SERIES, SKY, VERMILION, WHITE, YELLOW};
 pub use colour_map::ColourMap;
 pub use contour::draw_bands;
 pub use figure::{Anchor, Figure, Mark, Pen, Rectangle, Stroke};
-pub use frame::{Frame, draw_colour_bar};
-pub use legend::{Entry, draw_legend, legend_height};
+pub use frame::{PlotFrame, draw_colour_bar};
+pub use legend::{LegendEntry, draw_legend, legend_height};
 pub use levels::Levels;
 pub use patch::Patch;
 pub use polar::Polar;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 /// A place in parts of a millimetre.
-pub(crate) type Place = [i32; 2];
+pub(crate) type FinePlace = [i32; 2];
 
 /// Places in a millimetre.
 pub(crate) const PLACES: f64 = 1000.0;
@@ -13,19 +13,19 @@ const TOLERANCE: f64 = 12.0;
 const LEAST_AREA: f64 = 1500.0;
 
 /// The place of a point on the sheet [mm].
-pub(crate) fn place(point: [f64; 2]) -> Place {
+pub(crate) fn place(point: [f64; 2]) -> FinePlace {
     point.map(|part| (PLACES * part).round() as i32)
 }
 
 /// Directed edges of polygons that all run the same way round.
 #[derive(Debug, Default)]
 pub(crate) struct Edges {
-    counts: HashMap<(Place, Place), u32>,
+    counts: HashMap<(FinePlace, FinePlace), u32>,
 }
 
 impl Edges {
     /// Adds an edge; one that runs the other way is taken away instead.
-    pub(crate) fn add(&mut self, from: Place, to: Place) {
+    pub(crate) fn add(&mut self, from: FinePlace, to: FinePlace) {
         if from == to {
             return;
         }
@@ -37,7 +37,7 @@ impl Edges {
     }
 
     /// Adds the edges of a polygon.
-    pub(crate) fn add_polygon(&mut self, corners: &[Place]) {
+    pub(crate) fn add_polygon(&mut self, corners: &[FinePlace]) {
         for (k, corner) in corners.iter().enumerate() {
             self.add(*corner, corners[(k + 1) % corners.len()]);
         }
@@ -46,10 +46,10 @@ impl Edges {
     /// Closed lines through the edges, simplified [mm]. As many edges leave each place as arrive there, so all lines
     /// close.
     pub(crate) fn into_outlines(self) -> Vec<Vec<[f64; 2]>> {
-        let mut edges: Vec<(Place, Place)> =
+        let mut edges: Vec<(FinePlace, FinePlace)> =
             self.counts.into_iter().flat_map(|(edge, count)| std::iter::repeat_n(edge, count as usize)).collect();
         edges.sort_unstable();
-        let mut leaving: HashMap<Place, Vec<Place>> = HashMap::new();
+        let mut leaving: HashMap<FinePlace, Vec<FinePlace>> = HashMap::new();
         for (from, to) in edges.iter().rev() {
             leaving.entry(*from).or_default().push(*to);
         }
@@ -70,7 +70,7 @@ impl Edges {
     }
 }
 
-fn area(line: &[Place]) -> f64 {
+fn area(line: &[FinePlace]) -> f64 {
     let cross = |k: usize| {
         let ([a, b], [c, d]) = (line[k].map(f64::from), line[(k + 1) % line.len()].map(f64::from));
         a * d - b * c
@@ -79,7 +79,7 @@ fn area(line: &[Place]) -> f64 {
 }
 
 /// A closed line without the points that lie on it (Douglas and Peucker).
-fn simplified(line: &[Place]) -> Vec<Place> {
+fn simplified(line: &[FinePlace]) -> Vec<FinePlace> {
     let distance = |k: usize| (0..2).map(|d| (f64::from(line[k][d]) - f64::from(line[0][d])).powi(2)).sum::<f64>();
     let Some(far) = (0..line.len()).max_by(|a, b| distance(*a).total_cmp(&distance(*b))) else {
         return Vec::new();
@@ -99,7 +99,7 @@ fn simplified(line: &[Place]) -> Vec<Place> {
     (0..line.len()).filter(|k| kept[*k]).map(|k| line[k]).collect()
 }
 
-fn distance_to_segment(point: Place, from: Place, to: Place) -> f64 {
+fn distance_to_segment(point: FinePlace, from: FinePlace, to: FinePlace) -> f64 {
     let [p, a, b] = [point, from, to].map(|place| place.map(f64::from));
     let (along, beside) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
     let length = along[0].powi(2) + along[1].powi(2);

@@ -1,6 +1,6 @@
 //! Quadratic fields on triangles of the sheet, and the sides that two of them share.
 
-use crate::outline::{Place, place};
+use crate::outline::{FinePlace, place};
 
 /// A quadratic field on a triangle: three corners, then the middles of the sides 01, 12, 20.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,10 +12,10 @@ pub struct Patch {
 }
 
 /// A side by its places, the lesser end first.
-pub(crate) type Side = [Place; 3];
+pub(crate) type PatchSide = [FinePlace; 3];
 
 /// The sides 01, 12, 20, and whether each runs from its lesser place to its greater.
-pub(crate) fn sides(patch: &Patch) -> [(Side, bool); 3] {
+pub(crate) fn sides(patch: &Patch) -> [(PatchSide, bool); 3] {
     [0, 1, 2].map(|side| {
         let [a, b, middle] = [side, (side + 1) % 3, 3 + side].map(|k| place(patch.points[k]));
         if a <= b { ([a, b, middle], true) } else { ([b, a, middle], false) }

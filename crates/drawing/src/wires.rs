@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::outline::{PLACES, Place, place};
-use crate::patch::{Side, sides};
+use crate::outline::{FinePlace, PLACES, place};
+use crate::patch::{PatchSide, sides};
 use crate::{Figure, Patch, Pen};
 
 /// Draws the sides of all triangles, each once.
@@ -18,7 +18,7 @@ fn trails(patches: &[Patch]) -> Vec<Vec<[f64; 2]>> {
 
 /// Pieces of lines [mm] as few lines: pieces that meet are drawn on from each other.
 pub fn joined(pieces: &[[[f64; 2]; 2]]) -> Vec<Vec<[f64; 2]>> {
-    let side = |piece: &[[f64; 2]; 2]| -> Side {
+    let side = |piece: &[[f64; 2]; 2]| -> PatchSide {
         let [a, b] = piece.map(place);
         let middle = [0, 1].map(|d| a[d] + (b[d] - a[d]) / 2);
         if a <= b { [a, b, middle] } else { [b, a, middle] }
@@ -27,22 +27,22 @@ pub fn joined(pieces: &[[[f64; 2]; 2]]) -> Vec<Vec<[f64; 2]>> {
     join(sides.filter(|[a, b, _]| a != b).collect())
 }
 
-fn join(mut all: Vec<Side>) -> Vec<Vec<[f64; 2]>> {
+fn join(mut all: Vec<PatchSide>) -> Vec<Vec<[f64; 2]>> {
     all.sort_unstable();
     all.dedup();
-    let mut at: HashMap<Place, Vec<usize>> = HashMap::new();
+    let mut at: HashMap<FinePlace, Vec<usize>> = HashMap::new();
     for (k, [a, b, _]) in all.iter().enumerate() {
         at.entry(*a).or_default().push(k);
         at.entry(*b).or_default().push(k);
     }
-    let point = |place: Place| place.map(|part| f64::from(part) / PLACES);
+    let point = |place: FinePlace| place.map(|part| f64::from(part) / PLACES);
     let mut drawn = vec![false; all.len()];
     let mut lines = Vec::new();
     // Lines that have ends are drawn from one of them.
     let end_of =
-        |side: &Side| side[..2].iter().copied().find(|end| at.get(end).is_some_and(|sides| sides.len() % 2 == 1));
+        |side: &PatchSide| side[..2].iter().copied().find(|end| at.get(end).is_some_and(|sides| sides.len() % 2 == 1));
     let (ends, others): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|k| end_of(&all[*k]).is_some());
-    let starts: Vec<(usize, Place)> =
+    let starts: Vec<(usize, FinePlace)> =
         ends.into_iter().chain(others).map(|k| (k, end_of(&all[k]).unwrap_or(all[k][0]))).collect();
     for (start, from) in starts {
         if drawn[start] {
@@ -71,7 +71,7 @@ fn join(mut all: Vec<Side>) -> Vec<Vec<[f64; 2]>> {
 }
 
 /// True where the middle of a side is off the straight line by more than can be seen.
-fn is_bent([a, b, middle]: Side) -> bool {
+fn is_bent([a, b, middle]: PatchSide) -> bool {
     (0..2).any(|d| (a[d] + b[d] - 2 * middle[d]).abs() > 20)
 }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::conservation_law::{ConservationLaw, Tangent};
+use crate::conservation_law::{ConservationLaw, TangentKind};
 use crate::element::{Element, ElementKernel};
 use crate::in_order;
 use crate::lagrange::MOST_SHAPES;
@@ -127,8 +127,8 @@ impl Assembler {
                 nodal[i] = u[dofs[i]];
             }
             match tangent {
-                Tangent::Conduction => self.kernel.conduction(law, self.space.mesh(), t, &nodal, &mut element),
-                Tangent::Symmetric => self.kernel.response(law, self.space.mesh(), t, &nodal, &mut element),
+                TangentKind::Conduction => self.kernel.conduction(law, self.space.mesh(), t, &nodal, &mut element),
+                TangentKind::Symmetric => self.kernel.response(law, self.space.mesh(), t, &nodal, &mut element),
             }
             for i in 0..n {
                 match dofs[i].checked_sub(range.rows.start).and_then(|row| residual.get_mut(row)) {
@@ -207,10 +207,10 @@ pub(crate) mod tests {
     }
 
     /// `F = (0.3 x, 0.1) - (1 + x^2) D grad u`, `s = 0.7 z` in both forms, with the diagonal D.
-    struct Both(Tangent, [f64; 2]);
+    struct Both(TangentKind, [f64; 2]);
 
     impl ConservationLaw for Both {
-        fn tangent(&self) -> Tangent {
+        fn tangent(&self) -> TangentKind {
             self.0
         }
         fn directions(&self) -> [f64; 2] {
@@ -236,8 +236,8 @@ pub(crate) mod tests {
     struct Nonlinear;
 
     impl ConservationLaw for Nonlinear {
-        fn tangent(&self) -> Tangent {
-            Tangent::Symmetric
+        fn tangent(&self) -> TangentKind {
+            TangentKind::Symmetric
         }
         fn conduction(&self, _: usize, _: &[[f64; 2]], _: &mut [Conduction]) {}
         fn response(&self, _: usize, _: &[[f64; 2]], states: &[State], out: &mut [Response]) {
@@ -259,8 +259,8 @@ pub(crate) mod tests {
             let u = assembler.space().interpolate(|x| (0.7 * x[0]).sin() + x[1]);
             let mut closed = Matrix::zero(assembler.pattern().clone());
             let mut general = closed.clone();
-            let r = assembler.tangent_and_residual(&Both(Tangent::Conduction, along), &u, &mut closed);
-            let s = assembler.tangent_and_residual(&Both(Tangent::Symmetric, along), &u, &mut general);
+            let r = assembler.tangent_and_residual(&Both(TangentKind::Conduction, along), &u, &mut closed);
+            let s = assembler.tangent_and_residual(&Both(TangentKind::Symmetric, along), &u, &mut general);
             let scale = greatest(general.values.iter().copied());
             assert!(greatest(closed.values.iter().zip(&general.values).map(|(a, b)| a - b)) < 1e-13 * scale);
             assert!(greatest(r.iter().zip(&s).map(|(a, b)| a - b)) < 1e-13 * greatest(s.iter().copied()));
@@ -289,7 +289,7 @@ pub(crate) mod tests {
     fn residuals_sum_to_the_integral_of_the_source() {
         let assembler = Assembler::new(Space::new(wavy_ring(9, 4), 2));
         let u = assembler.space().interpolate(|x| x[1] * x[1]);
-        let sum: f64 = assembler.residual(&Both(Tangent::Conduction, [1.0; 2]), &u).iter().sum();
+        let sum: f64 = assembler.residual(&Both(TangentKind::Conduction, [1.0; 2]), &u).iter().sum();
         // Int 0.7 z over a ring of circumference 9 and height 4.
         assert!((sum - 0.7 * 9.0 * 8.0).abs() < 1e-9, "{sum}");
     }

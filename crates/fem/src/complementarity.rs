@@ -12,9 +12,9 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use rayon::prelude::*;
 
-use crate::conservation_law::Tangent;
+use crate::conservation_law::TangentKind;
 use crate::linear_solver::Enough;
-use crate::newton::{Equation, Failure, HistoryStep, Seconds, Solution, greatest};
+use crate::newton::{Equation, Failure, NewtonStep, Seconds, Solution, greatest};
 use crate::{Constraints, Error, Linearisation, Matrix};
 
 /// Most steps of one solve.
@@ -50,7 +50,7 @@ impl Obstacle {
 
 /// A solution nearby.
 #[derive(Debug, Clone, PartialEq)]
-pub struct InitialGuess {
+pub struct WarmStart {
     /// One value a dof.
     pub u: Vec<f64>,
     /// True for the dofs taken to be in contact.
@@ -59,7 +59,7 @@ pub struct InitialGuess {
 
 /// A solution and the dofs held at the obstacle.
 #[derive(Debug)]
-pub struct Contact {
+pub struct ObstacleSolution {
     /// The solution; its linearisation has the contact set fixed.
     pub solution: Solution,
     /// True for each dof held at the obstacle.
@@ -70,7 +70,7 @@ pub struct Contact {
 ///
 /// # Errors
 /// [`Failure`] with the history.
-pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> Result<Contact, Failure> {
+pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: WarmStart) -> Result<ObstacleSolution, Failure> {
     let mut iteration = Iteration::new(equation, obstacle, guess)?;
     let mut exchange = Exchange::default();
     while iteration.history.len() < MOST_STEPS {
@@ -91,8 +91,12 @@ pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> R
 ///
 /// # Errors
 /// [`Failure`] with the history.
-pub fn step(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> Result<(Contact, Vec<usize>), Failure> {
-    if equation.law.tangent() != Tangent::Conduction {
+pub fn step(
+    equation: &Equation,
+    obstacle: &Obstacle,
+    guess: WarmStart,
+) -> Result<(ObstacleSolution, Vec<usize>), Failure> {
+    if equation.law.tangent() != TangentKind::Conduction {
         return Ok((solve(equation, obstacle, guess)?, Vec::new()));
     }
     let mut iteration = Iteration::released(equation, obstacle, guess)?;
@@ -114,27 +118,27 @@ struct Iteration<'a> {
     first: f64,
     /// False while linear systems are solved roughly, which is enough to find the contact set.
     is_sure: bool,
-    history: Vec<HistoryStep>,
+    history: Vec<NewtonStep>,
     seconds: Seconds,
 }
 
 impl<'a> Iteration<'a> {
-    fn new(equation: &'a Equation, obstacle: &'a Obstacle, guess: InitialGuess) -> Result<Self, Failure> {
+    fn new(equation: &'a Equation, obstacle: &'a Obstacle, guess: WarmStart) -> Result<Self, Failure> {
         Self::begun(equation, obstacle, guess, false)
     }
 
     /// From a guess that is nearly a solution: held dofs whose reactions pull are let go.
-    fn released(equation: &'a Equation, obstacle: &'a Obstacle, guess: InitialGuess) -> Result<Self, Failure> {
+    fn released(equation: &'a Equation, obstacle: &'a Obstacle, guess: WarmStart) -> Result<Self, Failure> {
         Self::begun(equation, obstacle, guess, true)
     }
 
     fn begun(
         equation: &'a Equation,
         obstacle: &'a Obstacle,
-        guess: InitialGuess,
+        guess: WarmStart,
         releases: bool,
     ) -> Result<Self, Failure> {
-        let InitialGuess { mut u, mut held } = guess;
+        let WarmStart { mut u, mut held } = guess;
         for (i, held) in held.iter_mut().enumerate() {
             *held &= obstacle.candidates[i] && !equation.constraints.fixed[i];
         }
@@ -188,7 +192,7 @@ impl<'a> Iteration<'a> {
     }
 
     fn is_linear(&self) -> bool {
-        self.equation.law.tangent() == Tangent::Conduction
+        self.equation.law.tangent() == TangentKind::Conduction
     }
 
     /// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than round-off, and
@@ -239,18 +243,18 @@ impl<'a> Iteration<'a> {
         if !norm.is_finite() {
             return Err(Error::NotFinite { what: "residual" }.into());
         }
-        self.history.push(HistoryStep::active(norm, count(&self.held)));
+        self.history.push(NewtonStep::active(norm, count(&self.held)));
         Ok(self)
     }
 
-    fn finish(mut self, reactions: Vec<f64>) -> Contact {
+    fn finish(mut self, reactions: Vec<f64>) -> ObstacleSolution {
         let left = match self.is_linear() {
             true => reactions,
             false => self.equation.assembler.residual(self.equation.law, &self.u),
         };
         let left_norm = self.linearisation.constraints().free_norm(&left) / self.first;
-        self.history.push(HistoryStep::active(left_norm, count(&self.held)));
-        Contact {
+        self.history.push(NewtonStep::active(left_norm, count(&self.held)));
+        ObstacleSolution {
             solution: Solution {
                 u: self.u,
                 reactions: left,

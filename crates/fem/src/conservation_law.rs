@@ -12,13 +12,13 @@ use crate::Dual;
 pub trait ConservationLaw: Sync {
     /// What kind of tangent the law has; the assembler asks for [`ConservationLaw::conduction`] or
     /// for [`ConservationLaw::response`] accordingly.
-    fn tangent(&self) -> Tangent;
+    fn tangent(&self) -> TangentKind;
 
-    /// Conductance, rest flux and source of a law of kind [`Tangent::Conduction`] at `positions` [m] in triangle
+    /// Conductance, rest flux and source of a law of kind [`TangentKind::Conduction`] at `positions` [m] in triangle
     /// `cell`.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]);
 
-    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind [`Tangent::Conduction`]
+    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind [`TangentKind::Conduction`]
     /// drops a direction.
     fn directions(&self) -> [f64; 2] {
         [1.0; 2]
@@ -31,7 +31,7 @@ pub trait ConservationLaw: Sync {
 
 /// Kind of the tangent `dR/du`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tangent {
+pub enum TangentKind {
     /// `F = rest - k grad u` and a source that does not depend on `u`: linear and symmetric positive definite.
     Conduction,
     /// Nonlinear with a symmetric tangent.

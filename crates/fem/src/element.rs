@@ -14,7 +14,7 @@ use oilwedge_mesh::Mesh;
 
 use crate::conservation_law::{Conduction, ConservationLaw, Response, State};
 use crate::lagrange::{self, MOST_SHAPES};
-use crate::mapping::{Mapping, Place};
+use crate::mapping::{MappedPoint, Mapping};
 use crate::quadrature::MOST_POINTS;
 use crate::{Dual, Quadrature};
 
@@ -50,9 +50,9 @@ const CUBIC_PAIRS: usize = MOST_SHAPES * (MOST_SHAPES + 1) / 2;
 type GradientProducts = [[f64; CUBIC_PAIRS]; 3];
 
 /// Geometry at the quadrature points of one element.
-struct Geometry {
+struct ElementGeometry {
     positions: [[f64; 2]; MOST_POINTS],
-    places: [Place; MOST_POINTS],
+    places: [MappedPoint; MOST_POINTS],
     /// Weight times Jacobian determinant [m2].
     areas: [f64; MOST_POINTS],
 }
@@ -87,10 +87,14 @@ impl ElementKernel {
         kernel
     }
 
-    fn geometry(&self, mapping: &Mapping) -> Geometry {
-        let nowhere = Place { position: [0.0; 2], determinant: 0.0, inverse_transposed: nalgebra::Matrix2::zeros() };
-        let mut geometry =
-            Geometry { positions: [[0.0; 2]; MOST_POINTS], places: [nowhere; MOST_POINTS], areas: [0.0; MOST_POINTS] };
+    fn geometry(&self, mapping: &Mapping) -> ElementGeometry {
+        let nowhere =
+            MappedPoint { position: [0.0; 2], determinant: 0.0, inverse_transposed: nalgebra::Matrix2::zeros() };
+        let mut geometry = ElementGeometry {
+            positions: [[0.0; 2]; MOST_POINTS],
+            places: [nowhere; MOST_POINTS],
+            areas: [0.0; MOST_POINTS],
+        };
         for (q, &point) in self.points.iter().enumerate() {
             let place = mapping.at(point);
             geometry.positions[q] = place.position;
@@ -148,7 +152,13 @@ impl ElementKernel {
         (positions, ab[0] * ac[1] - ab[1] * ac[0])
     }
 
-    fn general_conduction(&self, along: [f64; 2], geometry: &Geometry, points: &[Conduction], out: &mut Element) {
+    fn general_conduction(
+        &self,
+        along: [f64; 2],
+        geometry: &ElementGeometry,
+        points: &[Conduction],
+        out: &mut Element,
+    ) {
         *out = Element::default();
         let n = self.shapes;
         for (q, point) in points.iter().enumerate() {
@@ -325,7 +335,7 @@ impl ElementKernel {
         }
     }
 
-    fn surface_gradients(&self, geometry: &Geometry, q: usize) -> [[f64; 2]; MOST_SHAPES] {
+    fn surface_gradients(&self, geometry: &ElementGeometry, q: usize) -> [[f64; 2]; MOST_SHAPES] {
         let mut gradients = [[0.0; 2]; MOST_SHAPES];
         for i in 0..self.shapes {
             gradients[i] = geometry.places[q].gradient(self.gradients[q][i]);

@@ -19,14 +19,14 @@ const LANES: usize = 8;
 
 /// Number of unknowns of a front.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Extent {
+pub(crate) struct FrontExtent {
     /// Eliminated in it.
     pub(crate) own: usize,
     /// Eliminated later.
     pub(crate) below: usize,
 }
 
-impl Extent {
+impl FrontExtent {
     /// Number of rows of the whole front.
     pub(crate) fn rows(self) -> usize {
         self.own + self.below
@@ -152,7 +152,7 @@ impl Extent {
         }
     }
 
-    /// `U^T y = x` in place, as [`Extent::solve_lower`].
+    /// `U^T y = x` in place, as [`FrontExtent::solve_lower`].
     pub(crate) fn solve_upper_transposed(self, panel: &[f64], x: &mut [f64]) {
         let (lower, upper) = panel.split_at(self.rows() * self.own);
         let (own, below) = x.split_at_mut(self.own);

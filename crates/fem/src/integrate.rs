@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::in_order;
 use crate::lagrange::{self, MOST_SHAPES};
-use crate::mapping::{Mapping, Place};
+use crate::mapping::{MappedPoint, Mapping};
 use crate::quadrature::{MOST_POINTS, Quadrature, gauss_interval};
 
 /// Triangles that one task sums; fixed, so that the number of threads does not change a bit.
@@ -40,7 +40,7 @@ pub struct Points<'a> {
     pub cell: usize,
     /// Positions on the developed surface [m].
     pub positions: &'a [[f64; 2]],
-    places: &'a [Place],
+    places: &'a [MappedPoint],
     weights: &'a [f64],
     values: &'a [Nodal],
     gradients: &'a [[[f64; 2]; MOST_SHAPES]],
@@ -87,7 +87,7 @@ impl Rule {
 
     /// Gradient [1/m] of shape function `i` at point `q`, which lies at `place` in a triangle.
     #[inline]
-    pub fn gradient(&self, q: usize, i: usize, place: &Place) -> [f64; 2] {
+    pub fn gradient(&self, q: usize, i: usize, place: &MappedPoint) -> [f64; 2] {
         place.gradient(self.gradients[q][i])
     }
 
@@ -107,7 +107,7 @@ impl Rule {
     /// Calls `visit` with a batch of at most [`MOST_POINTS`] points of triangle `t`, which has this `mapping`.
     pub(crate) fn visit_batch(&self, mapping: &Mapping, t: usize, batch: Range<usize>, mut visit: impl FnMut(&Points)) {
         let Quadrature { points, weights, .. } = &self.quadrature;
-        let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [Place::default(); MOST_POINTS]);
+        let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [MappedPoint::default(); MOST_POINTS]);
         mapping.all_at(&points[batch.clone()], &mut places[..batch.len()]);
         for (position, place) in positions.iter_mut().zip(&places) {
             *position = place.position;
@@ -166,7 +166,7 @@ impl Points<'_> {
     }
 
     /// The map of the triangle at point `q`.
-    pub fn place(&self, q: usize) -> Place {
+    pub fn place(&self, q: usize) -> MappedPoint {
         self.places[q]
     }
 }

@@ -26,12 +26,12 @@ pub const QUARTERINGS: usize = 4;
 #[derive(Debug)]
 pub struct KinkRule {
     /// Rules of the levels: level `k` has the triangle quartered `k` times.
-    levels: Vec<Level>,
+    levels: Vec<QuarteredParts>,
 }
 
 /// The parts of a triangle quartered so often; part `k` of the level before has those from `4 k` on.
 #[derive(Debug)]
-struct Level {
+struct QuarteredParts {
     /// The points of all parts, one after the other.
     rule: Rule,
     /// Shape functions at the nodes of each part.
@@ -52,8 +52,9 @@ impl KinkRule {
     pub fn for_degree(degree: usize) -> &'static Self {
         static RULES: [OnceLock<KinkRule>; 3] = [const { OnceLock::new() }; 3];
         let degree = degree.clamp(1, RULES.len());
-        RULES[degree - 1]
-            .get_or_init(|| Self { levels: (0..=QUARTERINGS).map(|times| Level::new(degree, times)).collect() })
+        RULES[degree - 1].get_or_init(|| Self {
+            levels: (0..=QUARTERINGS).map(|times| QuarteredParts::new(degree, times)).collect(),
+        })
     }
 
     /// Calls `visit` with every batch of points of triangle `t`.
@@ -70,7 +71,7 @@ impl KinkRule {
         kink: &Kink<N>,
         visit: &mut impl FnMut(&Rule, Range<usize>),
     ) {
-        let Level { rule, nodes } = &self.levels[level];
+        let QuarteredParts { rule, nodes } = &self.levels[level];
         if level < QUARTERINGS && kink.runs_through(&nodes[part]) {
             (4 * part..4 * part + 4).for_each(|part| self.visit_part((level + 1, part), kink, visit));
         } else {
@@ -80,7 +81,7 @@ impl KinkRule {
     }
 }
 
-impl Level {
+impl QuarteredParts {
     fn new(degree: usize, quarterings: usize) -> Self {
         let nodes = in_quarters(&lagrange::nodes(degree), quarterings);
         let of_part = |nodes: &[[f64; 2]]| lagrange::tabulated(degree, nodes);

@@ -51,7 +51,7 @@ pub mod transfer;
 pub mod unsymmetric;
 
 pub use assembly::Assembler;
-pub use conservation_law::{ConservationLaw, Tangent};
+pub use conservation_law::{ConservationLaw, TangentKind};
 pub use constraints::Constraints;
 pub use control_volumes::ControlVolumes;
 pub use dual::Dual;

@@ -33,7 +33,7 @@ pub struct MultigridSolver {
 const IMBALANCE: f64 = 3e-11;
 
 /// Parts of the first residual down to which an iteration solves its systems.
-struct Ends {
+struct ResidualLimits {
     /// The part that ends an iteration in any case.
     enough: f64,
     /// The part where the balance of the law is not reached before.
@@ -61,15 +61,15 @@ impl LinearSolver {
         }
     }
 
-    fn ends(&self) -> Ends {
+    fn ends(&self) -> ResidualLimits {
         match self {
-            Self::Direct(_) => Ends { enough: 0.0, round_off: 0.0, rough: 0.0, accuracy: 1e-12 },
-            Self::Multigrid(_) => Ends { enough: TOLERANCE, round_off: 1e-13, rough: 1e-4, accuracy: 1e-9 },
+            Self::Direct(_) => ResidualLimits { enough: 0.0, round_off: 0.0, rough: 0.0, accuracy: 1e-12 },
+            Self::Multigrid(_) => ResidualLimits { enough: TOLERANCE, round_off: 1e-13, rough: 1e-4, accuracy: 1e-9 },
             Self::Nested(nested) if nested.quadratic.has_factor() => {
-                Ends { enough: 1e-8, round_off: 1e-8, rough: 1e-4, accuracy: 1e-8 }
+                ResidualLimits { enough: 1e-8, round_off: 1e-8, rough: 1e-4, accuracy: 1e-8 }
             }
             // What the quadratic elements leave is reduced to this part: far below what the bars say of it.
-            Self::Nested(_) => Ends { enough: 1e-5, round_off: 1e-9, rough: 1e-3, accuracy: 1e-8 },
+            Self::Nested(_) => ResidualLimits { enough: 1e-5, round_off: 1e-9, rough: 1e-3, accuracy: 1e-8 },
         }
     }
 

@@ -16,7 +16,7 @@ pub enum Mapping {
 
 /// The map at one reference point.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Place {
+pub struct MappedPoint {
     /// Position on the developed surface [m].
     pub position: [f64; 2],
     /// Jacobian determinant [m2].
@@ -25,7 +25,7 @@ pub struct Place {
     pub inverse_transposed: Matrix2<f64>,
 }
 
-impl Place {
+impl MappedPoint {
     /// Gradient on the surface of a function with the given reference gradient.
     #[inline]
     pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
@@ -48,7 +48,7 @@ impl Mapping {
     }
 
     /// Position and derivatives at the reference point `(xi, eta)`.
-    pub fn at(&self, point: [f64; 2]) -> Place {
+    pub fn at(&self, point: [f64; 2]) -> MappedPoint {
         match self {
             Self::Straight(corners) => place(&lagrange::barycentric(point), &lagrange::BARYCENTRIC_GRADIENTS, corners),
             Self::Curved(nodes) => {
@@ -62,13 +62,13 @@ impl Mapping {
     }
 
     /// Position and derivatives at each of the reference points; a straight triangle has one derivative.
-    pub(crate) fn all_at(&self, points: &[[f64; 2]], places: &mut [Place]) {
+    pub(crate) fn all_at(&self, points: &[[f64; 2]], places: &mut [MappedPoint]) {
         match self {
             Self::Straight(corners) => {
-                let first = points.first().map_or(Place::default(), |&point| self.at(point));
+                let first = points.first().map_or(MappedPoint::default(), |&point| self.at(point));
                 for (place, &point) in places.iter_mut().zip(points) {
                     let position = position(&lagrange::barycentric(point), corners);
-                    *place = Place { position, ..first };
+                    *place = MappedPoint { position, ..first };
                 }
             }
             Self::Curved(_) => {
@@ -85,7 +85,7 @@ fn position(values: &[f64], nodes: &[[f64; 2]]) -> [f64; 2] {
     values.iter().zip(nodes).fold(Vector2::zeros(), add).into()
 }
 
-fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
+fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> MappedPoint {
     // Row d, column k: d x_d / d xi_k.
     let mut jacobian = Matrix2::zeros();
     for (&gradient, &node) in gradients.iter().zip(nodes) {
@@ -94,7 +94,7 @@ fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
     let determinant = jacobian.determinant();
     // The cofactors are the inverse transposed times the determinant; meshes have no zero one.
     let cofactors = Matrix2::new(jacobian.m22, -jacobian.m21, -jacobian.m12, jacobian.m11);
-    Place { position: position(values, nodes), determinant, inverse_transposed: cofactors / determinant }
+    MappedPoint { position: position(values, nodes), determinant, inverse_transposed: cofactors / determinant }
 }
 
 #[cfg(test)]

@@ -45,14 +45,14 @@ pub(crate) struct Multigrid {
 #[derive(Debug)]
 enum Below {
     /// Swept, with another one below.
-    Swept(Box<Grid>),
+    Swept(Box<AggregationLevel>),
     /// Factorised.
     Factorised(Factorization),
 }
 
 /// A level of which groups of unknowns make the next one.
 #[derive(Debug)]
-struct Grid {
+struct AggregationLevel {
     sweeps: Sweeps,
     /// The unknowns of the level below.
     groups: Groups,
@@ -132,7 +132,7 @@ impl Below {
         let below = Self::new(groups.galerkin(&matrix), &vec![false; groups.count])?;
         let mut sweeps = Sweeps::new(&matrix, 1.0);
         sweeps.mask(masked);
-        Ok(Self::Swept(Box::new(Grid { sweeps, groups, below })))
+        Ok(Self::Swept(Box::new(AggregationLevel { sweeps, groups, below })))
     }
 
     /// An approximate solution on this level.
@@ -148,7 +148,7 @@ impl Below {
     }
 }
 
-impl Grid {
+impl AggregationLevel {
     /// Two steps of flexible conjugate gradients, or one if that does.
     fn two_steps(&self, r: &[f32]) -> Result<Vec<f32>, Error> {
         let mut first = self.cycle(r)?;

@@ -4,7 +4,7 @@
 //! the solution to [`STEP_TOLERANCE`]: the tangent is exact, so what is left is its square.
 //! A linear law needs one step and nothing to test.
 
-use crate::conservation_law::{ConservationLaw, Tangent};
+use crate::conservation_law::{ConservationLaw, TangentKind};
 use crate::{Assembler, Constraints, Error, LinearSolver, Linearisation, Matrix};
 
 /// Relative size (greatest value) of a step after which its square is below rounding.
@@ -16,7 +16,7 @@ const MOST_HALVINGS: usize = 12;
 
 /// One step of an iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HistoryStep {
+pub struct NewtonStep {
     /// Norm of the residual over the free dofs, relative to the first.
     pub residual: f64,
     /// Fraction of the full step taken.
@@ -25,7 +25,7 @@ pub struct HistoryStep {
     pub active: usize,
 }
 
-impl HistoryStep {
+impl NewtonStep {
     /// A full step of an active-set iteration.
     pub fn active(residual: f64, active: usize) -> Self {
         Self { residual, damping: 1.0, active }
@@ -40,19 +40,19 @@ pub enum Failure {
     #[error("the residual could not be reduced any more (after {} steps)", history.len())]
     Stagnated {
         /// What was tried.
-        history: Vec<HistoryStep>,
+        history: Vec<NewtonStep>,
     },
     /// The method has taken too many steps.
     #[error("no convergence within {} steps", history.len())]
     TooManySteps {
         /// What was tried.
-        history: Vec<HistoryStep>,
+        history: Vec<NewtonStep>,
     },
     /// The active set repeats.
     #[error("the active set is cycling (after {} steps)", history.len())]
     Cycling {
         /// What was tried.
-        history: Vec<HistoryStep>,
+        history: Vec<NewtonStep>,
     },
     /// A linear system could not be solved.
     #[error("{error}")]
@@ -60,7 +60,7 @@ pub enum Failure {
         /// The cause.
         error: Error,
         /// What was tried; the last entry is where it happened.
-        history: Vec<HistoryStep>,
+        history: Vec<NewtonStep>,
     },
 }
 
@@ -72,7 +72,7 @@ impl From<Error> for Failure {
 
 impl Failure {
     /// What was tried.
-    pub fn history(&self) -> &[HistoryStep] {
+    pub fn history(&self) -> &[NewtonStep] {
         match self {
             Self::Stagnated { history }
             | Self::TooManySteps { history }
@@ -92,7 +92,7 @@ pub struct Solution {
     /// The tangent of the last step, factorised.
     pub linearisation: Linearisation,
     /// One entry a step.
-    pub history: Vec<HistoryStep>,
+    pub history: Vec<NewtonStep>,
     /// Seconds spent assembling, factorising and solving.
     pub seconds: Seconds,
 }
@@ -180,7 +180,7 @@ impl Equation<'_> {
 pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> {
     let (assembler, law, constraints) = (equation.assembler, equation.law, equation.constraints);
     constraints.impose(&mut u);
-    let linear = law.tangent() == Tangent::Conduction;
+    let linear = law.tangent() == TangentKind::Conduction;
     let mut seconds = Seconds::default();
     let mut history = Vec::new();
     let mut matrix = Matrix::zero(assembler.pattern().clone());
@@ -196,7 +196,7 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
         let (linearisation, step) = match equation.newton_step(matrix, &residual, first, &mut seconds) {
             Ok(newton) => newton,
             Err(error) => {
-                history.push(HistoryStep::active(norm / first, 0));
+                history.push(NewtonStep::active(norm / first, 0));
                 return Err(Failure::Linear { error, history });
             }
         };
@@ -215,7 +215,7 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
             return Err(Failure::Stagnated { history });
         };
         u = next;
-        history.push(HistoryStep { residual: constraints.free_norm(&reactions) / first, damping, active: 0 });
+        history.push(NewtonStep { residual: constraints.free_norm(&reactions) / first, damping, active: 0 });
         if converged {
             return Ok(Solution { u, reactions, linearisation, history, seconds });
         }

@@ -26,7 +26,7 @@ const WORTH_CUTTING: usize = 4096;
 /// A symmetric matrix, laid out for sweeps.
 #[derive(Debug)]
 pub(crate) struct Sweeps {
-    blocks: Vec<Block>,
+    blocks: Vec<RowBlock>,
     diagonal: Vec<f32>,
     /// One over the diagonal; zero at masked dofs.
     inverse: Vec<f32>,
@@ -34,7 +34,7 @@ pub(crate) struct Sweeps {
 
 /// The rows of one block.
 #[derive(Debug)]
-struct Block {
+struct RowBlock {
     rows: Range<usize>,
     /// Entries of the block's own columns left of the diagonal, columns counted from the first row of the block.
     lower: Triangle,
@@ -81,7 +81,7 @@ impl Triangle {
     }
 }
 
-impl Block {
+impl RowBlock {
     fn new(matrix: &Matrix, rows: Range<usize>, scale: f64) -> Self {
         let pattern = &matrix.pattern;
         let entries = pattern.row_start[rows.end] as usize - pattern.row_start[rows.start] as usize;
@@ -120,7 +120,7 @@ impl Sweeps {
     pub(crate) fn new(matrix: &Matrix, scale: f64) -> Self {
         let rows = matrix.pattern.dimension();
         let count = if rows < WORTH_CUTTING { 1 } else { BLOCKS };
-        let block = |k| Block::new(matrix, k * rows / count..(k + 1) * rows / count, scale);
+        let block = |k| RowBlock::new(matrix, k * rows / count..(k + 1) * rows / count, scale);
         let blocks = in_order((0..count).into_par_iter().map(block));
         let scaled = |i| (matrix.diagonal(i) * scale) as f32;
         let diagonal: Vec<f32> = in_order((0..rows).into_par_iter().map(scaled));
@@ -135,7 +135,7 @@ impl Sweeps {
     }
 
     /// Runs `work` on each block with the rows of `out` that it owns.
-    fn on_blocks(&self, out: &mut [f32], work: impl Fn(&Block, &mut [f32]) + Sync) {
+    fn on_blocks(&self, out: &mut [f32], work: impl Fn(&RowBlock, &mut [f32]) + Sync) {
         let mut parts = Vec::with_capacity(self.blocks.len());
         let mut rest = out;
         for block in &self.blocks {
@@ -208,7 +208,7 @@ impl Sweeps {
     }
 }
 
-impl Block {
+impl RowBlock {
     /// Takes from `rows` what the other blocks' values in `z` contribute.
     fn subtract_cross(&self, z: &[f32], rows: &mut [f32]) {
         for cross in &self.cross {

@@ -25,7 +25,7 @@ use faer::sparse::linalg::cholesky::{
 };
 
 use crate::factorization::masked_values;
-use crate::front::Extent;
+use crate::front::FrontExtent;
 use crate::{Error, Matrix, Pattern};
 
 pub use factors::UnsymmetricFactorization;
@@ -37,7 +37,7 @@ pub struct UnsymmetricAnalysis {
     /// The dof that is eliminated `k`-th.
     order: Vec<u32>,
     /// The fronts from the leaves up: each stands before its parent.
-    fronts: Vec<Front>,
+    fronts: Vec<FrontalMatrix>,
     /// The rows below the own ones of each front, by their place in the order.
     below: Vec<u32>,
     /// Places of the rows of `below` in the parent front.
@@ -52,8 +52,8 @@ pub struct UnsymmetricAnalysis {
 
 /// A front and where its parts begin.
 #[derive(Debug, Clone, Copy)]
-struct Front {
-    extent: Extent,
+struct FrontalMatrix {
+    extent: FrontExtent,
     /// The first of its own dofs, by its place in the order.
     first: usize,
     below: usize,
@@ -111,8 +111,9 @@ impl UnsymmetricAnalysis {
         for s in 0..supernodes.n_supernodes() {
             let (first, end) = (supernodes.supernode_begin()[s] as usize, supernodes.supernode_end()[s] as usize);
             let below = supernodes.col_ptr_for_row_idx()[s] as usize;
-            let extent = Extent { own: end - first, below: supernodes.col_ptr_for_row_idx()[s + 1] as usize - below };
-            analysis.fronts.push(Front {
+            let extent =
+                FrontExtent { own: end - first, below: supernodes.col_ptr_for_row_idx()[s + 1] as usize - below };
+            analysis.fronts.push(FrontalMatrix {
                 extent,
                 first,
                 below,
@@ -147,12 +148,12 @@ impl UnsymmetricAnalysis {
     }
 
     /// Rows below a front, by their place in the order.
-    fn rows_below(&self, front: &Front) -> &[u32] {
+    fn rows_below(&self, front: &FrontalMatrix) -> &[u32] {
         &self.below[front.below..front.below + front.extent.below]
     }
 
     /// The place in `front` of the dof eliminated `k`-th.
-    fn local(&self, front: &Front, k: u32) -> usize {
+    fn local(&self, front: &FrontalMatrix, k: u32) -> usize {
         match (k as usize) < front.first + front.extent.own {
             true => k as usize - front.first,
             false => front.extent.own + self.rows_below(front).partition_point(|&row| row < k),

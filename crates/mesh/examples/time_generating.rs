@@ -1,12 +1,12 @@
 //! `time_generating [SIZE ...]`: seconds to mesh a ring with a feed hole, by edge length in mm.
 
 use oilwedge_mesh::Quality;
-use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::developed::LinerDomain;
+use oilwedge_mesh::generate::{Blueprint, Feature, RoundedRectangle, generate};
 
 fn main() {
-    let liner = Liner { radius: 0.0375, length: 0.075, arc: None };
-    let shape = Shape::disc([0.0375 * 130f64.to_radians(), 0.0], 0.0085);
+    let liner = LinerDomain { radius: 0.0375, length: 0.075, arc: None };
+    let shape = RoundedRectangle::disc([0.0375 * 130f64.to_radians(), 0.0], 0.0085);
     let hole = Feature { name: "feed_hole".to_owned(), shape, meshed: false };
     let blueprint = Blueprint { liner, features: vec![hole], line: None };
     let sizes: Vec<f64> = std::env::args().skip(1).filter_map(|text| text.parse().ok()).collect();

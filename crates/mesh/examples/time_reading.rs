@@ -4,10 +4,10 @@
 
 use std::time::Instant;
 
-use oilwedge_mesh::{Error, Liner, Locator, Mesh, Quality, developed, gmsh};
+use oilwedge_mesh::{Error, LinerDomain, Locator, Mesh, Quality, developed, gmsh};
 
 /// The mesh, and the seconds of reading, unrolling and numbering.
-fn timed(path: &str, liner: &Liner) -> Result<(Mesh, [f64; 3]), Error> {
+fn timed(path: &str, liner: &LinerDomain) -> Result<(Mesh, [f64; 3]), Error> {
     let start = Instant::now();
     let file = gmsh::read(path)?;
     let read = start.elapsed().as_secs_f64();
@@ -23,7 +23,7 @@ fn main() -> Result<(), Error> {
     let (numbers, files): (Vec<_>, Vec<_>) = arguments.iter().partition(|a| a.parse::<f64>().is_ok());
     let degrees = numbers.iter().filter_map(|a| a.parse::<f64>().ok());
     let angles: Vec<f64> = degrees.map(f64::to_radians).collect();
-    let liner = Liner { radius: 0.0375, length: 0.075, arc: (angles.len() == 2).then(|| (angles[0], angles[1])) };
+    let liner = LinerDomain { radius: 0.0375, length: 0.075, arc: (angles.len() == 2).then(|| (angles[0], angles[1])) };
     for path in files {
         let (mesh, mut best) = timed(path, &liner)?;
         for _ in 1..5 {

@@ -4,7 +4,7 @@
 //! holes and grooves: it fills the whole developed rectangle. The edge length there is that of the finer mesh at
 //! the same place, times a ratio.
 
-use crate::developed::Liner;
+use crate::developed::LinerDomain;
 use crate::generate::{Blueprint, DrawingError, Sense, generate, generate_in_rows_like};
 use crate::size_tree::SizeTree;
 use crate::{Locator, Mesh};
@@ -30,7 +30,7 @@ pub struct Coarser {
 /// `mesh` is a mesh of `liner`, with or without features; `line` is the angle [rad] of an axial line that must be
 /// a line of edges, as in [`Blueprint::line`]. None if `mesh` is of another kind of liner (ring, arc), if so few
 /// triangles are left that the mesh would be of no use, or if it cannot be made.
-pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Option<Coarser> {
+pub fn coarser(mesh: &Mesh, liner: &LinerDomain, line: Option<f64>, ratio: f64) -> Option<Coarser> {
     let sizes = SizeTree::new(mesh);
     let size = |point| ASKED * ratio * sizes.at(point);
     made(mesh, liner, line, |blueprint| generate(blueprint, &size))
@@ -38,14 +38,20 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
 
 /// The mesh of [`coarser`] in rows along a flow in this sense, with columns and rows as unlike as those of `mesh`: oil
 /// is not spread across the flow.
-pub fn coarser_in_rows(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64, sense: Sense) -> Option<Coarser> {
+pub fn coarser_in_rows(
+    mesh: &Mesh,
+    liner: &LinerDomain,
+    line: Option<f64>,
+    ratio: f64,
+    sense: Sense,
+) -> Option<Coarser> {
     made(mesh, liner, line, |blueprint| generate_in_rows_like(blueprint, mesh, ratio, sense))
 }
 
 /// The mesh that `generate` makes of the liner without features.
 fn made(
     mesh: &Mesh,
-    liner: &Liner,
+    liner: &LinerDomain,
     line: Option<f64>,
     generate: impl Fn(&Blueprint) -> Result<Mesh, Vec<DrawingError>>,
 ) -> Option<Coarser> {

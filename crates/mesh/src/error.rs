@@ -69,7 +69,7 @@ pub enum Error {
         /// Section of the file, without the dollar sign.
         section: String,
         /// Position in the file.
-        position: Position,
+        position: FilePosition,
         /// What was found.
         what: String,
     },
@@ -91,7 +91,7 @@ pub enum Error {
         /// The number that gmsh gives the type.
         kind: i32,
         /// Position in the file.
-        position: Position,
+        position: FilePosition,
         /// What to do.
         remedy: &'static str,
     },
@@ -305,14 +305,14 @@ impl From<Vec<Defect>> for Error {
 
 /// A place in a mesh file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Position {
+pub enum FilePosition {
     /// Line of a text file, from 1.
     Line(usize),
     /// Byte of a binary file, from 0.
     Byte(usize),
 }
 
-impl fmt::Display for Position {
+impl fmt::Display for FilePosition {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => write!(out, "line {line}"),

@@ -73,7 +73,7 @@ struct Flipper<'a> {
 }
 
 /// An edge with its two triangles.
-struct Pair {
+struct FlipPair {
     /// The triangles on both sides.
     triangles: [usize; 2],
     /// Ends p and q of the edge, then the corners r and s that face it, as in the picture above.
@@ -135,7 +135,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// An inner edge with its two triangles.
-    fn pair(&self, edge: u32) -> Pair {
+    fn pair(&self, edge: u32) -> FlipPair {
         let [t, u] = self.sides[edge as usize].map(|t| t as usize);
         let local = |t: usize| (0..3).find(|&k| self.edges[t][k] == edge).unwrap_or(0);
         let (k, l) = (local(t), local(u));
@@ -143,7 +143,7 @@ impl<'a> Flipper<'a> {
         let corners = [around[0], around[1], around[2], self.triangles[u][(l + 2) % 3]];
         let places = self.side_by_side(corners);
         let edge_of = |t: usize, k: usize| self.edges[t][k % 3];
-        Pair {
+        FlipPair {
             triangles: [t, u],
             corners,
             places,
@@ -167,7 +167,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// True if both triangles are sound after the flip.
-    fn allows(&self, pair: &Pair) -> bool {
+    fn allows(&self, pair: &FlipPair) -> bool {
         let [p, q, r, s] = pair.places;
         let sound = |corners| is_sound(corners, self.mesh.period());
         if !(sound([p, s, r]) && sound([s, q, r])) {
@@ -185,7 +185,7 @@ impl<'a> Flipper<'a> {
         after >= before.min(LEAST_JACOBIAN)
     }
 
-    fn flip(&mut self, edge: u32, pair: &Pair) {
+    fn flip(&mut self, edge: u32, pair: &FlipPair) {
         let [t, u] = pair.triangles;
         let [p, q, r, s] = pair.corners;
         let [qr, rp, ps, sq] = pair.edges;
@@ -220,7 +220,7 @@ impl<'a> Flipper<'a> {
     }
 }
 
-impl Pair {
+impl FlipPair {
     /// True if the angles that face the edge add up to more than pi.
     fn is_wrong(&self) -> bool {
         let [p, q, r, s] = self.places;

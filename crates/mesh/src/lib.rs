@@ -47,7 +47,7 @@ pub mod topology;
 pub use circle::Circle;
 pub use coarsen::Coarser;
 pub use defect::Defect;
-pub use developed::Liner;
+pub use developed::LinerDomain;
 pub use error::Error;
 pub use flip::Flipped;
 pub use locate::Locator;

@@ -2,7 +2,7 @@
 
 mod bounds;
 
-use self::bounds::{Bounds, on_turn};
+use self::bounds::{BoundingBox, on_turn};
 use crate::Mesh;
 use crate::developed::shorter_way;
 use crate::mesh::quadratic_tangents;
@@ -19,7 +19,7 @@ const IN_A_BOX: usize = 4;
 pub struct Locator<'a> {
     mesh: &'a Mesh,
     /// Boxes around consecutive triangles; then, level by level, around consecutive boxes.
-    levels: Vec<Vec<Bounds>>,
+    levels: Vec<Vec<BoundingBox>>,
 }
 
 impl<'a> Locator<'a> {
@@ -27,17 +27,17 @@ impl<'a> Locator<'a> {
     pub fn new(mesh: &'a Mesh) -> Self {
         let period = mesh.period();
         let cells = mesh.triangles().len();
-        let mut level: Vec<Bounds> = (0..cells)
+        let mut level: Vec<BoundingBox> = (0..cells)
             .step_by(IN_A_BOX)
             .map(|first| {
                 let members = first..cells.min(first + IN_A_BOX);
-                Bounds::around(members.map(|t| Bounds::of_triangle(mesh, t)), period)
+                BoundingBox::around(members.map(|t| BoundingBox::of_triangle(mesh, t)), period)
             })
             .collect();
         let mut levels = Vec::new();
         while level.len() > 1 {
             let boxes = level.chunks(IN_A_BOX);
-            let next = boxes.map(|members| Bounds::around(members.iter().copied(), period)).collect();
+            let next = boxes.map(|members| BoundingBox::around(members.iter().copied(), period)).collect();
             levels.push(std::mem::replace(&mut level, next));
         }
         levels.push(level);

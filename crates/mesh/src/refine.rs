@@ -125,7 +125,7 @@ fn pattern(halved: [bool; 3]) -> &'static [[u8; 3]] {
 const REFERENCE: [[f64; 2]; 6] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]];
 
 /// New vertices and triangles, before they are numbered.
-struct Division<'a> {
+struct TriangleDivision<'a> {
     mesh: &'a Mesh,
     /// New vertex of each edge, or [`WHOLE`].
     middle: Vec<u32>,
@@ -143,7 +143,7 @@ struct Division<'a> {
 
 /// Halves the edges so marked: in each triangle none, or the longest and any others.
 fn divide(mesh: &Mesh, halved: &[bool]) -> Result<Refined, Vec<Defect>> {
-    let division = Division::new(mesh, halved);
+    let division = TriangleDivision::new(mesh, halved);
     let mut raw = mesh.to_raw();
     division.add_vertices(&mut raw);
     raw.bulges = division.bulges(&raw);
@@ -162,7 +162,7 @@ fn divide(mesh: &Mesh, halved: &[bool]) -> Result<Refined, Vec<Defect>> {
     Ok(Refined { mesh: finer, lineage })
 }
 
-impl<'a> Division<'a> {
+impl<'a> TriangleDivision<'a> {
     fn new(mesh: &'a Mesh, halved: &[bool]) -> Self {
         let mut vertices = mesh.points.len() as u32;
         let mut number = |halved: bool| {

@@ -4,28 +4,30 @@ use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
 
 use oilwedge_mesh::coarsen::{Coarser, coarser, coarser_in_rows};
-use oilwedge_mesh::developed::{Liner, read};
-use oilwedge_mesh::generate::{Blueprint, Feature, Grading, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::developed::{LinerDomain, read};
+use oilwedge_mesh::generate::{
+    Blueprint, Feature, Grading, RoundedRectangle, RowLengths, Sense, generate, generate_in_rows,
+};
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Locator, Mesh, Quality, refine};
 
 const RADIUS: f64 = 0.0375;
 
-fn liner(arc: Option<(f64, f64)>) -> Liner {
-    Liner { radius: RADIUS, length: 0.075, arc }
+fn liner(arc: Option<(f64, f64)>) -> LinerDomain {
+    LinerDomain { radius: RADIUS, length: 0.075, arc }
 }
 
-fn shell() -> Liner {
+fn shell() -> LinerDomain {
     liner(Some((40f64.to_radians(), 220f64.to_radians())))
 }
 
-fn shipped(name: &str, liner: &Liner) -> Mesh {
+fn shipped(name: &str, liner: &LinerDomain) -> Mesh {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../meshes").join(name);
     read(path, liner, 1.0).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn feature(name: &str, degrees: f64, z: f64, half: [f64; 2], corner: f64, meshed: bool) -> Feature {
-    let shape = Shape { centre: [RADIUS * degrees.to_radians(), z], half, corner };
+    let shape = RoundedRectangle { centre: [RADIUS * degrees.to_radians(), z], half, corner };
     Feature { name: name.to_owned(), shape, meshed }
 }
 
@@ -60,7 +62,7 @@ fn ratios(mesh: &Mesh, coarse: &Coarser) -> Vec<f64> {
 }
 
 /// Checks the coarser mesh of `mesh` and describes it.
-fn check(name: &str, mesh: &Mesh, liner: &Liner, line: Option<f64>) {
+fn check(name: &str, mesh: &Mesh, liner: &LinerDomain, line: Option<f64>) {
     let coarse = coarser(mesh, liner, line, 2.0).unwrap_or_else(|| panic!("{name}: no coarser mesh"));
     let fall = mesh.quadratic_nodes() as f64 / coarse.mesh.quadratic_nodes() as f64;
     let ratios = ratios(mesh, &coarse);
@@ -75,7 +77,7 @@ fn check(name: &str, mesh: &Mesh, liner: &Liner, line: Option<f64>) {
 }
 
 /// The coarser mesh is the plain liner.
-fn check_geometry(name: &str, mesh: &Mesh, coarser: &Mesh, liner: &Liner) {
+fn check_geometry(name: &str, mesh: &Mesh, coarser: &Mesh, liner: &LinerDomain) {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
     let quality = Quality::of(coarser);
     let whole = liner.radius * (to - from) * liner.length;
@@ -213,7 +215,7 @@ fn no_mesh_rather_than_a_useless_one() {
 fn coarser_meshes_of_rows_are_rows() {
     let blueprint = Blueprint { liner: liner(None), features: features(), line: None };
     let across = |z: f64| 0.0005 + 0.03 * (z + 0.0375);
-    let rows = Rows { along: &|_| 0.002, across: &across, sense: Sense::Forwards, grading: Grading::RESOLVED };
+    let rows = RowLengths { along: &|_| 0.002, across: &across, sense: Sense::Forwards, grading: Grading::RESOLVED };
     let fine = generate_in_rows(&blueprint, &rows).expect("a mesh");
     let coarse = coarser_in_rows(&fine, &blueprint.liner, None, 2.0, Sense::Forwards).expect("a mesh").mesh;
     assert!(share_across_flow(&fine) > 0.0);

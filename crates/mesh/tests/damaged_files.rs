@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use oilwedge_mesh::gmsh::{self, MshFile};
-use oilwedge_mesh::{Error, Liner, Mesh, developed};
+use oilwedge_mesh::{Error, LinerDomain, Mesh, developed};
 
 use crate::random::Random;
 
@@ -95,7 +95,7 @@ fn missing_sections_and_groups_are_named() {
     let file = gmsh::parse(without("PhysicalNames").as_bytes()).unwrap();
     assert!(file.surface("surface 1").is_some() && file.curve("curve 2").is_some());
     let file = gmsh::parse(without("Periodic").as_bytes()).unwrap();
-    let liner = Liner { radius: 1.0, length: 2.0, arc: None };
+    let liner = LinerDomain { radius: 1.0, length: 2.0, arc: None };
     let by_position = developed::unroll(&file, &liner, 1.0).unwrap();
     let by_pairs = developed::unroll(&gmsh::parse(good.as_bytes()).unwrap(), &liner, 1.0).unwrap();
     assert_eq!(by_position.triangles, by_pairs.triangles);
@@ -136,7 +136,7 @@ fn mutations_never_panic() {
         b"-inf",
         b"9",
     ];
-    let liner = Liner { radius: 1.0, length: 2.0, arc: None };
+    let liner = LinerDomain { radius: 1.0, length: 2.0, arc: None };
     let mut random = Random(88_172_645_463_325_252);
     let mut accepted = 0;
     for round in 0..10000 {

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::developed::LinerDomain;
 use oilwedge_mesh::flip::{Flipped, to_delaunay};
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::generate::{Blueprint, Feature, RoundedRectangle, generate};
 use oilwedge_mesh::quality::triangle_area;
 use oilwedge_mesh::{Mesh, RawMesh, refine};
 
@@ -48,7 +48,7 @@ fn jittered(n: u32, m: u32, aspect: f64, random: &mut Random) -> Mesh {
 fn generated(size: f64, arc: bool) -> Mesh {
     let feature = |name: &str, x: f64, half: [f64; 2], corner: f64, meshed: bool| Feature {
         name: name.to_owned(),
-        shape: Shape { centre: [x, 0.1], half, corner },
+        shape: RoundedRectangle { centre: [x, 0.1], half, corner },
         meshed,
     };
     let features = vec![
@@ -56,7 +56,7 @@ fn generated(size: f64, arc: bool) -> Mesh {
         feature("pocket", 4.0, [0.5, 0.4], 0.1, true),
         feature("groove", 5.5, [0.2, 0.6], 0.0, false),
     ];
-    let liner = Liner { radius: 1.0, length: 2.0, arc: arc.then_some((0.5, 3.5)) };
+    let liner = LinerDomain { radius: 1.0, length: 2.0, arc: arc.then_some((0.5, 3.5)) };
     let blueprint = Blueprint { liner, features: if arc { Vec::new() } else { features }, line: None };
     generate(&blueprint, &|_| size).unwrap()
 }

@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::developed::LinerDomain;
 use oilwedge_mesh::generate::{
-    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate, generate_graded, generate_in_rows,
+    Blueprint, DrawingError, Feature, Grading, RoundedRectangle, RowLengths, Sense, generate, generate_graded,
+    generate_in_rows,
 };
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
@@ -14,7 +15,7 @@ use oilwedge_mesh::{Mesh, Quality};
 fn plain_liners_in_rows_are_mirror_images() {
     let plain = Blueprint { features: Vec::new(), ..liner_with_groove(0.075, [0.01, 0.003], 0.0) };
     let [forwards, backwards] = [Sense::Forwards, Sense::Backwards].map(|sense| {
-        let rows = Rows { along: &|_| 0.008, across: &|_| 0.005, sense, grading: Grading::RESOLVED };
+        let rows = RowLengths { along: &|_| 0.008, across: &|_| 0.005, sense, grading: Grading::RESOLVED };
         generate_in_rows(&plain, &rows).expect("a mesh")
     });
     assert_eq!(share_across_flow(&forwards), 0.0);
@@ -34,8 +35,8 @@ fn plain_liners_in_rows_are_mirror_images() {
 }
 
 fn liner_with_groove(length: f64, half: [f64; 2], corner: f64) -> Blueprint {
-    let liner = Liner { radius: 0.0375, length, arc: None };
-    let shape = Shape { centre: [0.1, 0.0], half, corner };
+    let liner = LinerDomain { radius: 0.0375, length, arc: None };
+    let shape = RoundedRectangle { centre: [0.1, 0.0], half, corner };
     let groove = Feature { name: "groove".to_owned(), shape, meshed: false };
     Blueprint { liner, features: vec![groove], line: None }
 }
@@ -83,7 +84,7 @@ fn a_rim_too_long_for_its_width_is_refused() {
 fn features_that_touch_share_their_sides() {
     let rectangle = |name: &str, [from, to]: [f64; 2], [low, high]: [f64; 2], meshed| Feature {
         name: name.to_owned(),
-        shape: Shape {
+        shape: RoundedRectangle {
             centre: [0.5 * (from + to), 0.5 * (low + high)],
             half: [0.5 * (to - from), 0.5 * (high - low)],
             corner: 0.0,
@@ -91,7 +92,10 @@ fn features_that_touch_share_their_sides() {
         meshed,
     };
     let band = |name: &str, low: f64, high: f64| Feature {
-        shape: Shape { half: [f64::INFINITY, 0.5 * (high - low)], ..rectangle("", [0.0; 2], [low, high], true).shape },
+        shape: RoundedRectangle {
+            half: [f64::INFINITY, 0.5 * (high - low)],
+            ..rectangle("", [0.0; 2], [low, high], true).shape
+        },
         ..rectangle(name, [0.0; 2], [0.0; 2], true)
     };
     let (ends, tiny) = ([-0.03, 0.03], 1e-9);
@@ -148,9 +152,10 @@ fn features_that_touch_share_their_sides() {
         ),
     ];
     for (arc, line, features) in cases {
-        let liner = Liner { radius: 0.0375, length: 0.06, arc: arc.map(|width| (0.0, width / 0.0375)) };
+        let liner = LinerDomain { radius: 0.0375, length: 0.06, arc: arc.map(|width| (0.0, width / 0.0375)) };
         let blueprint = Blueprint { liner, features, line };
-        let rows = Rows { along: &|_| 0.006, across: &|_| 0.005, sense: Sense::Forwards, grading: Grading::RESOLVED };
+        let rows =
+            RowLengths { along: &|_| 0.006, across: &|_| 0.005, sense: Sense::Forwards, grading: Grading::RESOLVED };
         let of =
             |mesh: Result<Mesh, Vec<DrawingError>>| mesh.unwrap_or_else(|faults| panic!("{faults:?}: {blueprint:?}"));
         for (mesh, least) in
@@ -184,7 +189,7 @@ fn features_that_touch_share_their_sides() {
         faults[0].to_string()
     };
     let feed = || rectangle("feed", [0.0, 0.02], [-0.01, 0.01], false);
-    let hole = Feature { name: "hole".to_owned(), shape: Shape::disc([0.03, 0.0], 0.01), meshed: false };
+    let hole = Feature { name: "hole".to_owned(), shape: RoundedRectangle::disc([0.03, 0.0], 0.01), meshed: false };
     let pocket = |x: [f64; 2], z: [f64; 2]| rectangle("pocket", x, z, true);
     for (features, words) in [
         (vec![hole.clone(), pocket([0.04, 0.06], [-0.01, 0.01])], "meet at 0.0 deg"),

@@ -4,14 +4,14 @@
 use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
 
-use oilwedge_mesh::{Circle, Liner, Locator, Mesh, Quality, developed, gmsh, rim};
+use oilwedge_mesh::{Circle, LinerDomain, Locator, Mesh, Quality, developed, gmsh, rim};
 
 fn data(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
 }
 
-fn liner(arc: Option<(f64, f64)>) -> Liner {
-    Liner { radius: 1.0, length: 2.0, arc }
+fn liner(arc: Option<(f64, f64)>) -> LinerDomain {
+    LinerDomain { radius: 1.0, length: 2.0, arc }
 }
 
 fn ring(name: &str) -> Mesh {

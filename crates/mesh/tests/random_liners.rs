@@ -2,32 +2,32 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::developed::LinerDomain;
 use oilwedge_mesh::generate::{
-    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate_graded, generate_in_rows,
+    Blueprint, DrawingError, Feature, Grading, RoundedRectangle, RowLengths, Sense, generate_graded, generate_in_rows,
 };
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
 use crate::random::Random;
 
-fn feature(random: &mut Random, liner: &Liner, index: usize) -> Feature {
+fn feature(random: &mut Random, liner: &LinerDomain, index: usize) -> Feature {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
     let centre = [liner.radius * random.between(from, to), liner.length * random.between(-0.4, 0.4)];
     let small = liner.radius.min(liner.length);
     let shape = match random.below(8) {
-        0..=3 => Shape::disc(centre, small * random.between(0.02, 0.2)),
+        0..=3 => RoundedRectangle::disc(centre, small * random.between(0.02, 0.2)),
         4 | 5 => {
             let half = [small * random.between(0.02, 0.25), small * random.between(0.02, 0.4)];
             let corner = if random.unit() < 0.5 { 0.0 } else { half[0].min(half[1]) * random.between(0.1, 1.0) };
-            Shape { centre, half, corner }
+            RoundedRectangle { centre, half, corner }
         }
-        6 => Shape {
+        6 => RoundedRectangle {
             centre,
             half: [liner.radius * random.between(0.3, 1.5), small * random.between(0.02, 0.1)],
             corner: 0.0,
         },
-        _ => Shape { centre, half: [f64::INFINITY, small * random.between(0.02, 0.1)], corner: 0.0 },
+        _ => RoundedRectangle { centre, half: [f64::INFINITY, small * random.between(0.02, 0.1)], corner: 0.0 },
     };
     let meshed = shape.is_full_turn() || random.unit() < 0.3;
     Feature { name: format!("feature_{index}"), shape, meshed }
@@ -39,7 +39,7 @@ fn blueprint(random: &mut Random) -> Blueprint {
         let from = random.between(-1.0, 3.0);
         (from, from + random.between(0.3, 5.5))
     });
-    let liner = Liner { radius, length: radius * random.between(0.3, 4.0), arc };
+    let liner = LinerDomain { radius, length: radius * random.between(0.3, 4.0), arc };
     let count = random.below(5);
     let features = (0..count).map(|index| feature(random, &liner, index)).collect();
     Blueprint { liner, features, line: None }
@@ -150,7 +150,7 @@ fn random_liners_in_rows() {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         let spacing = size * random.between(0.25, 1.0);
-        let rows = Rows {
+        let rows = RowLengths {
             along: &|_| size,
             across: &|_| spacing,
             sense: if angles.len() % 2 == 0 { Sense::Forwards } else { Sense::Backwards },

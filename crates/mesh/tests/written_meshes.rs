@@ -1,7 +1,7 @@
 //! Random meshes as files in every form that gmsh has for them: they are read back the same.
 
 use oilwedge_mesh::gmsh::{self, MshFile};
-use oilwedge_mesh::{Liner, Mesh, RawMesh, developed};
+use oilwedge_mesh::{LinerDomain, Mesh, RawMesh, developed};
 use proptest::prelude::*;
 
 const LENGTH: f64 = 0.04;
@@ -170,8 +170,8 @@ fn rewritten(text: &str, turn: usize, is_binary: bool) -> Vec<u8> {
     bytes
 }
 
-fn liner(is_ring: bool) -> Liner {
-    Liner { radius: RADIUS, length: LENGTH, arc: (!is_ring).then_some((0.0, 2.0)) }
+fn liner(is_ring: bool) -> LinerDomain {
+    LinerDomain { radius: RADIUS, length: LENGTH, arc: (!is_ring).then_some((0.0, 2.0)) }
 }
 
 fn read(file: &MshFile, is_ring: bool) -> Mesh {

@@ -11,13 +11,13 @@ use oilwedge_study::Interrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::failure::Failure;
-use crate::run::Asked;
+use crate::failure::PythonFailure;
+use crate::run::RunRequest;
 use crate::scene::Scene;
 use crate::work::done;
 
 /// A table as Python has it: CSV, JSON, and words for people.
-pub(crate) type Written<'py> = (Bound<'py, PyBytes>, String, String);
+pub(crate) type SweepTexts<'py> = (Bound<'py, PyBytes>, String, String);
 
 /// The cases of a sweep, read and checked.
 #[pyclass(frozen, module = "oilwedge._native")]
@@ -52,11 +52,11 @@ impl Cases {
     }
 
     /// The rows of part `number` of so many, as CSV with headings.
-    fn part<'py>(&self, py: Python<'py>, asked: Asked, number: u32, of: u32) -> PyResult<Bound<'py, PyBytes>> {
+    fn part<'py>(&self, py: Python<'py>, asked: RunRequest, number: u32, of: u32) -> PyResult<Bound<'py, PyBytes>> {
         let (sweep, scene, path) = (Arc::clone(&self.sweep), Arc::clone(&self.scene), self.path.clone());
         let rows = done(py, asked.threads, move |interrupt| {
             let options = options(&asked, &scene, interrupt, Some(part(number, of)?));
-            part_rows(&sweep, &options).map_err(|error| Failure::Sweep(path, Box::new(error)))
+            part_rows(&sweep, &options).map_err(|error| PythonFailure::Sweep(path, Box::new(error)))
         });
         Ok(PyBytes::new(py, &rows?))
     }
@@ -66,7 +66,7 @@ impl Cases {
     fn failed<'py>(
         &self,
         py: Python<'py>,
-        asked: Asked,
+        asked: RunRequest,
         place: (u32, u32),
         reason: &str,
     ) -> PyResult<Bound<'py, PyBytes>> {
@@ -76,11 +76,12 @@ impl Cases {
     }
 
     /// The table of all rows, which are CSV with headings.
-    fn joined<'py>(&self, py: Python<'py>, asked: Asked, rows: Vec<u8>) -> PyResult<Written<'py>> {
+    fn joined<'py>(&self, py: Python<'py>, asked: RunRequest, rows: Vec<u8>) -> PyResult<SweepTexts<'py>> {
         let (sweep, scene, path) = (Arc::clone(&self.sweep), Arc::clone(&self.scene), self.path.clone());
         let table = done(py, Some(1), move |interrupt| {
             let options = options(&asked, &scene, interrupt, None);
-            let report = of_rows(&sweep, &options, &rows).map_err(|error| Failure::Sweep(path, Box::new(error)))?;
+            let report =
+                of_rows(&sweep, &options, &rows).map_err(|error| PythonFailure::Sweep(path, Box::new(error)))?;
             Ok((rows, json(&report)?, sweep_report(&report, None)))
         });
         let (csv, json, words) = table?;
@@ -92,15 +93,20 @@ impl Cases {
 ///
 /// # Errors
 /// It has none, or a case cannot be used.
-pub(crate) fn sweep_of(scene: &oilwedge_scene::Scene, path: &Path) -> Result<Sweep, Failure> {
+pub(crate) fn sweep_of(scene: &oilwedge_scene::Scene, path: &Path) -> Result<Sweep, PythonFailure> {
     Sweep::of(scene)?
-        .ok_or_else(|| Failure::Argument(format!("the scene {} has no [sweep]; give axes", path.display())))
+        .ok_or_else(|| PythonFailure::Argument(format!("the scene {} has no [sweep]; give axes", path.display())))
 }
 
-fn part(number: u32, of: u32) -> Result<Part, Failure> {
-    Part::new(number, of).ok_or_else(|| Failure::Argument(format!("there is no part {number} of {of}")))
+fn part(number: u32, of: u32) -> Result<Part, PythonFailure> {
+    Part::new(number, of).ok_or_else(|| PythonFailure::Argument(format!("there is no part {number} of {of}")))
 }
 
-fn options(asked: &Asked, scene: &oilwedge_scene::Scene, interrupt: Interrupt, part: Option<Part>) -> SweepOptions {
+fn options(
+    asked: &RunRequest,
+    scene: &oilwedge_scene::Scene,
+    interrupt: Interrupt,
+    part: Option<Part>,
+) -> SweepOptions {
     SweepOptions { case: asked.options(scene, interrupt), fresh: false, part }
 }

@@ -1,19 +1,19 @@
 //! What names mean: the catalogues of the program, and units.
 
 use numpy::PyReadonlyArray1;
-use oilwedge_report::catalogue::{Entry, entries, explain as meant};
+use oilwedge_report::catalogue::{CatalogueEntry, entries, explain as meant};
 use oilwedge_report::digits::{bar, quantity_value};
 use oilwedge_report::json;
 use oilwedge_study::column::Column;
 use oilwedge_study::quantities::row;
 use pyo3::prelude::*;
 
-use crate::failure::Failure;
+use crate::failure::PythonFailure;
 
 /// All names in JSON.
 #[pyfunction]
 pub(crate) fn catalogue(py: Python<'_>) -> PyResult<String> {
-    json(&entries()).map_err(|error| Failure::Report(error).raised(py))
+    json(&entries()).map_err(|error| PythonFailure::Report(error).raised(py))
 }
 
 /// What a name means, in words.
@@ -21,9 +21,9 @@ pub(crate) fn catalogue(py: Python<'_>) -> PyResult<String> {
 pub(crate) fn explain(py: Python<'_>, name: &str) -> PyResult<String> {
     let entries = meant(name.trim()).map_err(|near| {
         let hint = near.map_or(String::new(), |near| format!("; did you mean \"{near}\"?"));
-        Failure::Argument(format!("nothing is called \"{name}\"{hint}")).raised(py)
+        PythonFailure::Argument(format!("nothing is called \"{name}\"{hint}")).raised(py)
     })?;
-    Ok(entries.iter().map(Entry::in_words).collect::<Vec<_>>().join("\n"))
+    Ok(entries.iter().map(CatalogueEntry::in_words).collect::<Vec<_>>().join("\n"))
 }
 
 /// Value and error of a quantity in another unit.
@@ -35,7 +35,7 @@ pub(crate) fn converted(
     value: f64,
     error: Option<f64>,
 ) -> PyResult<(f64, Option<f64>)> {
-    let refused = |message: String| Failure::Argument(message).raised(py);
+    let refused = |message: String| PythonFailure::Argument(message).raised(py);
     let row = row(&name).ok_or_else(|| refused(format!("\"{name}\" is no quantity")))?;
     let column = Column::in_unit(name.into(), row, unit);
     let column = column.map_err(|(message, help)| refused(format!("{message}; {help}")))?;

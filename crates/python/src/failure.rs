@@ -15,7 +15,7 @@ const ERRORS: &str = "oilwedge._errors";
 
 /// Why there is no result.
 #[derive(Debug)]
-pub(crate) enum Failure {
+pub(crate) enum PythonFailure {
     /// The scene cannot be used.
     Scene(SceneError),
     /// The scene in this file does not become a film.
@@ -30,19 +30,19 @@ pub(crate) enum Failure {
     Panic(String),
 }
 
-impl From<oilwedge_report::Error> for Failure {
+impl From<oilwedge_report::Error> for PythonFailure {
     fn from(error: oilwedge_report::Error) -> Self {
         Self::Report(error)
     }
 }
 
-impl From<SceneError> for Failure {
+impl From<SceneError> for PythonFailure {
     fn from(error: SceneError) -> Self {
         Self::Scene(error)
     }
 }
 
-impl Failure {
+impl PythonFailure {
     /// A failure of the scene at `path`.
     pub(crate) fn of(path: &Path) -> impl Fn(CompileError) -> Self {
         move |error| Self::Compile(path.to_path_buf(), error)
@@ -71,9 +71,9 @@ fn exception<'py>(py: Python<'py>, name: &str, arguments: impl pyo3::call::PyCal
 }
 
 /// A complaint as the arguments of `oilwedge.Complaint`.
-type Parts = (String, String, String, String, Option<(usize, usize)>);
+type ComplaintArguments = (String, String, String, String, Option<(usize, usize)>);
 
-fn parts(text: &str, complaint: &Complaint) -> Parts {
+fn parts(text: &str, complaint: &Complaint) -> ComplaintArguments {
     // Python counts letters, not bytes.
     let letters = |byte: usize| text.get(..byte).map(|before| before.chars().count());
     let span = complaint.span.as_ref().and_then(|span| Some((letters(span.start)?, letters(span.end)?)));
@@ -84,7 +84,7 @@ fn parts(text: &str, complaint: &Complaint) -> Parts {
 
 fn scene(py: Python<'_>, error: SceneError) -> PyErr {
     let words = printable(&error.to_string());
-    let complaints: Vec<Parts> = match &error {
+    let complaints: Vec<ComplaintArguments> = match &error {
         SceneError::Syntax { text, complaints, .. } | SceneError::Complaints { text, complaints, .. } => {
             complaints.iter().map(|complaint| parts(text, complaint)).collect()
         }
@@ -98,7 +98,7 @@ fn compile(py: Python<'_>, path: &Path, error: &CompileError) -> PyErr {
     let words = printable(&format!("the scene {}: {error}", path.display()));
     match error {
         CompileError::NoSteadyFilm | CompileError::UnusedMoment | CompileError::Duty(_) => {
-            exception(py, "SceneError", (words, Vec::<Parts>::new()))
+            exception(py, "SceneError", (words, Vec::<ComplaintArguments>::new()))
         }
         _ => exception(py, "MeshError", (words,)),
     }

@@ -13,22 +13,22 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde::de::DeserializeOwned;
 
-use crate::failure::Failure;
+use crate::failure::PythonFailure;
 use crate::film::picture;
 use crate::work::done;
 
-fn results<T: DeserializeOwned>(json: &str) -> Result<T, Failure> {
-    serde_json::from_str(json).map_err(|error| Failure::Argument(format!("the result is no JSON: {error}")))
+fn results<T: DeserializeOwned>(json: &str) -> Result<T, PythonFailure> {
+    serde_json::from_str(json).map_err(|error| PythonFailure::Argument(format!("the result is no JSON: {error}")))
 }
 
-fn unknown(Unknown { name, known }: Unknown) -> Failure {
-    Failure::Argument(format!("there is no \"{name}\" to draw; there are {}", known.join(", ")))
+fn unknown(Unknown { name, known }: Unknown) -> PythonFailure {
+    PythonFailure::Argument(format!("there is no \"{name}\" to draw; there are {}", known.join(", ")))
 }
 
-fn options(name: String, width: f64) -> Result<PlotOptions, Failure> {
+fn options(name: String, width: f64) -> Result<PlotOptions, PythonFailure> {
     let wanted = format!("width={width}: a number of mm from {} to {} is wanted", WIDTHS.start(), WIDTHS.end());
     let options = PlotOptions { selected: vec![name], width };
-    (WIDTHS.contains(&width).then_some(options)).ok_or(Failure::Argument(wanted))
+    (WIDTHS.contains(&width).then_some(options)).ok_or(PythonFailure::Argument(wanted))
 }
 
 /// Values of a field at angles [deg] and places along the axis [m], both of one length; NaN where there is no film.
@@ -49,7 +49,7 @@ pub(crate) fn sampled<'py>(
         let film = DrawnFilm::new(result, &picture)?;
         let points: Vec<[f64; 2]> = places.iter().map(|[angle, z]| [radius * angle.to_radians(), *z]).collect();
         let values = field_row(&field).and_then(|row| plot::sampled(&film, row, &points));
-        values.ok_or_else(|| Failure::Argument(format!("there is no field \"{field}\" to sample")))
+        values.ok_or_else(|| PythonFailure::Argument(format!("there is no field \"{field}\" to sample")))
     });
     Ok(values?.into_pyarray(py))
 }
@@ -72,7 +72,7 @@ pub(crate) fn figure<'py>(
             None => figures_of_sweep(&results(&json)?, &options),
         };
         let figures = figures.map_err(unknown)?;
-        let nothing = || Failure::Argument(format!("\"{}\" has nothing to draw", options.selected[0]));
+        let nothing = || PythonFailure::Argument(format!("\"{}\" has nothing to draw", options.selected[0]));
         let (_, figure) = figures.first().ok_or_else(nothing)?;
         match format.as_str() {
             "svg" => Ok(figure.to_svg().into_bytes()),

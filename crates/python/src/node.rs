@@ -12,16 +12,16 @@ const MOST_SHOWN: usize = 60;
 
 /// A value of TOML.
 #[derive(Debug, Clone)]
-enum Node {
+enum TomlNode {
     Text(String),
     Truth(bool),
     Integer(i64),
     Float(f64),
-    List(Vec<Node>),
-    Table(Vec<(String, Node)>),
+    List(Vec<TomlNode>),
+    Table(Vec<(String, TomlNode)>),
 }
 
-impl Serialize for Node {
+impl Serialize for TomlNode {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Text(text) => serializer.serialize_str(text),
@@ -34,7 +34,7 @@ impl Serialize for Node {
     }
 }
 
-impl Node {
+impl TomlNode {
     /// The value of an object; `key` is where it stands, and `depth` how far below the whole.
     ///
     /// # Errors
@@ -101,7 +101,7 @@ pub(crate) fn document(object: &Bound<'_, PyAny>) -> PyResult<String> {
             "a scene is made of a mapping, and this is a {kind}; Scene.read reads a file, Scene.parse a text"
         )));
     }
-    let whole = Node::Table(table(object, "", 0)?);
+    let whole = TomlNode::Table(table(object, "", 0)?);
     toml::to_string(&whole).map_err(refused)
 }
 
@@ -110,7 +110,7 @@ fn refused(error: toml::ser::Error) -> PyErr {
 }
 
 /// The entries of a mapping in their order.
-fn table(object: &Bound<'_, PyAny>, above: &str, depth: usize) -> PyResult<Vec<(String, Node)>> {
+fn table(object: &Bound<'_, PyAny>, above: &str, depth: usize) -> PyResult<Vec<(String, TomlNode)>> {
     let items = object.cast::<PyMapping>()?.items()?;
     let entry = |item: Bound<'_, PyAny>| {
         let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
@@ -121,7 +121,7 @@ fn table(object: &Bound<'_, PyAny>, above: &str, depth: usize) -> PyResult<Vec<(
             "" => key.clone(),
             above => format!("{above}.{key}"),
         };
-        Ok((key, Node::of(&value, &whole, depth + 1)?))
+        Ok((key, TomlNode::of(&value, &whole, depth + 1)?))
     };
     items.iter().map(entry).collect()
 }
@@ -131,10 +131,10 @@ pub(crate) fn lines(object: &Bound<'_, PyAny>, values: Values) -> PyResult<Strin
     let mut text = String::new();
     for (key, value) in table(object, "", 0)? {
         let value = match values {
-            Values::Single => Node::List(vec![value]),
+            Values::Single => TomlNode::List(vec![value]),
             Values::Listed => value,
         };
-        text += &format!("{} = {}\n", Node::Text(key).line()?, value.line()?);
+        text += &format!("{} = {}\n", TomlNode::Text(key).line()?, value.line()?);
     }
     Ok(text)
 }

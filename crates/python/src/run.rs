@@ -9,7 +9,7 @@ use oilwedge_study::{Interrupt, RunOptions};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::failure::Failure;
+use crate::failure::PythonFailure;
 use crate::film::moved;
 use crate::numbers::Numbers;
 use crate::scene::Scene;
@@ -18,7 +18,7 @@ use crate::work::done;
 /// How a scene is run, as Python says it.
 #[derive(Debug, Clone, FromPyObject)]
 #[pyo3(from_item_all)]
-pub(crate) struct Asked {
+pub(crate) struct RunRequest {
     /// Whether error bars are estimated.
     bars: bool,
     /// Time limit of a search [s]; that of the program where none is given.
@@ -31,7 +31,7 @@ pub(crate) struct Asked {
     pub(crate) threads: Option<usize>,
 }
 
-impl Asked {
+impl RunRequest {
     /// The options as the program has them.
     pub(crate) fn options(&self, scene: &oilwedge_scene::Scene, interrupt: Interrupt) -> RunOptions {
         let usual = RunOptions::of(scene);
@@ -48,26 +48,31 @@ impl Asked {
 }
 
 /// What Python is given: numbers, film, path of the journal.
-type Answer<'py> = (Numbers, Option<Bound<'py, PyDict>>, Option<Bound<'py, PyBytes>>);
+type SolveReturn<'py> = (Numbers, Option<Bound<'py, PyDict>>, Option<Bound<'py, PyBytes>>);
 
 /// Solves a scene.
 #[pyfunction]
-pub(crate) fn solve<'py>(py: Python<'py>, scene: &Scene, asked: Asked, add_ons: Vec<String>) -> PyResult<Answer<'py>> {
+pub(crate) fn solve<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    asked: RunRequest,
+    add_ons: Vec<String>,
+) -> PyResult<SolveReturn<'py>> {
     let (own, path) = (scene.scene.clone(), scene.path.clone());
     let found = done(py, asked.threads, move |interrupt| {
         let options = asked.options(&own, interrupt);
-        let model = oilwedge_study::compile(&own).map_err(Failure::of(&path))?;
+        let model = oilwedge_study::compile(&own).map_err(PythonFailure::of(&path))?;
         if let Some(reason) = no_map(&model).filter(|_| add_ons.iter().any(|name| name == Compare::Mobility.name())) {
-            return Err(Failure::Argument(format!(
+            return Err(PythonFailure::Argument(format!(
                 "add_ons: no map stands for the film of {}, since {reason}; leave out \"{}\"",
                 path.display(),
                 Compare::Mobility.name()
             )));
         }
-        let run = oilwedge_study::run_telling(&model, &options, None).map_err(Failure::of(&path))?;
+        let run = oilwedge_study::run_telling(&model, &options, None).map_err(PythonFailure::of(&path))?;
         let mut records = Records::default();
         for kind in Compare::ALL.into_iter().filter(|kind| add_ons.iter().any(|name| name == kind.name())) {
-            kind.solve(&own, &options, &run, &mut records).map_err(Failure::of(&path))?;
+            kind.solve(&own, &options, &run, &mut records).map_err(PythonFailure::of(&path))?;
         }
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let json = result_json(&run.result, &records)?;

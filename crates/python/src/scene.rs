@@ -6,7 +6,7 @@ use oilwedge_report::kinds::{KINDS, kind as text_of};
 use oilwedge_scene::sweep::{changed, with_axes};
 use pyo3::prelude::*;
 
-use crate::failure::Failure;
+use crate::failure::PythonFailure;
 use crate::node::{Values, document, lines};
 
 /// A scene that was read and checked.
@@ -25,7 +25,7 @@ impl Scene {
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let scene = py.detach(|| oilwedge_study::read(&path));
-        let scene = scene.map_err(|error| Failure::Scene(error).raised(py))?;
+        let scene = scene.map_err(|error| PythonFailure::Scene(error).raised(py))?;
         Ok(Self { scene, path })
     }
 
@@ -45,7 +45,7 @@ impl Scene {
     /// The scene with keys set to other values.
     fn changed(&self, py: Python<'_>, changes: &Bound<'_, PyAny>) -> PyResult<Self> {
         let changes = lines(changes, Values::Single)?;
-        let text = changed(&self.scene.text, &self.path, &changes).map_err(Failure::Scene);
+        let text = changed(&self.scene.text, &self.path, &changes).map_err(PythonFailure::Scene);
         let scene = text.and_then(|text| Self::of_text(&text, self.path.clone()));
         scene.map_err(|failure| failure.raised(py))
     }
@@ -53,7 +53,7 @@ impl Scene {
     /// The scene with the axes of a sweep.
     fn with_axes(&self, py: Python<'_>, axes: &Bound<'_, PyAny>) -> PyResult<Self> {
         let sweep = format!("[sweep]\n{}", lines(axes, Values::Listed)?);
-        let text = with_axes(&self.scene.text, &self.path, &sweep).map_err(Failure::Scene);
+        let text = with_axes(&self.scene.text, &self.path, &sweep).map_err(PythonFailure::Scene);
         let scene = text.and_then(|text| Self::of_text(&text, self.path.clone()));
         scene.map_err(|failure| failure.raised(py))
     }
@@ -97,7 +97,7 @@ impl Scene {
 }
 
 impl Scene {
-    fn of_text(text: &str, path: PathBuf) -> Result<Self, Failure> {
+    fn of_text(text: &str, path: PathBuf) -> Result<Self, PythonFailure> {
         let scene = oilwedge_study::parse(text, Path::new(&path))?;
         Ok(Self { scene, path })
     }

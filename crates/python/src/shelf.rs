@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use oilwedge_study::{Interrupt, pool};
 use rayon::ThreadPool;
 
-use crate::failure::Failure;
+use crate::failure::PythonFailure;
 
 /// Flags that no run has. An [`Interrupt`] holds its flag for ever, so flags are made once and used again.
 static FLAGS: Mutex<Vec<&'static AtomicBool>> = Mutex::new(Vec::new());
@@ -51,7 +51,7 @@ impl Pool {
     ///
     /// # Errors
     /// They cannot be started.
-    pub(crate) fn borrowed(threads: Option<usize>) -> Result<Self, Failure> {
+    pub(crate) fn borrowed(threads: Option<usize>) -> Result<Self, PythonFailure> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let threads = threads.unwrap_or_else(cores);
         let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
@@ -64,8 +64,9 @@ impl Pool {
             return Ok(Self(Some(pools.swap_remove(place).1)));
         }
         let made = pool(threads);
-        made.map(|pool| Self(Some(pool)))
-            .map_err(|error| Failure::Argument(format!("cannot start {threads} threads: {error}; give fewer threads")))
+        made.map(|pool| Self(Some(pool))).map_err(|error| {
+            PythonFailure::Argument(format!("cannot start {threads} threads: {error}; give fewer threads"))
+        })
     }
 }
 

@@ -8,9 +8,9 @@ use oilwedge_report::tables::sweep_report;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::cases::{Written, sweep_of};
-use crate::failure::Failure;
-use crate::run::Asked;
+use crate::cases::{SweepTexts, sweep_of};
+use crate::failure::PythonFailure;
+use crate::run::RunRequest;
 use crate::scene::Scene;
 use crate::work::done;
 
@@ -19,10 +19,10 @@ use crate::work::done;
 pub(crate) fn sweep<'py>(
     py: Python<'py>,
     scene: &Scene,
-    asked: Asked,
+    asked: RunRequest,
     out: Option<PathBuf>,
     fresh: bool,
-) -> PyResult<Written<'py>> {
+) -> PyResult<SweepTexts<'py>> {
     let (own, path) = (scene.scene.clone(), scene.path.clone());
     let (csv, json, words) = done(py, asked.threads, move |interrupt| {
         let cases = sweep_of(&own, &path)?;
@@ -36,7 +36,7 @@ pub(crate) fn sweep<'py>(
         };
         let options = SweepOptions { case: asked.options(&own, interrupt), fresh, part: None };
         let report =
-            run(&cases, &options, folder, &mut |_| {}).map_err(|error| Failure::Sweep(path, Box::new(error)))?;
+            run(&cases, &options, folder, &mut |_| {}).map_err(|error| PythonFailure::Sweep(path, Box::new(error)))?;
         let table = folder.join(TABLE_FILE);
         let csv = std::fs::read(&table).map_err(|source| system(&table, source))?;
         Ok((csv, json(&report)?, sweep_report(&report, None)))
@@ -44,7 +44,7 @@ pub(crate) fn sweep<'py>(
     Ok((PyBytes::new(py, &csv), json, words))
 }
 
-fn system(path: &Path, source: std::io::Error) -> Failure {
+fn system(path: &Path, source: std::io::Error) -> PythonFailure {
     let path = path.to_path_buf();
-    Failure::Report(oilwedge_report::Error::System { path, source })
+    PythonFailure::Report(oilwedge_report::Error::System { path, source })
 }

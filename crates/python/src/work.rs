@@ -9,7 +9,7 @@ use std::time::Duration;
 use oilwedge_study::Interrupt;
 use pyo3::prelude::*;
 
-use crate::failure::Failure;
+use crate::failure::PythonFailure;
 use crate::shelf::{Flag, Pool};
 
 /// Time between two looks whether a signal has come.
@@ -22,11 +22,11 @@ const FAREWELL: Duration = Duration::from_millis(100);
 /// it is to end.
 ///
 /// # Errors
-/// The exception of a signal, the failure of the job, or [`Failure::Panic`].
+/// The exception of a signal, the failure of the job, or [`PythonFailure::Panic`].
 pub(crate) fn done<T: Send + 'static>(
     py: Python<'_>,
     threads: Option<usize>,
-    job: impl FnOnce(Interrupt) -> Result<T, Failure> + Send + 'static,
+    job: impl FnOnce(Interrupt) -> Result<T, PythonFailure> + Send + 'static,
 ) -> PyResult<T> {
     let pool = Pool::borrowed(threads).map_err(|failure| failure.raised(py))?;
     let (pool, flag) = (Arc::new(pool), Arc::new(Flag::borrowed()));
@@ -47,9 +47,9 @@ pub(crate) fn done<T: Send + 'static>(
         (outcome, receiver) = waited(py, receiver, LOOK);
         match outcome {
             Ok(Ok(outcome)) => return outcome.map_err(|failure| failure.raised(py)),
-            Ok(Err(panic)) => return Err(Failure::Panic(words(panic.as_ref())).raised(py)),
+            Ok(Err(panic)) => return Err(PythonFailure::Panic(words(panic.as_ref())).raised(py)),
             Err(RecvTimeoutError::Disconnected) => {
-                return Err(Failure::Panic("the work ended without an outcome".to_owned()).raised(py));
+                return Err(PythonFailure::Panic("the work ended without an outcome".to_owned()).raised(py));
             }
             Err(RecvTimeoutError::Timeout) => {}
         }

@@ -35,7 +35,7 @@ static WORDS: [(&str, &[&str]); 8] = [
 
 /// One row of a catalogue in words.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Entry {
+pub struct CatalogueEntry {
     /// The catalogue that the entry is of: `key`, `quantity`, `effect`, `field` or `warning`.
     pub kind: &'static str,
     /// Name of the entry in its catalogue.
@@ -52,7 +52,7 @@ fn as_map<S: Serializer>(columns: &[(&'static str, String)], serializer: S) -> R
 }
 
 /// All entries, catalogue by catalogue.
-pub fn entries() -> Vec<Entry> {
+pub fn entries() -> Vec<CatalogueEntry> {
     let keys = keys().map(of_key);
     let quantities = CATALOGUE.iter().map(|row| of_quantity(row));
     let effects = EFFECTS.iter().map(|effect| of_effect(effect));
@@ -61,7 +61,7 @@ pub fn entries() -> Vec<Entry> {
     keys.chain(quantities).chain(effects).chain(fields).chain(warnings).collect()
 }
 
-impl Entry {
+impl CatalogueEntry {
     fn new<const N: usize>(kind: &'static str, name: &str, what: &str, columns: [(&'static str, String); N]) -> Self {
         Self {
             kind,
@@ -109,7 +109,7 @@ impl Entry {
     }
 }
 
-fn of_key(key: &Key) -> Entry {
+fn of_key(key: &Key) -> CatalogueEntry {
     let columns = [
         ("form", key.forms_in_words()),
         ("range", key.range_in_words()),
@@ -117,7 +117,7 @@ fn of_key(key: &Key) -> Entry {
         ("example", key.example.to_owned()),
         ("keys", keys_below(key)),
     ];
-    Entry::new("key", key.path, key.what, columns)
+    CatalogueEntry::new("key", key.path, key.what, columns)
 }
 
 /// The names of the keys of a table.
@@ -129,7 +129,7 @@ fn keys_below(table: &Key) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-fn of_quantity(row: &Row) -> Entry {
+fn of_quantity(row: &Row) -> CatalogueEntry {
     let columns = [
         (SYMBOL, row.symbol.to_owned()),
         ("unit", row.unit.name().to_owned()),
@@ -138,24 +138,24 @@ fn of_quantity(row: &Row) -> Entry {
         ("tolerance", if row.may_be_tolerance { "may be one" } else { "" }.to_owned()),
     ];
     let region = if row.is_family() { REGION } else { "" };
-    Entry::new("quantity", &format!("{}{region}", row.name), row.what, columns)
+    CatalogueEntry::new("quantity", &format!("{}{region}", row.name), row.what, columns)
 }
 
-fn of_effect(effect: &Effect) -> Entry {
+fn of_effect(effect: &Effect) -> CatalogueEntry {
     let instead = match effect.instead {
         "" => "another question is asked, so it is not left out for comparison",
         instead => instead,
     };
-    Entry::new("effect", effect.name, effect.sentence, [("without it", instead.to_owned())])
+    CatalogueEntry::new("effect", effect.name, effect.sentence, [("without it", instead.to_owned())])
 }
 
-fn of_field(field: &FieldRow) -> Entry {
+fn of_field(field: &FieldRow) -> CatalogueEntry {
     let columns = [(SYMBOL, field.symbol.to_owned()), ("unit", field.unit.to_owned())];
-    Entry::new("field", field.name, field.what, columns)
+    CatalogueEntry::new("field", field.name, field.what, columns)
 }
 
-fn of_warning(kind: &Kind) -> Entry {
-    Entry::new("warning", kind.code, kind.sentence, [])
+fn of_warning(kind: &Kind) -> CatalogueEntry {
+    CatalogueEntry::new("warning", kind.code, kind.sentence, [])
 }
 
 /// The entries that `name` means: those of this name, and those that others call so; else those whose name and sentence
@@ -163,19 +163,19 @@ fn of_warning(kind: &Kind) -> Entry {
 ///
 /// # Errors
 /// There is none; the nearest name, if one looks alike.
-pub fn explain(name: &str) -> Result<Vec<Entry>, Option<String>> {
+pub fn explain(name: &str) -> Result<Vec<CatalogueEntry>, Option<String>> {
     let all = entries();
     let plain = |text: &str| text.to_lowercase().replace(['_', '.'], " ");
     let asked = plain(name);
     let called = WORDS.iter().find(|(word, _)| *word == asked);
-    let is_called = |entry: &Entry| called.is_some_and(|(_, names)| names.contains(&entry.family()));
+    let is_called = |entry: &CatalogueEntry| called.is_some_and(|(_, names)| names.contains(&entry.family()));
     let joined = name.replace(' ', "_");
-    let is_meant = |entry: &Entry| entry.is_meant_by(name) || entry.is_meant_by(&joined) || is_called(entry);
-    let has_all = |entry: &Entry| {
+    let is_meant = |entry: &CatalogueEntry| entry.is_meant_by(name) || entry.is_meant_by(&joined) || is_called(entry);
+    let has_all = |entry: &CatalogueEntry| {
         let text = plain(&format!("{} {}", entry.name, entry.what));
         asked.len() >= PART && asked.split_whitespace().all(|word| text.contains(word))
     };
-    let of = |is: &dyn Fn(&Entry) -> bool| all.iter().filter(|entry| is(entry)).cloned().collect::<Vec<_>>();
+    let of = |is: &dyn Fn(&CatalogueEntry) -> bool| all.iter().filter(|entry| is(entry)).cloned().collect::<Vec<_>>();
     let meant = of(&is_meant);
     if !meant.is_empty() {
         return Ok(meant);
@@ -196,7 +196,7 @@ mod tests {
         let entries = entries();
         for (place, entry) in entries.iter().enumerate() {
             assert!(!entry.name.is_empty() && !entry.what.is_empty(), "{entry:?}");
-            let is_same = |other: &Entry| other.kind == entry.kind && other.name == entry.name;
+            let is_same = |other: &CatalogueEntry| other.kind == entry.kind && other.name == entry.name;
             assert!(!entries[..place].iter().any(is_same), "{entry:?}");
         }
     }

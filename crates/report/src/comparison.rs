@@ -1,7 +1,7 @@
 //! Answers side by side, as a sheet: quantities in rows, the film's number, and beside it those of each alternative
 //! with how far they are from it.
 
-use oilwedge_campaign::{Comparison, Pair};
+use oilwedge_campaign::{Comparison, QuantityPair};
 use oilwedge_study::quantities::{Quantity, Unit};
 
 use crate::digits::{bar, quantity_value, significant};
@@ -21,13 +21,13 @@ const ZERO: f64 = 1e-9;
 /// Title, table, lists and notes of a comparison.
 pub fn sheet(comparison: &Comparison) -> Sheet {
     let answers = &comparison.alternatives;
-    let mut firsts: Vec<&Pair> = Vec::new();
+    let mut firsts: Vec<&QuantityPair> = Vec::new();
     for it in answers.iter().flat_map(|answer| &answer.pairs) {
         if !firsts.iter().any(|first| first.name == it.name) {
             firsts.push(it);
         }
     }
-    let row = |first: &&Pair| {
+    let row = |first: &&QuantityPair| {
         let [film, other] = first.values();
         let (unit, size) = readable_unit(film.or(other).unwrap_or(0.0), first.row.unit);
         let film = first.film.as_ref().map_or_else(none, |film| number_as(film.value, shown(film, size)));
@@ -66,14 +66,14 @@ fn shown(it: &Quantity, size: f64) -> String {
 }
 
 /// The other value and, in brackets, how far it is from that of the film.
-fn cell(it: &Pair, size: f64) -> Cell {
+fn cell(it: &QuantityPair, size: f64) -> Cell {
     let Some(other) = &it.other else { return none() };
     let distance = difference(it).map_or(String::new(), |difference| format!(" ({difference})"));
     number_as(other.value, shown(other, size) + &distance)
 }
 
 /// The difference in percent of the film's value; of angles, and where that value is next to nothing, in their unit.
-fn difference(it: &Pair) -> Option<String> {
+fn difference(it: &QuantityPair) -> Option<String> {
     let (difference, film) = (it.difference()?, it.film.as_ref()?.value);
     let (unit, size) = match it.row.unit {
         Unit::Degree => (it.row.unit.name(), 1.0),
@@ -105,9 +105,9 @@ mod tests {
     use oilwedge_campaign::Alternative;
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD, Row, SIDE_FLOW};
 
-    fn pair(row: &'static Row, [film, other]: [f64; 2], error: Option<f64>) -> Pair {
+    fn pair(row: &'static Row, [film, other]: [f64; 2], error: Option<f64>) -> QuantityPair {
         let quantity = |value| Quantity { bar: error.map(Bar::of), ..Quantity::new(row, value) };
-        Pair::between(Some(&quantity(film)), Some(&quantity(other))).expect("both")
+        QuantityPair::between(Some(&quantity(film)), Some(&quantity(other))).expect("both")
     }
 
     #[test]
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn the_table_holds_every_quantity_of_every_alternative() {
         let answer = |name: &str, pairs, other| Alternative { name: name.into(), pairs, seconds: Some([0.03, other]) };
-        let alone = Pair { film: None, ..pair(&SIDE_FLOW, [1e-6, 2e-6], None) };
+        let alone = QuantityPair { film: None, ..pair(&SIDE_FLOW, [1e-6, 2e-6], None) };
         let all = Comparison {
             title: "a title".into(),
             film: "all effects".into(),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::Error;
 use crate::comparison::sheet;
-use oilwedge_campaign::{Alternative, Comparison, Pair};
+use oilwedge_campaign::{Alternative, Comparison, QuantityPair};
 use oilwedge_study::quantities::{CATALOGUE, Quantity, Unit};
 use oilwedge_study::result::RunResult;
 use serde::{Serialize, Serializer};
@@ -31,7 +31,7 @@ pub struct Difference {
     pub facts: Vec<Changed>,
     /// Quantities that differ by more than round-off, in the order of the catalogue.
     #[serde(serialize_with = "in_json")]
-    pub quantities: Vec<Pair>,
+    pub quantities: Vec<QuantityPair>,
 }
 
 impl Difference {
@@ -55,7 +55,7 @@ impl Difference {
     }
 }
 
-fn in_json<S: Serializer>(quantities: &[Pair], serializer: S) -> Result<S::Ok, S::Error> {
+fn in_json<S: Serializer>(quantities: &[QuantityPair], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(quantities.iter().map(|it| {
         let [a, b] = it.values();
         let (unit, change, bars) = (it.row.unit.name(), it.difference(), it.error());
@@ -139,13 +139,13 @@ fn names<'a>(a: &'a Map<String, Value>, b: &'a Map<String, Value>) -> impl Itera
     a.keys().chain(others).map(String::as_str)
 }
 
-fn quantities(a: &[Quantity], b: &[Quantity]) -> Vec<Pair> {
+fn quantities(a: &[Quantity], b: &[Quantity]) -> Vec<QuantityPair> {
     let names: BTreeSet<&str> = a.iter().chain(b).map(|it| it.name.as_ref()).collect();
     let pairs = names.into_iter().filter_map(|name| {
         let [first, second] = [a, b].map(|all| all.iter().find(|it| it.name == name));
-        Pair::between(first, second)
+        QuantityPair::between(first, second)
     });
-    let is_changed = |it: &Pair| {
+    let is_changed = |it: &QuantityPair| {
         let round_off = ROUND_OFF * greatest(a, it.row.unit).max(greatest(b, it.row.unit));
         it.difference().is_none_or(|change| change.abs() > round_off)
     };

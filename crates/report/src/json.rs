@@ -36,7 +36,7 @@ pub fn result_json(result: &RunResult, records: &Records) -> Result<String, Erro
 }
 
 /// What a value must not hold.
-enum Fault {
+enum JsonFault {
     NotFinite(f64),
     Twice,
 }
@@ -44,13 +44,13 @@ enum Fault {
 fn check(value: &Value) -> Result<(), Error> {
     match fault(value) {
         None => Ok(()),
-        Some((name, Fault::NotFinite(value))) => Err(Error::NotFinite { name, value }),
-        Some((name, Fault::Twice)) => Err(Error::Twice { name }),
+        Some((name, JsonFault::NotFinite(value))) => Err(Error::NotFinite { name, value }),
+        Some((name, JsonFault::Twice)) => Err(Error::Twice { name }),
     }
 }
 
 /// The first fault of a value, and its place in it as `heat.curve.3`.
-fn fault(value: &Value) -> Option<(String, Fault)> {
+fn fault(value: &Value) -> Option<(String, JsonFault)> {
     let within = |name: &dyn std::fmt::Display, value: &Value| {
         let (place, fault) = fault(value)?;
         let name = match place.is_empty() {
@@ -60,12 +60,12 @@ fn fault(value: &Value) -> Option<(String, Fault)> {
         Some((name, fault))
     };
     match value {
-        Value::Float(number) => (!number.is_finite()).then(|| (String::new(), Fault::NotFinite(*number))),
+        Value::Float(number) => (!number.is_finite()).then(|| (String::new(), JsonFault::NotFinite(*number))),
         Value::Array(values) => values.iter().enumerate().find_map(|(index, value)| within(&index, value)),
         Value::Map(entries) => entries.iter().enumerate().find_map(|(index, (key, value))| {
             let name = key.as_text().unwrap_or_default();
             match entries[..index].iter().any(|(other, _)| other == key) {
-                true => Some((name.to_owned(), Fault::Twice)),
+                true => Some((name.to_owned(), JsonFault::Twice)),
                 false => within(&name, value),
             }
         }),

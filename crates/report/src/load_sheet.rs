@@ -52,7 +52,7 @@ pub struct LoadSheet {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<TableLoad>,
     /// The load at growing crank angles.
-    pub rows: Vec<LoadRow>,
+    pub rows: Vec<DutyRow>,
 }
 
 /// The rows of a table of loads.
@@ -92,7 +92,7 @@ pub struct LoadAt {
 
 /// What acts on the journal at a crank angle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct LoadRow {
+pub struct DutyRow {
     /// Crank angle.
     pub angle_deg: f64,
     /// Force.
@@ -119,7 +119,7 @@ impl LoadSheet {
         let row = |k: u32| {
             let angle = cycle.period() * f64::from(k) / f64::from(count);
             let duty = cycle.at(angle);
-            LoadRow {
+            DutyRow {
                 angle_deg: period * f64::from(k) / f64::from(count),
                 force_n: duty.force,
                 moment_n_m: duty.moment,

@@ -28,7 +28,7 @@ pub const ORBIT_FILE: &str = "orbit.csv";
 
 /// What stands beside `result.json`; `None`: there is none.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Beside<'a> {
+pub struct ResultCompanions<'a> {
     /// Content of `film.vtu`.
     pub picture: Option<&'a [u8]>,
     /// Content of `orbit.csv`.
@@ -41,7 +41,7 @@ pub struct Beside<'a> {
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
-pub fn write_results(dir: &Path, result: &RunResult, records: &Records, beside: Beside) -> Result<(), Error> {
+pub fn write_results(dir: &Path, result: &RunResult, records: &Records, beside: ResultCompanions) -> Result<(), Error> {
     let json = result_json(result, records)?;
     let figure = temperature_figure(result, PAGE_WIDTH);
     let svg = figure.as_ref().map(Figure::to_svg);
@@ -80,8 +80,8 @@ mod tests {
     use crate::json::tests::example;
     use std::{fs, io};
 
-    fn pictured(picture: &[u8]) -> Beside<'_> {
-        Beside { picture: Some(picture), ..Beside::default() }
+    fn pictured(picture: &[u8]) -> ResultCompanions<'_> {
+        ResultCompanions { picture: Some(picture), ..ResultCompanions::default() }
     }
 
     fn names(dir: &Path) -> io::Result<Vec<String>> {
@@ -100,7 +100,7 @@ mod tests {
         assert_eq!(names(&dir)?, ["film.vtu", "result.json"]);
         write_results(&dir, &example(), &Records::default(), pictured(b"second"))?;
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"second");
-        write_results(&dir, &example(), &Records::default(), Beside::default())?;
+        write_results(&dir, &example(), &Records::default(), ResultCompanions::default())?;
         assert_eq!(names(&dir)?, ["result.json"]);
         Ok(())
     }
@@ -129,8 +129,9 @@ mod tests {
         ));
         assert_eq!(names(&taken)?, ["result.json"]);
         fs::write(folder.path().join("file"), "")?;
-        let error = write_results(&folder.path().join("file"), &example(), &Records::default(), Beside::default())
-            .expect_err("a file is no folder");
+        let error =
+            write_results(&folder.path().join("file"), &example(), &Records::default(), ResultCompanions::default())
+                .expect_err("a file is no folder");
         assert!(error.to_string().contains("file"), "{error}");
         Ok(())
     }

@@ -5,7 +5,7 @@
 //! the program alone.
 
 use oilwedge_scene::catalogue::keys;
-use oilwedge_scene::keys::{Form, Key};
+use oilwedge_scene::keys::{Key, KeyForm};
 use oilwedge_scene::sweep::SHORT_NAMES;
 use oilwedge_scene::unit::{Dimension, is_composed, symbols_like};
 use oilwedge_scene::{SWEPT, SWEPT_OF_SHAFT};
@@ -180,24 +180,24 @@ fn any_of(mut forms: Vec<Value>) -> Option<Value> {
 
 fn example(key: &Key) -> Value {
     match key.forms[0] {
-        Form::Number => serde_json::from_str(key.example).unwrap_or(Value::Null),
-        Form::Texts => serde_json::from_str(&format!("[{}]", key.example)).unwrap_or(Value::Null),
+        KeyForm::Number => serde_json::from_str(key.example).unwrap_or(Value::Null),
+        KeyForm::Texts => serde_json::from_str(&format!("[{}]", key.example)).unwrap_or(Value::Null),
         _ => json!(key.example),
     }
 }
 
-fn of_form(key: &Key, form: &Form<'_>) -> Value {
+fn of_form(key: &Key, form: &KeyForm<'_>) -> Value {
     match form {
-        Form::Quantity(dimension) => json!({ "allOf": [reference(*dimension)] }),
-        Form::Number => json!({ "type": "number" }),
-        Form::Numbers => json!({ "type": "array", "items": { "type": "number" }, "minItems": 1 }),
-        Form::Text => json!({ "type": "string", "pattern": r"\S" }),
-        Form::Texts => json!({ "type": "array", "items": { "type": "string", "pattern": r"\S" }, "minItems": 1 }),
-        Form::Choice(words) => json!({ "enum": words }),
-        Form::Table => table(key.path),
-        Form::Tables => json!({ "type": "array", "items": table(key.path) }),
-        Form::Value => json!({ "type": ["number", "string"] }),
-        Form::Values => json!({ "type": "array", "items": { "type": ["number", "string"] }, "minItems": 1 }),
+        KeyForm::Quantity(dimension) => json!({ "allOf": [reference(*dimension)] }),
+        KeyForm::Number => json!({ "type": "number" }),
+        KeyForm::Numbers => json!({ "type": "array", "items": { "type": "number" }, "minItems": 1 }),
+        KeyForm::Text => json!({ "type": "string", "pattern": r"\S" }),
+        KeyForm::Texts => json!({ "type": "array", "items": { "type": "string", "pattern": r"\S" }, "minItems": 1 }),
+        KeyForm::Choice(words) => json!({ "enum": words }),
+        KeyForm::Table => table(key.path),
+        KeyForm::Tables => json!({ "type": "array", "items": table(key.path) }),
+        KeyForm::Value => json!({ "type": ["number", "string"] }),
+        KeyForm::Values => json!({ "type": "array", "items": { "type": ["number", "string"] }, "minItems": 1 }),
     }
 }
 
@@ -231,7 +231,7 @@ fn tolerances() -> Value {
 /// The keys that a sweep can vary, below their tables. Of lists of tables those of feeds alone have names.
 fn swept() -> impl Iterator<Item = &'static Key> {
     let lists: Vec<String> = keys()
-        .filter(|key| key.forms.contains(&Form::Tables) && key.path != "feed")
+        .filter(|key| key.forms.contains(&KeyForm::Tables) && key.path != "feed")
         .map(|key| format!("{}.", key.path))
         .collect();
     keys().filter(move |key| {
@@ -279,7 +279,7 @@ fn sweep() -> Value {
 fn axes(path: &str) -> Value {
     let below = children(path).filter_map(|(key, name)| {
         let own = axis(key).map(|_| json!({ "$ref": format!("#/definitions/{}", key.path) }));
-        let nested = key.forms.contains(&Form::Table).then(|| axes(key.path));
+        let nested = key.forms.contains(&KeyForm::Table).then(|| axes(key.path));
         let schema = match (own, nested) {
             (Some(own), Some(nested)) => json!({ "anyOf": [own, nested] }),
             (own, nested) => own.or(nested)?,
@@ -299,9 +299,9 @@ fn axes(path: &str) -> Value {
 
 /// The axis of a key; `None` of one that holds tables alone.
 fn axis(key: &Key) -> Option<Value> {
-    let is_table = |form: &&Form<'_>| matches!(form, Form::Table | Form::Tables);
+    let is_table = |form: &&KeyForm<'_>| matches!(form, KeyForm::Table | KeyForm::Tables);
     let forms: Vec<_> = key.forms.iter().filter(|form| !is_table(form)).collect();
-    let is_number = |form: &&Form<'_>| matches!(form, Form::Quantity(_) | Form::Number);
+    let is_number = |form: &&KeyForm<'_>| matches!(form, KeyForm::Quantity(_) | KeyForm::Number);
     let has_ranges = forms.iter().any(is_number);
     let value = any_of(forms.into_iter().map(|form| of_form(key, form)).collect())?;
     let list = json!({ "type": "array", "items": value, "minItems": 1 });
@@ -315,7 +315,7 @@ fn axis(key: &Key) -> Option<Value> {
 fn range(value: &Value) -> Value {
     let keys = children("sweep.KEY").map(|(key, name)| {
         let schema = match key.forms {
-            [Form::Value] => value.clone(),
+            [KeyForm::Value] => value.clone(),
             _ => of_key(key),
         };
         (name.to_owned(), schema)

@@ -82,7 +82,7 @@ pub(crate) fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f
         .chain(marked.iter().copied())
         .collect();
     let letters: Vec<char> = ('A'..='Z').chain('a'..='z').cycle().take(feeds.len()).collect();
-    let bounds = Bounds::of(mesh);
+    let bounds = SketchArea::of(mesh);
     let locator = Locator::new(mesh);
     let letter_at = |point: [f64; 2]| match locator.find(point) {
         Some((cell, _)) => {
@@ -119,12 +119,12 @@ pub(crate) fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f
 }
 
 /// The rectangle that is drawn.
-struct Bounds {
+struct SketchArea {
     low: [f64; 2],
     high: [f64; 2],
 }
 
-impl Bounds {
+impl SketchArea {
     fn of(mesh: &Mesh) -> Self {
         let mut bounds = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
         for point in mesh.points() {

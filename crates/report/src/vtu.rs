@@ -7,7 +7,7 @@ use quick_xml::events::BytesText;
 use quick_xml::{Error as Xml, Writer};
 use rayon::prelude::*;
 
-use self::array::{Array, Numbers};
+use self::array::{Array, ArrayNumbers};
 use crate::Error;
 use oilwedge_study::fields::PRESSURE;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
@@ -88,13 +88,13 @@ pub fn to_vtu(picture: &FilmPicture, VtuForm { compression, precision }: VtuForm
     let parts: [(&str, Vec<Array>); 4] = [
         ("PointData", picture.point_data.iter().map(|field| array(field, precision)).collect()),
         ("CellData", picture.cell_data.iter().map(|field| array(field, precision)).collect()),
-        ("Points", vec![Array::plain("Points", 3, Numbers::Float64(picture.points.as_flattened()))]),
+        ("Points", vec![Array::plain("Points", 3, ArrayNumbers::Float64(picture.points.as_flattened()))]),
         (
             "Cells",
             vec![
-                Array::plain("connectivity", 1, Numbers::UInt32(connectivity)),
-                Array::plain("offsets", 1, Numbers::UInt32(&offsets)),
-                Array::plain("types", 1, Numbers::UInt8(&types)),
+                Array::plain("connectivity", 1, ArrayNumbers::UInt32(connectivity)),
+                Array::plain("offsets", 1, ArrayNumbers::UInt32(&offsets)),
+                Array::plain("types", 1, ArrayNumbers::UInt8(&types)),
             ],
         ),
     ];
@@ -159,8 +159,8 @@ fn array(field: &PictureField, precision: Precision) -> Array<'_> {
         FieldValues::Vectors(values) => (3, values.as_flattened()),
     };
     let numbers = match precision {
-        Precision::Single if field.name != PRESSURE.name => Numbers::Float32(numbers),
-        Precision::Single | Precision::Double => Numbers::Float64(numbers),
+        Precision::Single if field.name != PRESSURE.name => ArrayNumbers::Float32(numbers),
+        Precision::Single | Precision::Double => ArrayNumbers::Float64(numbers),
     };
     Array { name: &field.name, unit: Some(&field.unit), components, numbers }
 }
@@ -225,7 +225,7 @@ mod tests {
     use super::*;
     use crate::vtu_read::from_vtu;
 
-    /// Numbers of 64 bits, so compressed.
+    /// ArrayNumbers of 64 bits, so compressed.
     fn plain(compression: Compression) -> VtuForm {
         VtuForm { compression, precision: Precision::Double }
     }

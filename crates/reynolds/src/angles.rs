@@ -17,10 +17,10 @@ pub fn wrapped(angle: f64) -> f64 {
 }
 
 /// A value for each of at most [`MOST_POINTS`] points.
-type AtPoints = [f64; MOST_POINTS];
+type PointValues = [f64; MOST_POINTS];
 
 /// `sin phi` and `cos phi` at `phi = x / radius` of at most [`MOST_POINTS`] positions `(x, z)` [m].
-pub(crate) fn sines_and_cosines(positions: &[[f64; 2]], radius: f64) -> [AtPoints; 2] {
+pub(crate) fn sines_and_cosines(positions: &[[f64; 2]], radius: f64) -> [PointValues; 2] {
     let (mut sines, mut cosines) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
     let Some(&[origin, _]) = positions.first() else {
         return [sines, cosines];

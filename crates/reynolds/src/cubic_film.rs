@@ -9,10 +9,10 @@
 //! (1993) 921.
 
 use oilwedge_fem::LinearSolver;
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_fem::nested::Nested;
 
-use crate::film_start::Steps;
+use crate::film_start::StepBudget;
 use crate::{Form, NoFilm, SolvedFilm};
 
 impl SolvedFilm {
@@ -62,7 +62,7 @@ impl SolvedFilm {
             direct: cubic.system.analysis.clone(),
         });
         let solution =
-            problem.pressure_film((&cubic.system, &solver, 1.0), InitialGuess { u, held }, Steps::UntilSettled)?;
+            problem.pressure_film((&cubic.system, &solver, 1.0), WarmStart { u, held }, StepBudget::UntilSettled)?;
         Ok(Self::new(problem.clone(), &cubic.system, solution))
     }
 }

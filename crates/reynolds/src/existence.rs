@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::Field;
-use oilwedge_fem::newton::{Failure, HistoryStep};
+use oilwedge_fem::newton::{Failure, NewtonStep};
 
 use crate::lubricant::{LawKind, Lubricant, PressureLaw};
 use crate::solve::Neighbour;
@@ -48,7 +48,7 @@ pub enum NoFilm {
         /// Accuracy of the ratio on this mesh.
         known_to: f64,
         /// How the film was solved.
-        history: Vec<HistoryStep>,
+        history: Vec<NewtonStep>,
     },
     /// Quadratic elements have a film of the as-printed equation, cubic ones on the same mesh have none.
     #[error(
@@ -59,7 +59,7 @@ pub enum NoFilm {
         /// Required speed [rad/s].
         asked: f64,
         /// How the film of quadratic elements was solved.
-        history: Vec<HistoryStep>,
+        history: Vec<NewtonStep>,
     },
     /// The pressure falls below what the viscosity law covers.
     #[error(
@@ -143,7 +143,7 @@ impl NoFilm {
     }
 
     /// The iteration; empty where there was none.
-    pub fn history(&self) -> &[HistoryStep] {
+    pub fn history(&self) -> &[NewtonStep] {
         match self {
             Self::NotConverged(failure) => failure.history(),
             Self::NearLimit { history, .. } | Self::AtFold { history, .. } => history,

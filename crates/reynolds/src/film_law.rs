@@ -2,7 +2,7 @@
 
 use oilwedge_fem::conservation_law::{Conduction, Response, State};
 use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{ConservationLaw, Dual, Tangent};
+use oilwedge_fem::{ConservationLaw, Dual, TangentKind};
 
 use crate::film_problem::{FilmProblem, Form};
 use crate::{FilmChange, FilmFlow, FilmPoint, flow_factors};
@@ -185,10 +185,10 @@ impl<'a> FilmLaw<'a> {
 }
 
 impl ConservationLaw for FilmLaw<'_> {
-    fn tangent(&self) -> Tangent {
+    fn tangent(&self) -> TangentKind {
         match self.problem.form {
-            Form::Conservative => Tangent::Conduction,
-            Form::AsPrinted => Tangent::Symmetric,
+            Form::Conservative => TangentKind::Conduction,
+            Form::AsPrinted => TangentKind::Symmetric,
         }
     }
 

@@ -2,12 +2,12 @@
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_fem::factorization::LazyAnalysis;
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::kink_rule::Kink;
 use oilwedge_fem::linear_solver::MultigridSolver;
-use oilwedge_fem::newton::{self, HistoryStep, Seconds};
+use oilwedge_fem::newton::{self, NewtonStep, Seconds};
 use oilwedge_fem::ordering::elimination_order;
 use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{
@@ -21,7 +21,7 @@ use crate::cavitation::FilmFraction;
 use crate::contact::{Contact, Fineness};
 use crate::film_thickness::{FilmContribution, Follows};
 use crate::flow_factors::FlowFactor;
-use crate::levels::Coarser;
+use crate::levels::CoarseLevel;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
@@ -83,7 +83,7 @@ pub struct FilmSystem {
     /// Regions where pressure is given.
     pub supply: Supply,
     /// The next coarser mesh, to start from; none where a solve needs no start.
-    pub coarser: Option<Box<Coarser>>,
+    pub coarser: Option<Box<CoarseLevel>>,
     /// The analysed pattern of the Cholesky factor.
     pub(crate) analysis: Arc<LazyAnalysis>,
     /// Unknowns from which on multigrid is worth while.
@@ -243,7 +243,7 @@ pub struct FilmSolution {
     /// cavity of a step.
     pub wrong: Vec<usize>,
     /// One entry a linear solve on the way.
-    pub history: Vec<HistoryStep>,
+    pub history: Vec<NewtonStep>,
     /// Time of each part of the solution.
     pub seconds: Seconds,
     /// Films solved on coarser levels to start from.
@@ -265,8 +265,8 @@ pub struct FilmTrace {
 
 impl FilmTrace {
     /// What a solve starts from.
-    pub(crate) fn as_start(&self) -> InitialGuess {
-        InitialGuess { u: self.unknown.clone(), held: self.cavity.clone() }
+    pub(crate) fn as_start(&self) -> WarmStart {
+        WarmStart { u: self.unknown.clone(), held: self.cavity.clone() }
     }
 }
 
@@ -281,8 +281,8 @@ impl FilmSolution {
     }
 
     /// What a solve of a neighbouring film starts from.
-    pub(crate) fn as_start(&self) -> InitialGuess {
-        InitialGuess { u: self.unknown.clone(), held: self.cavity.clone() }
+    pub(crate) fn as_start(&self) -> WarmStart {
+        WarmStart { u: self.unknown.clone(), held: self.cavity.clone() }
     }
 
     /// A film without a cavity.

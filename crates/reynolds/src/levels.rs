@@ -6,10 +6,10 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_fem::{Field, Space, lagrange};
 use oilwedge_mesh::coarsen;
-use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::developed::LinerDomain;
 use oilwedge_mesh::generate::Sense;
 use oilwedge_mesh::locate::Locator;
 use oilwedge_mesh::quality::lies_in_rows;
@@ -35,7 +35,7 @@ pub enum Layout {
 
 /// A coarser mesh and the film on it.
 #[derive(Debug)]
-pub struct Coarser {
+pub struct CoarseLevel {
     /// Unknowns and given pressures there.
     pub system: Arc<FilmSystem>,
     pub(crate) film_thickness: Vec<Arc<dyn FilmContribution>>,
@@ -57,12 +57,12 @@ impl FilmSystem {
         layout: Layout,
         film_thickness: &[Arc<dyn FilmContribution>],
     ) -> Self {
-        self.coarser = Coarser::of(&self, (problem, layout), film_thickness).map(Box::new);
+        self.coarser = CoarseLevel::of(&self, (problem, layout), film_thickness).map(Box::new);
         self
     }
 }
 
-impl Coarser {
+impl CoarseLevel {
     fn of(
         fine: &FilmSystem,
         (problem, layout): (&FilmProblem, Layout),
@@ -111,7 +111,7 @@ impl Coarser {
 
     /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that can
     /// be: any one of a mass-conserving film or of linear elements, those amid edges of Swift-Stieber's quadratic ones.
-    pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> InitialGuess {
+    pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> WarmStart {
         let space = self.system.space();
         let nodes = lagrange::nodes(space.degree());
         let voters = match cavitation.obstacle() {
@@ -127,12 +127,12 @@ impl Coarser {
             let nearest = voters.clone().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             held.push(nearest.is_some_and(|k| film.cavity[dofs[k]]));
         }
-        InitialGuess { u, held }
+        WarmStart { u, held }
     }
 }
 
 /// The liner that the mesh covers.
-fn liner(system: &FilmSystem, bearing: &Bearing) -> Liner {
+fn liner(system: &FilmSystem, bearing: &Bearing) -> LinerDomain {
     let mesh = system.space().mesh();
     let arc = match mesh.period() {
         Some(_) => None,
@@ -141,7 +141,7 @@ fn liner(system: &FilmSystem, bearing: &Bearing) -> Liner {
             Some(xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x))))
         }
     };
-    Liner { radius: bearing.radius, length: bearing.length, arc }
+    LinerDomain { radius: bearing.radius, length: bearing.length, arc }
 }
 
 /// Angle [rad] of the film start of a ring.

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use oilwedge_fem::Error;
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_fem::newton::Failure;
 
 use crate::cavitation;
@@ -115,7 +115,7 @@ impl SolvedFilm {
     pub fn start_after(&self, MixedChange(change): &MixedChange) -> FilmStart {
         let solution = &self.solution;
         let floor = self.problem.cavitation.pressure().map_or(f64::NEG_INFINITY, |p| self.problem.unknown_at(p));
-        let mut start = InitialGuess { u: solution.unknown.clone(), held: solution.cavity.clone() };
+        let mut start = WarmStart { u: solution.unknown.clone(), held: solution.cavity.clone() };
         let Some(fraction) = &solution.film_fraction else {
             start.u.iter_mut().zip(change).for_each(|(u, change)| *u += change);
             if self.problem.cavitation.obstacle().is_some() {

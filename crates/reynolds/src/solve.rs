@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::complementarity::{self, InitialGuess, Obstacle};
+use oilwedge_fem::complementarity::{self, Obstacle, WarmStart};
 use oilwedge_fem::newton::{self, Equation, Failure};
 use oilwedge_fem::{Constraints, Error, LinearSolver};
 
 use crate::film_law::FilmLaw;
-use crate::film_start::{FilmStart, Steps};
+use crate::film_start::{FilmStart, StepBudget};
 use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm, SolvedFilm};
 
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
@@ -68,7 +68,7 @@ impl FilmProblem {
             return self.solve_from(system, Neighbour::None);
         }
         let FilmStart(start) = start;
-        let solution = self.cavitation.solve((self, system, 1.0), start, Steps::One)?;
+        let solution = self.cavitation.solve((self, system, 1.0), start, StepBudget::One)?;
         let film = SolvedFilm::new(self.clone(), system, solution);
         match film.solution.wrong.is_empty() {
             true => film.check_existence().map(|()| film),
@@ -109,12 +109,12 @@ impl FilmProblem {
             Neighbour::None if self.storage.is_some() => (full_film(system), 0),
             Neighbour::None => self.start(system, motion),
         };
-        let film = self.cavitation.solve((self, system, motion), start, Steps::UntilSettled)?;
+        let film = self.cavitation.solve((self, system, motion), start, StepBudget::UntilSettled)?;
         Ok(FilmSolution { levels, ..film })
     }
 
     /// The film of the next coarser mesh, if there is one, and on how many meshes it was solved; else nothing.
-    fn start(&self, system: &FilmSystem, motion: f64) -> (InitialGuess, usize) {
+    fn start(&self, system: &FilmSystem, motion: f64) -> (WarmStart, usize) {
         let coarse = system.coarser.as_ref().and_then(|coarser| {
             let film = coarser.problem(self).closed_film(&coarser.system, motion, Neighbour::None).ok()?;
             Some((coarser.carried(&film, self.cavitation), film.levels + 1))
@@ -140,8 +140,8 @@ impl FilmProblem {
     pub(crate) fn pressure_film(
         &self,
         (system, solver, motion): (&FilmSystem, &LinearSolver, f64),
-        start: InitialGuess,
-        steps: Steps,
+        start: WarmStart,
+        steps: StepBudget,
     ) -> Result<FilmSolution, Failure> {
         let law = FilmLaw::new(self, motion);
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
@@ -161,8 +161,8 @@ impl FilmProblem {
             _ => Obstacle::at_nodes(system.space(), floor),
         };
         let (contact, wrong) = match steps {
-            Steps::UntilSettled => (complementarity::solve(&equation, &obstacle, start)?, Vec::new()),
-            Steps::One => complementarity::step(&equation, &obstacle, start)?,
+            StepBudget::UntilSettled => (complementarity::solve(&equation, &obstacle, start)?, Vec::new()),
+            StepBudget::One => complementarity::step(&equation, &obstacle, start)?,
         };
         Ok(FilmSolution { cavity: contact.held, wrong, ..FilmSolution::full(contact.solution) })
     }
@@ -174,7 +174,7 @@ impl FilmProblem {
         let (mut reached, mut step) = (0.0, 0.25);
         loop {
             let next: f64 = f64::min(reached + step, 1.0);
-            match self.cavitation.solve((self, system, next), film.as_start(), Steps::UntilSettled) {
+            match self.cavitation.solve((self, system, next), film.as_start(), StepBudget::UntilSettled) {
                 Ok(mut solution) => {
                     let mut history = film.history;
                     history.append(&mut solution.history);
@@ -210,8 +210,8 @@ impl FilmProblem {
 }
 
 /// A full film without pressure.
-fn full_film(system: &FilmSystem) -> InitialGuess {
+fn full_film(system: &FilmSystem) -> WarmStart {
     let dofs = system.space().dofs();
     let (u, held) = (vec![0.0; dofs], vec![false; dofs]);
-    InitialGuess { u, held }
+    WarmStart { u, held }
 }

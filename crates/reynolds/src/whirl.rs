@@ -30,11 +30,11 @@ pub struct Whirl<'a> {
     film: &'a SolvedFilm,
     /// The film whose law changes with the rates of the journal by what it takes up.
     taking_up: SolvedFilm,
-    cavity: Cavity,
+    cavity: CavityContent,
 }
 
 /// What a cavity holds.
-enum Cavity {
+enum CavityContent {
     /// The cavity holds nothing.
     Empty,
     /// Oil, in the limit of slow motions: the volume [m3] of each node of the cavity when it is full.
@@ -51,17 +51,17 @@ impl<'a> Whirl<'a> {
     pub fn new(film: &'a SolvedFilm, frequency: f64) -> Result<Self, Error> {
         let SolvedFilm { problem, system, solution } = film;
         let cavity = match &solution.film_fraction {
-            None => Cavity::Empty,
+            None => CavityContent::Empty,
             Some(_) => {
                 let held = cavitation::held_volume(film)?;
                 match frequency == 0.0 {
-                    true => Cavity::Slow(held),
+                    true => CavityContent::Slow(held),
                     false => {
                         let analysis = system.volumes()?.harmonic()?;
                         let capacity: Vec<f64> = held.iter().map(|volume| frequency * volume).collect();
                         let fixed = &solution.linearisation.constraints().fixed;
                         let system = analysis.factorise(solution.linearisation.matrix(), &capacity, fixed)?;
-                        Cavity::Filling(frequency, Box::new(system))
+                        CavityContent::Filling(frequency, Box::new(system))
                     }
                 }
             }
@@ -99,8 +99,8 @@ impl<'a> Whirl<'a> {
         let (by_place, mut by_rate) = (minus(self.film, place)?, minus(&self.taking_up, rate)?);
         let tangent = &self.film.solution.linearisation;
         let mut response = match &self.cavity {
-            Cavity::Empty => [tangent.solve(&by_place)?, tangent.solve(&by_rate)?],
-            Cavity::Slow(held) => {
+            CavityContent::Empty => [tangent.solve(&by_place)?, tangent.solve(&by_rate)?],
+            CavityContent::Slow(held) => {
                 let by_place = tangent.solve(&by_place)?;
                 for ((rate, held), change) in by_rate.iter_mut().zip(held).zip(&by_place) {
                     *rate -= held * change;
@@ -108,7 +108,7 @@ impl<'a> Whirl<'a> {
                 let by_rate = tangent.solve(&by_rate)?;
                 [by_place, by_rate]
             }
-            Cavity::Filling(frequency, system) => {
+            CavityContent::Filling(frequency, system) => {
                 by_rate.iter_mut().for_each(|rate| *rate *= frequency);
                 let [by_place, across] = system.solve([&by_place, &by_rate])?;
                 [by_place, across.iter().map(|part| part / frequency).collect()]

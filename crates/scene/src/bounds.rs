@@ -93,7 +93,7 @@ fn in_si(key: &Key, number: &str, unit: &str) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::catalogue::keys;
-    use crate::keys::Form;
+    use crate::keys::KeyForm;
 
     fn bounds(path: &str) -> Bounds {
         Bounds::of(keys().find(|key| key.path == path).expect("a key"))
@@ -103,7 +103,8 @@ mod tests {
     /// whole numbers of it, are left to the readers of their keys.
     #[test]
     fn no_range_with_numbers_accepts_all() {
-        let has_number = |key: &&Key| key.forms.iter().any(|form| matches!(form, Form::Number | Form::Quantity(_)));
+        let has_number =
+            |key: &&Key| key.forms.iter().any(|form| matches!(form, KeyForm::Number | KeyForm::Quantity(_)));
         let read_as_none =
             |key: &&Key| key.range.contains(|letter: char| letter.is_ascii_digit()) && Bounds::of(key) == Bounds::ALL;
         let found: Vec<&str> = keys().filter(has_number).filter(read_as_none).map(|key| key.path).collect();

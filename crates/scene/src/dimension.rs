@@ -86,11 +86,11 @@ pub(crate) const PSI: f64 = POUND_FORCE / (INCH * INCH);
 use Dimension::*;
 
 /// A kind, its name with an article, a quantity as one would write it, and its units with their size in SI.
-type Row = (Dimension, &'static str, &'static str, &'static [(&'static str, f64)]);
+type DimensionRow = (Dimension, &'static str, &'static str, &'static [(&'static str, f64)]);
 
 /// All kinds, in the order of [`Dimension`].
 #[rustfmt::skip]
-const TABLE: [Row; 30] = [
+const TABLE: [DimensionRow; 30] = [
     (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH), ("thou", 1e-3 * INCH)]),
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
     (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("ksi", 1e3 * PSI), ("at", TECHNICAL_ATMOSPHERE), ("kgf/cm2", TECHNICAL_ATMOSPHERE), ("N/m2", 1.0), ("N/mm2", 1e6)]),
@@ -129,7 +129,7 @@ impl Dimension {
         TABLE.into_iter().map(|row| row.0)
     }
 
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static DimensionRow {
         &TABLE[self as usize]
     }
 

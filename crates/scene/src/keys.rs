@@ -4,7 +4,7 @@ use crate::unit::Dimension;
 
 /// What a key holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form<'a> {
+pub enum KeyForm<'a> {
     /// A number with a unit, in quotes.
     Quantity(Dimension),
     /// A number without a unit.
@@ -34,7 +34,7 @@ pub struct Key {
     /// in capitals stands for names that a user chooses.
     pub path: &'static str,
     /// What it may hold: one form, or one of several.
-    pub forms: &'static [Form<'static>],
+    pub forms: &'static [KeyForm<'static>],
     /// An example of its value, without quotes; empty for tables.
     pub example: &'static str,
     /// What counts where it is not written; `required` where it must be.
@@ -51,7 +51,7 @@ macro_rules! keys {
         /// The keys of this table.
         pub(crate) static KEYS: &[$crate::keys::Key] = {
             #[allow(unused_imports, reason = "a table need not have keys of all forms")]
-            use $crate::{keys::Form::*, unit::Dimension::*};
+            use $crate::{keys::KeyForm::*, unit::Dimension::*};
             &[$($crate::keys::Key {
                 path: $path,
                 forms: &[$($form),+],
@@ -68,19 +68,19 @@ impl Key {
     /// The kind of quantity that it holds; `None` where it holds none.
     pub fn dimension(&self) -> Option<Dimension> {
         self.forms.iter().find_map(|form| match form {
-            Form::Quantity(dimension) => Some(*dimension),
+            KeyForm::Quantity(dimension) => Some(*dimension),
             _ => None,
         })
     }
 
     /// Whether it may hold a number without a unit.
     pub(crate) fn is_plain(&self) -> bool {
-        self.forms.contains(&Form::Number)
+        self.forms.contains(&KeyForm::Number)
     }
 
     /// An example of its value as one would write it.
     pub(crate) fn written_example(&self) -> String {
-        let is_text = |form: &Form<'_>| matches!(form, Form::Quantity(_) | Form::Text | Form::Choice(_));
+        let is_text = |form: &KeyForm<'_>| matches!(form, KeyForm::Quantity(_) | KeyForm::Text | KeyForm::Choice(_));
         match self.forms.iter().any(is_text) {
             true => format!("\"{}\"", self.example),
             false => self.example.to_owned(),
@@ -105,8 +105,8 @@ impl Key {
 
     /// Which values are accepted, in words; those of a choice in quotes.
     pub fn range_in_words(&self) -> String {
-        let quoted = |form: &Form<'_>| match form {
-            Form::Choice(words) => {
+        let quoted = |form: &KeyForm<'_>| match form {
+            KeyForm::Choice(words) => {
                 Some(words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", "))
             }
             _ => None,
@@ -116,7 +116,7 @@ impl Key {
     }
 }
 
-impl Form<'_> {
+impl KeyForm<'_> {
     fn in_words(&self) -> &'static str {
         match self {
             Self::Quantity(dimension) => dimension.name().trim_start_matches("an ").trim_start_matches("a "),

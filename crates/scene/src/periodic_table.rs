@@ -12,7 +12,7 @@ use std::path::Path;
 
 use crate::unit::Dimension;
 use crate::wording::degrees;
-use columns::{Column, Columns};
+use columns::{ColumnPlaces, TableColumn};
 pub use error::TableError;
 use error::TableFault;
 
@@ -56,18 +56,18 @@ pub fn read_pressures(path: &Path, period: f64) -> Result<Vec<[f64; 2]>, TableEr
     pressures(&read_text(path)?, period).map_err(|fault| fault.in_file(path))
 }
 
-const ANGLE: Column = Column::needed("angle", Dimension::Angle);
+const ANGLE: TableColumn = TableColumn::needed("angle", Dimension::Angle);
 
 fn loads(text: &str, period: f64) -> Result<Vec<LoadRow>, TableFault> {
-    const COLUMNS: [Column; 5] = [
+    const COLUMNS: [TableColumn; 5] = [
         ANGLE,
-        Column::needed("Fx", Dimension::Force),
-        Column::needed("Fy", Dimension::Force),
-        Column::optional("Mx", Dimension::Torque),
-        Column::optional("My", Dimension::Torque),
+        TableColumn::needed("Fx", Dimension::Force),
+        TableColumn::needed("Fy", Dimension::Force),
+        TableColumn::optional("Mx", Dimension::Torque),
+        TableColumn::optional("My", Dimension::Torque),
     ];
-    let rows = one_period(Columns::read(text, &COLUMNS)?, period)?;
-    let load = |row: &Row<5>| {
+    let rows = one_period(ColumnPlaces::read(text, &COLUMNS)?, period)?;
+    let load = |row: &TableRow<5>| {
         let [angle, f_x, f_y, m_x, m_y] = row.values;
         LoadRow { angle, force: [f_x, f_y], moment: [m_x, m_y] }
     };
@@ -75,31 +75,31 @@ fn loads(text: &str, period: f64) -> Result<Vec<LoadRow>, TableFault> {
 }
 
 fn pressures(text: &str, period: f64) -> Result<Vec<[f64; 2]>, TableFault> {
-    const COLUMNS: [Column; 2] = [ANGLE, Column::needed("p", Dimension::Pressure)];
-    let rows = one_period(Columns::read(text, &COLUMNS)?, period)?;
+    const COLUMNS: [TableColumn; 2] = [ANGLE, TableColumn::needed("p", Dimension::Pressure)];
+    let rows = one_period(ColumnPlaces::read(text, &COLUMNS)?, period)?;
     Ok(rows.iter().map(|row| row.values).collect())
 }
 
 /// A row in SI, the angle first, and its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Row<const N: usize> {
+pub(crate) struct TableRow<const N: usize> {
     pub(crate) line: usize,
     pub(crate) values: [f64; N],
 }
 
-impl<const N: usize> Row<N> {
+impl<const N: usize> TableRow<N> {
     fn angle(&self) -> f64 {
         self.values[0]
     }
 }
 
 /// The rows of one period; a last one that repeats the first is left out.
-fn one_period<const N: usize>(mut rows: Vec<Row<N>>, period: f64) -> Result<Vec<Row<N>>, TableFault> {
+fn one_period<const N: usize>(mut rows: Vec<TableRow<N>>, period: f64) -> Result<Vec<TableRow<N>>, TableFault> {
     growing(&rows)?;
     let [Some(first), Some(last)] = [rows.first().copied(), rows.last().copied()] else {
         return Err(few(0));
     };
-    let beyond = |row: &Row<N>| (row.angle() - first.angle()) / period - 1.0;
+    let beyond = |row: &TableRow<N>| (row.angle() - first.angle()) / period - 1.0;
     if let Some(row) = rows.iter().find(|row| beyond(row) > CLOSED) {
         let [angle, from, period] = [row.angle(), first.angle(), period].map(degrees);
         return Err(TableFault::at(
@@ -127,7 +127,7 @@ fn few(rows: usize) -> TableFault {
 }
 
 /// Angles grow.
-fn growing<const N: usize>(rows: &[Row<N>]) -> Result<(), TableFault> {
+fn growing<const N: usize>(rows: &[TableRow<N>]) -> Result<(), TableFault> {
     match rows.array_windows().find(|[before, row]| row.angle() <= before.angle()) {
         None => Ok(()),
         Some([before, row]) => {
@@ -142,7 +142,7 @@ fn growing<const N: usize>(rows: &[Row<N>]) -> Result<(), TableFault> {
 }
 
 /// A last row that stands a period after the first is the same.
-fn closed<const N: usize>(rows: &[Row<N>], first: &Row<N>, last: &Row<N>) -> Result<(), TableFault> {
+fn closed<const N: usize>(rows: &[TableRow<N>], first: &TableRow<N>, last: &TableRow<N>) -> Result<(), TableFault> {
     for k in 1..N {
         let greatest = rows.iter().map(|row| row.values[k].abs()).fold(0.0, f64::max);
         let off = (last.values[k] - first.values[k]).abs();
@@ -160,7 +160,7 @@ fn closed<const N: usize>(rows: &[Row<N>], first: &Row<N>, last: &Row<N>) -> Res
 }
 
 /// The step from the last row to the first one of the next period is not much longer than others.
-fn covering<const N: usize>(rows: &[Row<N>], period: f64) -> Result<(), TableFault> {
+fn covering<const N: usize>(rows: &[TableRow<N>], period: f64) -> Result<(), TableFault> {
     let steps = rows.array_windows().map(|[a, b]| b.angle() - a.angle());
     let longest = steps.fold(0.0, f64::max);
     let [Some(first), Some(last)] = [rows.first(), rows.last()] else {

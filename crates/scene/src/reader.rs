@@ -22,7 +22,7 @@ use crate::spelling::nearest;
 const MOST_TABLES: usize = 1000;
 
 /// The row of the key at a path.
-pub(crate) type Rows = fn(&str) -> Option<&'static Key>;
+pub(crate) type KeyRows = fn(&str) -> Option<&'static Key>;
 
 /// Reads one table.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub(crate) struct TableReader<'a> {
     /// `None`: the table is not there or not a table, which is a complaint already.
     table: Option<&'a DeTable<'a>>,
     path: String,
-    rows: Rows,
+    rows: KeyRows,
     known: Vec<&'a str>,
     /// Keys that must be there and are not, with an example.
     missing: Vec<(&'a str, String)>,
@@ -39,7 +39,7 @@ pub(crate) struct TableReader<'a> {
 
 impl<'a> TableReader<'a> {
     /// Reads the table of the whole text, whose keys have these rows.
-    pub(crate) fn root(complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>, rows: Rows) -> Self {
+    pub(crate) fn root(complaints: &'a RefCell<Complaints>, table: &'a DeTable<'a>, rows: KeyRows) -> Self {
         Self { complaints, table: Some(table), path: String::new(), rows, known: Vec::new(), missing: Vec::new() }
     }
 

@@ -9,9 +9,9 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use crate::Arc;
-use crate::periodic_table::columns::{Column, Columns, Others, has_column};
+use crate::periodic_table::columns::{ColumnPlaces, Others, TableColumn, has_column};
 use crate::periodic_table::error::TableFault;
-use crate::periodic_table::{Row, TableError, read_text};
+use crate::periodic_table::{TableError, TableRow, read_text};
 use crate::unit::Dimension;
 use crate::wording::{degrees, millimetres};
 
@@ -48,12 +48,12 @@ pub struct Covered {
 /// # Errors
 /// [`TableError`]: the file cannot be read, its points are no grid, or do not cover the surface.
 pub fn read_bore(path: &Path, covered: Covered) -> Result<SurfacePoints, TableError> {
-    const COLUMNS: [Column; 3] = [
-        Column::optional("angle", Dimension::Angle),
-        Column::needed("z", Dimension::Length),
-        Column::needed("depth", Dimension::Length),
+    const COLUMNS: [TableColumn; 3] = [
+        TableColumn::optional("angle", Dimension::Angle),
+        TableColumn::needed("z", Dimension::Length),
+        TableColumn::needed("depth", Dimension::Length),
     ];
-    let read = |text: &str| grid(Columns::read(text, &COLUMNS)?, covered);
+    let read = |text: &str| grid(ColumnPlaces::read(text, &COLUMNS)?, covered);
     read(&read_text(path)?).map_err(|fault| fault.in_file(path))
 }
 
@@ -62,10 +62,11 @@ pub fn read_bore(path: &Path, covered: Covered) -> Result<SurfacePoints, TableEr
 /// # Errors
 /// As [`read_bore`].
 pub fn read_shaft(path: &Path, covered: Covered) -> Result<SurfacePoints, TableError> {
-    const COLUMNS: [Column; 2] = [Column::needed("z", Dimension::Length), Column::needed("depth", Dimension::Length)];
+    const COLUMNS: [TableColumn; 2] =
+        [TableColumn::needed("z", Dimension::Length), TableColumn::needed("depth", Dimension::Length)];
     let read = |text: &str| {
-        let rows = Columns::read(text, &COLUMNS)?.into_iter();
-        let rows = rows.map(|Row { line, values: [z, depth] }| Row { line, values: [0.0, z, depth] });
+        let rows = ColumnPlaces::read(text, &COLUMNS)?.into_iter();
+        let rows = rows.map(|TableRow { line, values: [z, depth] }| TableRow { line, values: [0.0, z, depth] });
         grid(rows.collect(), covered)
     };
     read(&read_text(path)?).map_err(|fault| fault.in_file(path))
@@ -90,26 +91,26 @@ pub fn read_positions(path: &Path, clearance: f64) -> Result<Vec<WearingPosition
 }
 
 fn positions(text: &str, clearance: f64) -> Result<Vec<WearingPosition>, TableFault> {
-    const GIVEN: [Column; 4] = [
-        Column::needed("e_x", Dimension::Length),
-        Column::needed("e_y", Dimension::Length),
-        Column::optional("g_x", Dimension::Angle),
-        Column::optional("g_y", Dimension::Angle),
+    const GIVEN: [TableColumn; 4] = [
+        TableColumn::needed("e_x", Dimension::Length),
+        TableColumn::needed("e_y", Dimension::Length),
+        TableColumn::optional("g_x", Dimension::Angle),
+        TableColumn::optional("g_y", Dimension::Angle),
     ];
-    const OF_ORBIT: [Column; 4] = [
-        Column::needed("e_x/c", Dimension::Ratio),
-        Column::needed("e_y/c", Dimension::Ratio),
-        Column::optional("tilt_x", Dimension::Angle),
-        Column::optional("tilt_y", Dimension::Angle),
+    const OF_ORBIT: [TableColumn; 4] = [
+        TableColumn::needed("e_x/c", Dimension::Ratio),
+        TableColumn::needed("e_y/c", Dimension::Ratio),
+        TableColumn::optional("tilt_x", Dimension::Angle),
+        TableColumn::optional("tilt_y", Dimension::Angle),
     ];
     let (rows, unit) = match has_column(text, "e_x/c") {
-        true => (Columns::read_beside(text, &OF_ORBIT, Others::Ignored)?, clearance),
-        false => (Columns::read(text, &GIVEN)?, 1.0),
+        true => (ColumnPlaces::read_beside(text, &OF_ORBIT, Others::Ignored)?, clearance),
+        false => (ColumnPlaces::read(text, &GIVEN)?, 1.0),
     };
     if rows.is_empty() {
         return Err(TableFault::of_all("has no positions", "write a row for each position below the header"));
     }
-    let position = |row: &Row<4>| {
+    let position = |row: &TableRow<4>| {
         let [x, y, g_x, g_y] = row.values;
         WearingPosition { offset: [x, y].map(|part| unit * part), tilt: [g_x, g_y] }
     };
@@ -117,19 +118,19 @@ fn positions(text: &str, clearance: f64) -> Result<Vec<WearingPosition>, TableFa
 }
 
 /// The points as a grid.
-fn grid(mut rows: Vec<Row<3>>, covered: Covered) -> Result<SurfacePoints, TableFault> {
+fn grid(mut rows: Vec<TableRow<3>>, covered: Covered) -> Result<SurfacePoints, TableFault> {
     let zs = distinct(rows.iter().map(|row| row.values[1]), SAME * covered.length);
     let mut angles = distinct(rows.iter().map(|row| row.values[0]), SAME);
     // A last angle that repeats the first a turn later.
     if covered.arc.is_none() && angles.len() > 1 && (angles[angles.len() - 1] - angles[0] - TAU).abs() < SAME {
         let last = angles[angles.len() - 1];
-        let is_last = |row: &Row<3>| (row.values[0] - last).abs() < SAME;
+        let is_last = |row: &TableRow<3>| (row.values[0] - last).abs() < SAME;
         closed(&rows, angles[0], last, SAME * covered.length)?;
         rows.retain(|row| !is_last(row));
         angles.pop();
     }
     let place = |list: &[f64], value: f64, same: f64| list.partition_point(|&at| at < value - same);
-    let mut found: BTreeMap<(usize, usize), &Row<3>> = BTreeMap::new();
+    let mut found: BTreeMap<(usize, usize), &TableRow<3>> = BTreeMap::new();
     for row in &rows {
         let [angle, z, _] = row.values;
         let at = (place(&angles, angle, SAME), place(&zs, z, SAME * covered.length));
@@ -176,12 +177,13 @@ fn distinct(values: impl Iterator<Item = f64>, same: f64) -> Vec<f64> {
 }
 
 /// The depths at the last angle are those of the first one, a turn before.
-fn closed(rows: &[Row<3>], first: f64, last: f64, same: f64) -> Result<(), TableFault> {
+fn closed(rows: &[TableRow<3>], first: f64, last: f64, same: f64) -> Result<(), TableFault> {
     let depths = rows.iter().map(|row| row.values[2]);
     let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
     for row in rows.iter().filter(|row| (row.values[0] - last).abs() < SAME) {
-        let is_twin =
-            |other: &&Row<3>| (other.values[0] - first).abs() < SAME && (other.values[1] - row.values[1]).abs() < same;
+        let is_twin = |other: &&TableRow<3>| {
+            (other.values[0] - first).abs() < SAME && (other.values[1] - row.values[1]).abs() < same
+        };
         let twin = rows.iter().find(is_twin);
         if let Some(twin) = twin.filter(|twin| (twin.values[2] - row.values[2]).abs() > 1e-3 * (high - low)) {
             let message = format!("the point stands a turn after that of line {}, but has another depth", twin.line);

@@ -9,7 +9,7 @@ mod column;
 mod plan;
 mod read;
 
-pub use axis::{Axis, AxisValue, BEARING, SHAFT_SHORT_NAMES, SHORT_NAMES};
+pub use axis::{AxisValue, BEARING, SHAFT_SHORT_NAMES, SHORT_NAMES, SweepAxis};
 pub use change::{changed, with_axes};
 pub use column::WantedColumn;
 pub use plan::Plan;

@@ -2,7 +2,7 @@
 
 use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
-    Blueprint, DrawingError, Grading, Rows, Sense, generate_graded, generate_in_rows, generate_in_rows_like,
+    Blueprint, DrawingError, Grading, RowLengths, Sense, generate_graded, generate_in_rows, generate_in_rows_like,
     triangles_graded, triangles_in_rows,
 };
 use oilwedge_mesh::quality::lies_in_rows;
@@ -161,7 +161,7 @@ fn by_grading<T>(
     plan: &MeshPlan,
     blueprint: &Blueprint,
     (longest, state): (f64, &FilmState),
-    in_rows: impl FnOnce(&Blueprint, &Rows) -> Result<T, Vec<DrawingError>>,
+    in_rows: impl FnOnce(&Blueprint, &RowLengths) -> Result<T, Vec<DrawingError>>,
     free: impl FnOnce(&Blueprint, &dyn Fn([f64; 2]) -> f64, Grading) -> Result<T, Vec<DrawingError>>,
 ) -> Result<T, Vec<DrawingError>> {
     let scale = FilmScale::of(plan, state.position);
@@ -172,7 +172,7 @@ fn by_grading<T>(
             // Columns are as dense as the thinnest film along the axis needs.
             let (along, across) = (&|x: f64| column(longest, &scale, x), &|z: f64| distances.at(z));
             let sense = Sense::of(plan.speed);
-            let rows = Rows { along, across, sense, grading };
+            let rows = RowLengths { along, across, sense, grading };
             in_rows(blueprint, &rows)
         }
         None => free(blueprint, &|at| longest * scale.at(at) / LONGEST, grading),

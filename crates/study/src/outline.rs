@@ -4,15 +4,15 @@
 //! The oil reaches the film through the rim of their union. How much of it came through the hole has no meaning there,
 //! so the union has one name, that of its feeds joined by `+` in the order of the scene.
 
-use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Feature, Meeting, Shape, meeting};
+use oilwedge_mesh::developed::LinerDomain;
+use oilwedge_mesh::generate::{Feature, Meeting, RoundedRectangle, meeting};
 use oilwedge_scene::Feed;
 
 /// The liner and its feeds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinerOutline {
     /// The liner, unrolled.
-    pub liner: Liner,
+    pub liner: LinerDomain,
     /// Feeds and pockets, in the order of the scene.
     pub feeds: Vec<Feed>,
     /// Angle [rad] at which the film of a ring is cut; `None` where it is not.
@@ -69,9 +69,9 @@ impl LinerOutline {
     /// The feeds that are described, as they are drawn.
     pub(crate) fn features(&self) -> Vec<Feature> {
         let of_region = |region: FeedRegion<'_>| {
-            let shapes: Vec<Shape> = region.feeds.iter().filter_map(|feed| self.shape(feed)).collect();
+            let shapes: Vec<RoundedRectangle> = region.feeds.iter().filter_map(|feed| self.shape(feed)).collect();
             // A groove all around would leave two films; a deeper film is still a film.
-            let meshed = region.pressure().is_none() || shapes.iter().any(Shape::is_full_turn);
+            let meshed = region.pressure().is_none() || shapes.iter().any(RoundedRectangle::is_full_turn);
             let feature = |shape| Feature { name: region.name.clone(), shape, meshed };
             shapes.into_iter().map(feature).collect::<Vec<Feature>>()
         };
@@ -79,15 +79,19 @@ impl LinerOutline {
     }
 
     /// The shape of a feed on the developed surface, where it is described.
-    pub fn shape(&self, feed: &Feed) -> Option<Shape> {
+    pub fn shape(&self, feed: &Feed) -> Option<RoundedRectangle> {
         let radius = self.liner.radius;
-        let hole = feed.hole.map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
+        let hole = feed.hole.map(|hole| RoundedRectangle::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
         let groove = feed.groove.map(|groove| {
             let (middle, half) = match groove.arc {
                 Some(arc) => (0.5 * (arc.from + arc.to), 0.5 * radius * (arc.to - arc.from)),
                 None => (0.0, f64::INFINITY),
             };
-            Shape { centre: [radius * middle, groove.z], half: [half, 0.5 * groove.width], corner: groove.corner }
+            RoundedRectangle {
+                centre: [radius * middle, groove.z],
+                half: [half, 0.5 * groove.width],
+                corner: groove.corner,
+            }
         });
         hole.or(groove)
     }

@@ -6,7 +6,7 @@
 //! width around asks for. **Verified by** `tests/full/tests/random_tilted.rs` and the convergence of all films that
 //! conserve oil.
 
-use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::developed::LinerDomain;
 
 use crate::film_scale::{FilmScale, LONGEST};
 use crate::mesh_plan::MeshPlan;
@@ -75,7 +75,7 @@ impl RowDistances {
 
 /// What the film of a tilted journal needs along the axis, where it changes fastest around: distances of rows [m] at
 /// even places from end to end.
-fn by_tilt(liner: &Liner, longest: f64, scale: &FilmScale) -> Vec<f64> {
+fn by_tilt(liner: &LinerDomain, longest: f64, scale: &FilmScale) -> Vec<f64> {
     const AROUND: u32 = 360;
     const ALONG: u32 = 64;
     let (from, to) = liner.arc.unwrap_or((0.0, std::f64::consts::TAU));
@@ -92,7 +92,7 @@ fn by_tilt(liner: &Liner, longest: f64, scale: &FilmScale) -> Vec<f64> {
 }
 
 /// Distance [m] of rows along the flow that have as many nodes as equilateral triangles of `size` [m] at x.
-fn spacing(liner: &Liner, size: &dyn Fn(f64) -> f64) -> f64 {
+fn spacing(liner: &LinerDomain, size: &dyn Fn(f64) -> f64) -> f64 {
     const SAMPLES: u32 = 720;
     let (from, to) = liner.arc.unwrap_or((0.0, std::f64::consts::TAU));
     let (mut columns, mut triangles) = (0.0, 0.0);

@@ -283,8 +283,8 @@ fn report_reason(reason: &NoAnswer, options: &RunOptions, result: &mut RunResult
     result.head.end(Status::without(reason), reason.told(options.cause()));
 }
 
-fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
-    let step = |(step, entry): (usize, &newton::HistoryStep)| HistoryStep {
+fn history(steps: &[newton::NewtonStep]) -> Vec<HistoryStep> {
+    let step = |(step, entry): (usize, &newton::NewtonStep)| HistoryStep {
         step,
         residual: entry.residual,
         active: entry.active,

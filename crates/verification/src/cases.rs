@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary};
+use crate::family::{CaseSeries, Expect, Family, LimitedLaw, MeshRecipe, Other, Vary};
 
 /// The family that asks an installation for known values.
 pub const KNOWN_VALUES: &str = "known_values";
@@ -87,7 +87,7 @@ pub fn families() -> Result<Vec<(&'static str, Family)>, BadFamily> {
 }
 
 /// The cases of a series, in their order.
-pub fn cases(name: &'static str, family: &Family, series: &Series) -> Vec<Case> {
+pub fn cases(name: &'static str, family: &Family, series: &CaseSeries) -> Vec<Case> {
     let mut scene = family.scene.clone();
     change(&mut scene, &series.set, &series.without);
     let case = Case {
@@ -108,7 +108,7 @@ pub fn cases(name: &'static str, family: &Family, series: &Series) -> Vec<Case> 
 }
 
 /// A case for each value that the series varies.
-fn along(case: &Case, series: &Series) -> Vec<Case> {
+fn along(case: &Case, series: &CaseSeries) -> Vec<Case> {
     match &series.vary {
         None => vec![case.clone()],
         Some(Vary::Key { key, values }) => values.iter().map(|value| varied(case, key, value)).collect(),
@@ -141,7 +141,7 @@ fn varied(case: &Case, key: &str, value: &Value) -> Case {
     case
 }
 
-fn variant_of(case: &Case, variant: &crate::family::Variant) -> Case {
+fn variant_of(case: &Case, variant: &crate::family::CaseVariant) -> Case {
     let mut case = case.clone();
     change(&mut case.scene, &variant.set, &[]);
     case.variant.clone_from(&variant.name);

@@ -16,13 +16,13 @@ pub struct Family {
     /// What every case begins from.
     pub scene: Table,
     /// The cases.
-    pub series: Vec<Series>,
+    pub series: Vec<CaseSeries>,
 }
 
 /// Cases that differ in one thing.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Series {
+pub struct CaseSeries {
     /// What they are.
     pub name: String,
     /// Why they are there, or their source.
@@ -42,7 +42,7 @@ pub struct Series {
     pub vary: Option<Vary>,
     /// Cases that are named; they may stand in place of an axis.
     #[serde(default)]
-    pub variants: Vec<Variant>,
+    pub variants: Vec<CaseVariant>,
     /// How each case must end.
     #[serde(default)]
     pub expect: Expect,
@@ -56,10 +56,10 @@ pub struct Series {
     pub same: BTreeMap<String, f64>,
     /// What stands against each answer.
     #[serde(default)]
-    pub against: Against,
+    pub against: SecondMethod,
     /// Quantities that a closed form or another source gives, with the relative difference allowed.
     #[serde(default)]
-    pub known: BTreeMap<String, Known>,
+    pub known: BTreeMap<String, KnownValue>,
 }
 
 /// One thing that changes in a series.
@@ -115,7 +115,7 @@ impl LawForm {
 /// A case with a name of its own.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Variant {
+pub struct CaseVariant {
     /// Name of the variant.
     pub name: String,
     /// Further keys of the scene, with dots.
@@ -210,7 +210,7 @@ pub enum Trend {
 /// What stands against an answer.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Against {
+pub enum SecondMethod {
     /// The scene on a finer mesh, to a quarter of the error bar of the load.
     #[default]
     Finer,
@@ -239,7 +239,7 @@ pub struct Other {
 /// A value that is known.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Known {
+pub struct KnownValue {
     /// The value, SI (angles in degrees).
     pub value: Option<f64>,
     /// The closed form that gives the value, where none is written.

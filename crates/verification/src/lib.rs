@@ -19,4 +19,4 @@ mod made_mesh;
 mod reference_film;
 pub mod suite;
 
-pub use suite::{SuiteError, Verdict, run_suite};
+pub use suite::{CaseVerdict, SuiteError, run_suite};

@@ -1,6 +1,6 @@
 //! A second method for every answer: the same film on a finer mesh, another scene that must agree, or known values.
 
-use oilwedge_campaign::Pair;
+use oilwedge_campaign::QuantityPair;
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
 use oilwedge_study::Run;
@@ -9,7 +9,7 @@ use toml::{Table, Value};
 
 use crate::answer::{Answer, sockets, solve, solve_within};
 use crate::cases::{finer, other};
-use crate::family::{Against, ClosedForm, Known, Other, Series};
+use crate::family::{CaseSeries, ClosedForm, KnownValue, Other, SecondMethod};
 
 /// A finer mesh has error bars of this part of those of the case.
 const FINER: f64 = 0.25;
@@ -29,17 +29,17 @@ pub(crate) struct Second {
     /// The methods in words.
     pub(crate) methods: String,
     /// Known values, and the numbers beside them.
-    pub(crate) known: Vec<Pair>,
+    pub(crate) known: Vec<QuantityPair>,
 }
 
 /// Holds another method against an answer; what does not agree goes to `faults`.
-pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Vec<String>) -> Second {
+pub(crate) fn against(series: &CaseSeries, scene: &Table, run: &Run, faults: &mut Vec<String>) -> Second {
     let (mut methods, mut compared) = (Vec::new(), Vec::new());
     if run.result.head.status == oilwedge_study::result::Status::Converged {
         match &series.against {
-            Against::Finer => methods.push(on_finer_mesh(scene, run, faults)),
-            Against::Other(wanted) => methods.push(elsewhere(wanted, scene, run, faults)),
-            Against::Known => {}
+            SecondMethod::Finer => methods.push(on_finer_mesh(scene, run, faults)),
+            SecondMethod::Other(wanted) => methods.push(elsewhere(wanted, scene, run, faults)),
+            SecondMethod::Known => {}
         }
         for (name, known) in &series.known {
             let (method, comparison) = beside_known(name, known, scene, run, faults);
@@ -126,11 +126,11 @@ fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>)
 
 fn beside_known(
     name: &str,
-    known: &Known,
+    known: &KnownValue,
     scene: &Table,
     run: &Run,
     faults: &mut Vec<String>,
-) -> (String, Option<Pair>) {
+) -> (String, Option<QuantityPair>) {
     let Some(quantity) = run.result.by_name(name) else {
         faults.push(format!("{name} is not there"));
         return (String::new(), None);
@@ -148,7 +148,7 @@ fn beside_known(
         ));
     }
     let bar = Some(Bar::of(known.to * value.abs()));
-    let pair = Pair::between(Some(&Quantity { value, bar, ..quantity.clone() }), Some(quantity));
+    let pair = QuantityPair::between(Some(&Quantity { value, bar, ..quantity.clone() }), Some(quantity));
     let method = match known.form {
         Some(form) => format!("closed form ({form:?})"),
         None => format!("known {name}"),

@@ -5,18 +5,18 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::channel;
 use std::time::Instant;
 
-use oilwedge_campaign::Pair;
+use oilwedge_campaign::QuantityPair;
 use oilwedge_study::result::RunResult;
 
 use crate::answer::{self, Answer};
 use crate::cases::{BadFamily, Case, cases, families};
-use crate::family::{Expect, Family, Series};
+use crate::family::{CaseSeries, Expect, Family};
 use crate::faults::faults;
 use crate::reference_film::{Second, against};
 
 /// What was found of one case.
 #[derive(Debug, Clone)]
-pub struct Verdict {
+pub struct CaseVerdict {
     /// The case.
     pub case: Case,
     /// Name of its family in words.
@@ -36,7 +36,7 @@ pub struct Verdict {
     /// What stood against the answer, in words; empty where there is none.
     pub against: String,
     /// Known values, and the numbers beside them.
-    pub known: Vec<Pair>,
+    pub known: Vec<QuantityPair>,
     /// What does not hold; nothing where all is well.
     pub faults: Vec<String>,
 }
@@ -64,14 +64,14 @@ pub enum SuiteError {
 }
 
 /// The cases of one series, which are judged together.
-struct Work {
+struct SeriesCases {
     family: Family,
-    series: Series,
+    series: CaseSeries,
     cases: Vec<Case>,
 }
 
 /// The families named, all if none is named; with the series that take long or without.
-fn work(names: &[String], long: bool) -> Result<Vec<Work>, SuiteError> {
+fn work(names: &[String], long: bool) -> Result<Vec<SeriesCases>, SuiteError> {
     let families = families()?;
     let known: Vec<&'static str> = families.iter().map(|(name, _)| *name).collect();
     if let Some(asked) = names.iter().find(|name| !known.contains(&name.as_str())) {
@@ -80,7 +80,7 @@ fn work(names: &[String], long: bool) -> Result<Vec<Work>, SuiteError> {
     }
     let wanted = |name: &str| names.is_empty() || names.iter().any(|wanted| wanted == name);
     let series = (families.iter().filter(|(name, _)| wanted(name))).flat_map(|(name, family)| {
-        (family.series.iter().filter(|series| long || !series.long)).map(|series| Work {
+        (family.series.iter().filter(|series| long || !series.long)).map(|series| SeriesCases {
             family: family.clone(),
             series: series.clone(),
             cases: cases(name, family, series),
@@ -103,14 +103,18 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
 ///
 /// # Errors
 /// [`SuiteError`].
-pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&[Verdict])) -> Result<Vec<Verdict>, SuiteError> {
+pub fn run_suite(
+    names: &[String],
+    long: bool,
+    ended: &mut dyn FnMut(&[CaseVerdict]),
+) -> Result<Vec<CaseVerdict>, SuiteError> {
     let all = work(names, long)?;
     let folder = tempfile::tempdir()?;
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
     let others =
-        in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(usize, Vec<Verdict>)| ended(verdicts))?;
-    let mut found: Vec<(usize, Vec<Verdict>)> = others.into_iter().map(|(_, found)| found).collect();
+        in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(usize, Vec<CaseVerdict>)| ended(verdicts))?;
+    let mut found: Vec<(usize, Vec<CaseVerdict>)> = others.into_iter().map(|(_, found)| found).collect();
     for place in long {
         let (place, verdicts) = piece(place);
         ended(&verdicts);
@@ -153,12 +157,12 @@ pub fn in_threads<T: Send>(
 }
 
 /// All cases of a series.
-fn judged(work: &Work, folder: &Path, place: usize) -> Vec<Verdict> {
+fn judged(work: &SeriesCases, folder: &Path, place: usize) -> Vec<CaseVerdict> {
     let cases = work.cases.iter().enumerate();
     cases.map(|(number, case)| one(work, case, folder, 1000 * place + number)).collect()
 }
 
-fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> Verdict {
+fn one(work: &SeriesCases, case: &Case, folder: &Path, number: usize) -> CaseVerdict {
     let scene = answer::prepare(case, folder, number);
     let clock = Instant::now();
     let answer = match &scene {
@@ -174,7 +178,7 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> Verdict {
     if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
         second = against(&work.series, scene, run, &mut faults);
     }
-    Verdict {
+    CaseVerdict {
         case: case.clone(),
         title: work.family.title.clone(),
         reason_of_family: work.family.reason.clone(),

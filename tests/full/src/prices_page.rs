@@ -6,7 +6,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use oilwedge_campaign::convergence::cost_model::{CostModel, LevelCost};
-use oilwedge_campaign::convergence::{Budget, Course, Strategy, converge};
+use oilwedge_campaign::convergence::{Budget, Strategy, StrategyLevels, converge};
 use oilwedge_scene::{MeshSource, Scene};
 
 use crate::tables::{replace, row};
@@ -31,7 +31,7 @@ pub struct Prediction {
 }
 
 /// What the levels of a strategy up to each one predict for a bar ten times smaller, where later levels reach it.
-pub fn predictions(course: &Course) -> Vec<Prediction> {
+pub fn predictions(course: &StrategyLevels) -> Vec<Prediction> {
     let level_cost = |level: &oilwedge_campaign::convergence::LevelReport| {
         Some(LevelCost { unknowns: level.unknowns as f64, seconds: level.seconds.total, error: level.relative_bar? })
     };

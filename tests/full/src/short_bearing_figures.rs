@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use oilwedge_drawing::{
-    BLUE, Chart, Colour, GREEN, INK, Kind, Label, Mark, Note, ORANGE, PAGE_WIDTH, SKY, Series, Stroke, VERMILION,
+    BLUE, Chart, ChartKind, Colour, GREEN, INK, Label, Mark, Note, ORANGE, PAGE_WIDTH, SKY, Series, Stroke, VERMILION,
     charts_figure,
 };
 
@@ -231,7 +231,7 @@ fn direction(squeeze: f64, study: &Study) -> Chart {
     }
     let title = title([11, 12], "The force on the journal", squeeze);
     Chart {
-        kind: Kind::Drawing,
+        kind: ChartKind::Drawing,
         series: all,
         notes: vec![Note { at: [0.42, 1.08], label: Label::plain("line of centres"), colour: INK }],
         ..Chart::new(&title, Label::default(), Label::default())

@@ -3,7 +3,7 @@
 use oilwedge_full::stability::trends::judge_trends;
 use oilwedge_verification::family::Expect;
 use oilwedge_verification::run_suite;
-use oilwedge_verification::suite::{self, Verdict};
+use oilwedge_verification::suite::{self, CaseVerdict};
 
 /// Families that are solved in a minute together; the others take several, and are left to the command `stability`.
 const QUICK: [&str; 13] = [
@@ -36,7 +36,7 @@ fn every_quick_case_is_explained() {
         .map(|verdict| format!("{} ({}): {}", verdict.case.name(), verdict.case.family, verdict.faults.join("; ")))
         .collect();
     assert!(faults.is_empty(), "{} unexplained:\n{}", faults.len(), faults.join("\n"));
-    let bare = |verdict: &&Verdict| verdict.end == Expect::Converged && verdict.against.is_empty();
+    let bare = |verdict: &&CaseVerdict| verdict.end == Expect::Converged && verdict.against.is_empty();
     assert_eq!(verdicts.iter().find(bare).map(|verdict| verdict.case.name()), None);
 }
 

@@ -10,7 +10,7 @@ use oilwedge_fem::conservation_law::{Conduction, Response, State};
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::newton;
 use oilwedge_fem::{
-    Analysis, Assembler, ConservationLaw, Constraints, Field, LinearSolver, Quadrature, Space, Tangent,
+    Analysis, Assembler, ConservationLaw, Constraints, Field, LinearSolver, Quadrature, Space, TangentKind,
 };
 use oilwedge_mesh::{Mesh, RawMesh};
 use oilwedge_tests::order;
@@ -38,8 +38,8 @@ fn source(point: [f64; 2]) -> f64 {
 struct Manufactured;
 
 impl ConservationLaw for Manufactured {
-    fn tangent(&self) -> Tangent {
-        Tangent::Conduction
+    fn tangent(&self) -> TangentKind {
+        TangentKind::Conduction
     }
     fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (&point, out) in positions.iter().zip(out) {

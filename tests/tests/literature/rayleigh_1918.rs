@@ -8,8 +8,8 @@
 
 use std::sync::Arc;
 
-use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::developed::LinerDomain;
+use oilwedge_mesh::generate::{Blueprint, Feature, RoundedRectangle, generate};
 use oilwedge_reynolds::film_thickness::GrooveDepth;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, FilmSystem};
@@ -22,9 +22,9 @@ const STEP: f64 = 0.35;
 /// The film over a step of that depth [m] and its system, so many arc lengths long.
 fn step(depth: f64, arcs: f64) -> (FilmProblem, Arc<FilmSystem>) {
     let length = arcs * RADIUS * ARC;
-    let liner = Liner { radius: RADIUS, length, arc: Some((0.0, ARC)) };
+    let liner = LinerDomain { radius: RADIUS, length, arc: Some((0.0, ARC)) };
     let margin = 0.002 * RADIUS;
-    let shape = Shape {
+    let shape = RoundedRectangle {
         centre: [0.5 * (margin + RADIUS * STEP), 0.0],
         half: [0.5 * (RADIUS * STEP - margin), 0.5 * length - margin],
         corner: 0.0,

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use oilwedge_bearing::thermal_balance::find;
 use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::analytical::iso7902::{
-    self, Feed, attitude, eccentricity, feed_flow_number, friction, side_flow_number,
+    self, StandardFeed, attitude, eccentricity, feed_flow_number, friction, side_flow_number,
 };
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{Density, TemperatureLaw, ThermalOil, Walther};
@@ -51,7 +51,7 @@ fn film(temperature: f64, turns: f64, force: f64) -> Film {
     let number = force * PSI * PSI / (LENGTH * DIAMETER * viscosity * speed);
     let eps = eccentricity(number, b).expect("a number");
     let friction = friction(number, eps, b);
-    let feed = Feed::HoleOpposite(6e-3 / LENGTH);
+    let feed = StandardFeed::HoleOpposite(6e-3 / LENGTH);
     Film {
         viscosity,
         number,

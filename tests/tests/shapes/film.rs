@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::coordinates::{moved, unit};
 use oilwedge_reynolds::film_thickness::Measured;
-use oilwedge_reynolds::film_thickness::{Crown, Oval, Points, Profile, Shape, Worn};
+use oilwedge_reynolds::film_thickness::{Crown, Oval, Profile, Shape, SurfaceGrid, Worn};
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem};
@@ -45,7 +45,7 @@ const MODELS: [Cavitation; 3] =
 #[test]
 fn depth_zero_is_absence() {
     let system = ring_system(48, 8, LENGTH, Some(std::f64::consts::PI));
-    let flat = Points {
+    let flat = SurfaceGrid {
         angles: (0..36).map(|k| std::f64::consts::TAU * f64::from(k) / 36.0).collect(),
         zs: vec![-0.03, 0.0, 0.03],
         depths: vec![vec![0.0; 3]; 36],

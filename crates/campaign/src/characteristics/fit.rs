@@ -22,7 +22,7 @@ use oilwedge_study::{CompileError, RunOptions, run};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::Films;
+use super::SharedFilms;
 use super::minimax::{PARAMETERS, errors, minimax};
 use super::motion::{PARTS, PartMotion};
 
@@ -188,7 +188,7 @@ pub fn straight(
     slenderness: f64,
 ) -> Result<Result<GridPoint, String>, CompileError> {
     let scene = plain(scene, eccentricity, slenderness);
-    let films = Films::of(&scene, options);
+    let films = SharedFilms::of(&scene, options);
     let mut found = Vec::new();
     for part in PARTS {
         let result: RunResult = run(&films.scene_of(part, RATE), options)?.result;

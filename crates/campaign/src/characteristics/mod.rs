@@ -24,7 +24,9 @@ mod symmetry;
 
 pub use check::check;
 pub use fit::{Fit, fit};
-pub use report::{CHARACTERISTICS_FORMAT, Carried, Characteristics, JournalFacts, Number, Part, Units};
+pub use report::{
+    CHARACTERISTICS_FORMAT, Characteristics, ForceAndMoment, JournalFacts, MotionPart, NumberWithBar, Units,
+};
 
 use oilwedge_scene::{Position, Scene, Target, Tolerance};
 use oilwedge_study::checks::targets;
@@ -35,7 +37,7 @@ use oilwedge_study::result::RunResult;
 use oilwedge_study::{CompileError, RunOptions, run};
 
 use check::has_pockets;
-use motion::{Motion, PARTS, PartMotion};
+use motion::{JournalMotion, PARTS, PartMotion};
 use symmetry::{Symmetry, zeros};
 
 /// Characteristics of the film of `scene`, at its position or at that under its load, by runs with these options. Where
@@ -56,13 +58,13 @@ pub fn characteristics(scene: &Scene, options: &RunOptions) -> Result<Characteri
             }
         }
     };
-    let films = Films::of(&placed, options);
+    let films = SharedFilms::of(&placed, options);
     (report.journal, report.units) = (Some(JournalFacts::of(&placed, &films.motion)), Some(films.units));
     for part in PARTS {
         let part = films.part(part, &mut report)?;
         report.parts.push(part);
     }
-    report.sum = Carried::sum(report.parts.iter().map(|part| part.share));
+    report.sum = ForceAndMoment::sum(report.parts.iter().map(|part| part.share));
     report.film = films.whole(&mut report)?;
     Ok(report)
 }
@@ -80,26 +82,26 @@ fn at_position(scene: &Scene, found: &RunResult) -> Option<Scene> {
 }
 
 /// What the films of all parts have in common.
-struct Films<'a> {
+struct SharedFilms<'a> {
     placed: &'a Scene,
     options: &'a RunOptions,
-    motion: Motion,
+    motion: JournalMotion,
     symmetry: Symmetry,
     units: Units,
 }
 
-impl<'a> Films<'a> {
+impl<'a> SharedFilms<'a> {
     /// The films of a scene with a given position.
     fn of(placed: &'a Scene, options: &'a RunOptions) -> Self {
-        let motion = Motion::of(placed);
+        let motion = JournalMotion::of(placed);
         Self { placed, options, symmetry: Symmetry::of(placed, &motion), units: Units::of(placed), motion }
     }
 
     /// One part by itself.
-    fn part(&self, part: PartMotion, report: &mut Characteristics) -> Result<Part, CompileError> {
+    fn part(&self, part: PartMotion, report: &mut Characteristics) -> Result<MotionPart, CompileError> {
         let (rate, used) = (self.motion.rates[part.index()], self.motion.used(part));
         let carried = match self.is_still(part) {
-            true => Some(Carried::ZERO),
+            true => Some(ForceAndMoment::ZERO),
             false => {
                 let result = run(&self.scene_of(part, used), self.options)?.result;
                 report.note(part.name(), &result);
@@ -107,7 +109,7 @@ impl<'a> Films<'a> {
             }
         };
         let times = |factors: [f64; 2]| carried.map(|it| it.scaled(factors));
-        Ok(Part {
+        Ok(MotionPart {
             part: part.name(),
             rate_symbol: part.symbol(),
             rate,
@@ -117,11 +119,11 @@ impl<'a> Films<'a> {
     }
 
     /// The film with all motions.
-    fn whole(&self, report: &mut Characteristics) -> Result<Option<Carried>, CompileError> {
+    fn whole(&self, report: &mut Characteristics) -> Result<Option<ForceAndMoment>, CompileError> {
         let is_moving = |part: &PartMotion| self.motion.rates[part.index()] != 0.0;
         let moving: Vec<PartMotion> = PARTS.into_iter().filter(is_moving).collect();
         if moving.iter().all(|part| self.is_still(*part)) {
-            return Ok(Some(Carried::ZERO));
+            return Ok(Some(ForceAndMoment::ZERO));
         }
         let mut scene = self.placed.clone();
         scene.journal.tilt.get_or_insert_default();
@@ -163,17 +165,17 @@ impl<'a> Films<'a> {
 
     /// Force [N] and moment [N m] of a run with these motions, along and across the line of centres; none where there
     /// is no film.
-    fn carried(&self, result: &RunResult, motions: &[PartMotion]) -> Option<Carried> {
+    fn carried(&self, result: &RunResult, motions: &[PartMotion]) -> Option<ForceAndMoment> {
         let pair = |rows: [&Row; 2]| {
             let [x, y] = rows.map(|row| result.quantity(row));
             let (x, y) = x.zip(y)?;
-            Some([self.motion.along, self.motion.across()].map(|[by_x, by_y]| Number {
+            Some([self.motion.along, self.motion.across()].map(|[by_x, by_y]| NumberWithBar {
                 value: by_x * x.value + by_y * y.value,
                 error: x.error().zip(y.error()).map(|(x, y)| by_x.abs() * x + by_y.abs() * y),
                 zero_by_symmetry: false,
             }))
         };
-        let carried = Carried::new(pair([&LOAD_X, &LOAD_Y])?, pair([&MOMENT_X, &MOMENT_Y])?);
+        let carried = ForceAndMoment::new(pair([&LOAD_X, &LOAD_Y])?, pair([&MOMENT_X, &MOMENT_Y])?);
         Some(carried.marked(zeros(&self.symmetry, motions)))
     }
 }

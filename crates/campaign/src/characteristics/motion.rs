@@ -38,7 +38,7 @@ impl PartMotion {
     }
 
     /// Makes it the only motion of a scene, at a rate [1/s].
-    pub(super) fn alone(self, scene: &mut Scene, motion: &Motion, rate: f64) {
+    pub(super) fn alone(self, scene: &mut Scene, motion: &JournalMotion, rate: f64) {
         let clearance = scene.bearing.clearance;
         let slope = rate * clearance / scene.bearing.radius();
         let journal = &mut scene.journal;
@@ -57,7 +57,7 @@ impl PartMotion {
 
 /// How a journal stands and moves, in the frame of its line of centres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Motion {
+pub(super) struct JournalMotion {
     /// Offset over the clearance [1].
     pub(super) eccentricity: f64,
     /// Direction of the line of centres [rad].
@@ -71,7 +71,7 @@ pub(super) struct Motion {
     pub(super) rates: [f64; 4],
 }
 
-impl Motion {
+impl JournalMotion {
     /// The motion of a scene at a given position.
     pub(super) fn of(scene: &Scene) -> Self {
         let (eccentricity, angle) = match scene.journal.position {
@@ -133,13 +133,13 @@ mod tests {
     use super::*;
     use std::path::Path;
 
-    fn motion(journal: &str) -> Motion {
+    fn motion(journal: &str) -> JournalMotion {
         let text = format!(
             "bearing = {{ diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }}\noil.viscosity = \"20 mPa.s\"\n\
              [journal]\nspeed = \"30 rad/s\"\n{journal}"
         );
         let scene = oilwedge_study::parse(&text, Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));
-        Motion::of(&scene)
+        JournalMotion::of(&scene)
     }
 
     /// Offset and tilt that turn together are a rotation the other way, twice as fast.

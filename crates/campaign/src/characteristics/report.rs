@@ -7,7 +7,7 @@ use oilwedge_study::warning::Warning;
 use serde::Serialize;
 
 use super::fit::Fit;
-use super::motion::Motion;
+use super::motion::JournalMotion;
 
 /// Name and version of the form of `characteristics.json`.
 pub const CHARACTERISTICS_FORMAT: &str = "oilwedge-characteristics/1";
@@ -23,11 +23,11 @@ pub struct Characteristics {
     /// What turns characteristics into forces and moments.
     pub units: Option<Units>,
     /// The motions: rotation, squeeze, tilt along and across the line of centres; none without a position.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MotionPart>,
     /// What the parts carry together at the rates of the scene; `None` where one of them has no film.
-    pub sum: Option<Carried>,
+    pub sum: Option<ForceAndMoment>,
     /// What the film with all motions of the scene carries; `None` where there is no film.
-    pub film: Option<Carried>,
+    pub film: Option<ForceAndMoment>,
     /// Warnings about that film, in sentences.
     pub warnings: Vec<Warning>,
     /// The fit over straight bearings, where it is asked for.
@@ -62,7 +62,7 @@ pub struct Units {
 
 /// One motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Part {
+pub struct MotionPart {
     /// Name of the motion.
     pub part: &'static str,
     /// Symbol and definition of its rate.
@@ -70,27 +70,27 @@ pub struct Part {
     /// Rate of the motion in the scene [1/s].
     pub rate: f64,
     /// Force and moment for a unit of the rate, of its sign [1]; `None` where there is no film.
-    pub characteristics: Option<Carried>,
+    pub characteristics: Option<ForceAndMoment>,
     /// Force [N] and moment [N m] at the rate of the scene; `None` where there is no film.
-    pub share: Option<Carried>,
+    pub share: Option<ForceAndMoment>,
 }
 
 /// Force and moment along and across the line of centres.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Carried {
+pub struct ForceAndMoment {
     /// Weight `cos`: force along the line of centres.
-    pub force_along: Number,
+    pub force_along: NumberWithBar,
     /// Weight `sin`: force across it, towards growing angles.
-    pub force_across: Number,
+    pub force_across: NumberWithBar,
     /// Weight `z cos`: parts of the force along, times their arms.
-    pub moment_along: Number,
+    pub moment_along: NumberWithBar,
     /// Weight `z sin`: parts of the force across, times their arms.
-    pub moment_across: Number,
+    pub moment_across: NumberWithBar,
 }
 
 /// A number with its error bar.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Number {
+pub struct NumberWithBar {
     /// The number.
     pub value: f64,
     /// Half the width of its error bar; `None` where there is none.
@@ -125,7 +125,7 @@ impl Characteristics {
 }
 
 impl JournalFacts {
-    pub(super) fn of(scene: &Scene, motion: &Motion) -> Self {
+    pub(super) fn of(scene: &Scene, motion: &JournalMotion) -> Self {
         let b = scene.bearing.length / scene.bearing.diameter;
         let [gamma_x, gamma_y] = motion.gamma;
         let gap = |z: f64| 1.0 - (motion.eccentricity + z * gamma_x).hypot(z * gamma_y);
@@ -148,33 +148,36 @@ impl Units {
     }
 }
 
-impl Number {
+impl NumberWithBar {
     /// One that is zero by symmetry.
     const ZERO: Self = Self { value: 0.0, error: Some(0.0), zero_by_symmetry: true };
 }
 
-impl Carried {
+impl ForceAndMoment {
     /// What a film without pressure carries.
     pub(super) const ZERO: Self = Self {
-        force_along: Number::ZERO,
-        force_across: Number::ZERO,
-        moment_along: Number::ZERO,
-        moment_across: Number::ZERO,
+        force_along: NumberWithBar::ZERO,
+        force_across: NumberWithBar::ZERO,
+        moment_along: NumberWithBar::ZERO,
+        moment_across: NumberWithBar::ZERO,
     };
 
     /// Force and moment, each along and across.
-    pub(super) fn new([force_along, force_across]: [Number; 2], [moment_along, moment_across]: [Number; 2]) -> Self {
+    pub(super) fn new(
+        [force_along, force_across]: [NumberWithBar; 2],
+        [moment_along, moment_across]: [NumberWithBar; 2],
+    ) -> Self {
         Self { force_along, force_across, moment_along, moment_across }
     }
 
     /// The four numbers, each changed by `number`, which is given its place too.
-    fn each(&self, number: impl Fn(usize, Number) -> Number) -> Self {
+    fn each(&self, number: impl Fn(usize, NumberWithBar) -> NumberWithBar) -> Self {
         let [a, b, c, d] = self.numbers();
         Self::new([number(0, a), number(1, b)], [number(2, c), number(3, d)])
     }
 
     /// The four numbers: force along and across, moment along and across.
-    pub fn numbers(&self) -> [Number; 4] {
+    pub fn numbers(&self) -> [NumberWithBar; 4] {
         [self.force_along, self.force_across, self.moment_along, self.moment_across]
     }
 
@@ -185,13 +188,13 @@ impl Carried {
 
     /// The numbers, some of which are zero by symmetry.
     pub(super) fn marked(self, zero: [bool; 4]) -> Self {
-        self.each(|k, number| if zero[k] { Number::ZERO } else { number })
+        self.each(|k, number| if zero[k] { NumberWithBar::ZERO } else { number })
     }
 
     /// Forces and moments times these factors.
     pub(super) fn scaled(&self, [force, moment]: [f64; 2]) -> Self {
         let by = [force, force, moment, moment];
-        self.each(|k, number| Number {
+        self.each(|k, number| NumberWithBar {
             value: by[k] * number.value,
             error: number.error.map(|error| by[k].abs() * error),
             ..number
@@ -200,8 +203,8 @@ impl Carried {
 
     /// The sum of parts, if all are there.
     pub(super) fn sum(parts: impl Iterator<Item = Option<Self>>) -> Option<Self> {
-        let parts: Vec<[Number; 4]> = parts.map(|part| Some(part?.numbers())).collect::<Option<_>>()?;
-        Some(Self::ZERO.each(|k, _| Number {
+        let parts: Vec<[NumberWithBar; 4]> = parts.map(|part| Some(part?.numbers())).collect::<Option<_>>()?;
+        Some(Self::ZERO.each(|k, _| NumberWithBar {
             value: parts.iter().map(|part| part[k].value).sum(),
             error: parts.iter().map(|part| part[k].error).sum(),
             zero_by_symmetry: parts.iter().all(|part| part[k].zero_by_symmetry),

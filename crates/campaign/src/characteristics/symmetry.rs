@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 use oilwedge_scene::{CavitationModel, Feed, Scene};
 
-use super::motion::{Motion, PartMotion};
+use super::motion::{JournalMotion, PartMotion};
 
 /// Differences of angles [rad] and of lengths, over those lengths, that are rounding.
 const SAME: f64 = 1e-9;
@@ -36,13 +36,13 @@ pub(super) struct Symmetry {
 
 impl Symmetry {
     /// The symmetries of a scene. Nothing is known of the liner of a mesh file.
-    pub(super) fn of(scene: &Scene, motion: &Motion) -> Self {
+    pub(super) fn of(scene: &Scene, motion: &JournalMotion) -> Self {
         let [along, across] = motion.gamma;
         let rounding = NO_TILT * along.hypot(across);
         let [no_along, no_across] = [along, across].map(|part| part.abs() <= rounding);
         let of_journal = [no_along && no_across, no_across, no_along];
         let angle = motion.angle;
-        let of_liner = |[ends, mirrored]: [f64; 2]| is_symmetric(scene, Mapping { ends, mirrored, angle });
+        let of_liner = |[ends, mirrored]: [f64; 2]| is_symmetric(scene, SymmetryMap { ends, mirrored, angle });
         let liner = [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].map(|map| scene.mesh.path().is_none() && of_liner(map));
         Self {
             has: [0, 1, 2].map(|k| of_journal[k] && liner[k]),
@@ -70,13 +70,13 @@ pub(super) fn zeros(symmetry: &Symmetry, motions: &[PartMotion]) -> [bool; 4] {
 /// Maps the liner to itself: z to `ends` times z, angles to `mirrored` times themselves, from the line of centres at
 /// `angle`.
 #[derive(Clone, Copy)]
-struct Mapping {
+struct SymmetryMap {
     ends: f64,
     mirrored: f64,
     angle: f64,
 }
 
-impl Mapping {
+impl SymmetryMap {
     fn angle(&self, angle: f64) -> f64 {
         self.angle + self.mirrored * (angle - self.angle)
     }
@@ -91,7 +91,7 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME * a.abs().max(b.abs())
 }
 
-fn is_symmetric(scene: &Scene, map: Mapping) -> bool {
+fn is_symmetric(scene: &Scene, map: SymmetryMap) -> bool {
     let is_mirrored = map.mirrored < 0.0;
     let arc = scene.bearing.arc.is_none_or(|arc| {
         let middle = 0.5 * (arc.from + arc.to);
@@ -103,7 +103,7 @@ fn is_symmetric(scene: &Scene, map: Mapping) -> bool {
 }
 
 /// True if the map turns one feed into the other.
-fn is_image(feed: &Feed, other: &Feed, map: Mapping) -> bool {
+fn is_image(feed: &Feed, other: &Feed, map: SymmetryMap) -> bool {
     let lengths = |a: [f64; 2], b: [f64; 2]| same(a[0], b[0]) && same(a[1], b[1]);
     let shape = match (feed.hole, other.hole, feed.groove, other.groove) {
         (Some(a), Some(b), None, None) => {
@@ -138,7 +138,7 @@ mod tests {
              cavitation.model = \"reynolds\"\njournal.speed = \"30 rad/s\"\njournal.eccentricity = 0.6\njournal.min_film_angle = \"30 deg\"\n{keys}"
         );
         let scene = oilwedge_study::parse(&text, Path::new("a.toml")).unwrap_or_else(|error| panic!("{error}"));
-        Symmetry::of(&scene, &Motion::of(&scene))
+        Symmetry::of(&scene, &JournalMotion::of(&scene))
     }
 
     fn has(bearing: &str, keys: &str) -> [bool; 3] {

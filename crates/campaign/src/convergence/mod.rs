@@ -16,7 +16,7 @@ mod study_run;
 pub use budget::Budget;
 pub use cost_model::{Measure, Price};
 pub use observer::Observer;
-pub use report::{ConvergenceReport, Course, LevelReport, TIME_PARTS};
+pub use report::{ConvergenceReport, LevelReport, StrategyLevels, TIME_PARTS};
 pub use strategy::Strategy;
 pub use study_run::MarkedMesh;
 
@@ -130,7 +130,7 @@ fn finish(
     }
     let adaptive = runs.iter_mut().find(|run| run.strategy == Strategy::P2Adaptive);
     let mesh = adaptive.and_then(|run| run.drawn.take());
-    let course = |run: StudyRun| Course {
+    let course = |run: StudyRun| StrategyLevels {
         strategy: run.strategy,
         order: run.strategy.order(run.model),
         time_exponent: None,
@@ -184,7 +184,7 @@ fn reference_load(scene: &Scene) -> f64 {
 }
 
 /// Cost and error of the levels of a strategy whose error is known by that measure.
-fn cost_model(course: &Course, reference: &report::Reference, measure: Measure) -> CostModel {
+fn cost_model(course: &StrategyLevels, reference: &report::Reference, measure: Measure) -> CostModel {
     let level_cost = |level: &LevelReport| {
         Some(LevelCost {
             unknowns: level.unknowns as f64,

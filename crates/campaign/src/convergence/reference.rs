@@ -1,14 +1,14 @@
 //! The finest answer of a study, and how far the others are from it.
 
 use super::cost_model::least_order;
-use super::report::{Course, LevelReport, Reference};
+use super::report::{LevelReport, Reference, StrategyLevels};
 
 /// Answers are not known better than this, however small their bars: rounding of long sums.
 const ROUNDING: f64 = 1e-14;
 
 /// The finest answer: that of the smallest bar or, without bars, of the highest degree on the most unknowns; `None`
 /// without levels.
-pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
+pub(super) fn finest(courses: &[StrategyLevels]) -> Option<Reference> {
     let degree = courses.iter().filter(|course| !course.levels.is_empty());
     let degree = degree.map(|course| course.strategy.degree()).max()?;
     let best = (courses.iter().filter(|course| course.strategy.degree() == degree))
@@ -56,7 +56,7 @@ fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
 
 /// Fills in the relative errors of all levels, and makes their bars, so far relative to their own values, relative to
 /// the finest answer.
-pub(super) fn measure(courses: &mut [Course], reference: &Reference) {
+pub(super) fn measure(courses: &mut [StrategyLevels], reference: &Reference) {
     for course in courses {
         for level in &mut course.levels {
             let is_reference = course.strategy == reference.strategy && level.level == reference.level;
@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     /// Values `1000 (1 - n^-2 1e4)` on 190 and 380 unknowns, without bars.
-    fn courses() -> Vec<Course> {
+    fn courses() -> Vec<StrategyLevels> {
         let level = |level: usize| LevelReport {
             level,
             cells: 100 * level,
@@ -85,7 +85,7 @@ mod tests {
             relative_error: None,
             seconds: Timing::default(),
         };
-        let course = Course {
+        let course = StrategyLevels {
             strategy: Strategy::P2Uniform,
             order: 2.0,
             time_exponent: None,

@@ -26,7 +26,7 @@ pub struct ConvergenceReport {
     /// The finest answer.
     pub reference: Option<Reference>,
     /// The ways to more accuracy.
-    pub strategies: Vec<Course>,
+    pub strategies: Vec<StrategyLevels>,
     /// What each digit costs: by error bars, where there are any, and then by true errors.
     pub prices: Vec<Price>,
     /// What to know of the study, in sentences.
@@ -67,7 +67,7 @@ pub struct Reference {
 
 /// The levels of one strategy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Course {
+pub struct StrategyLevels {
     /// The strategy.
     pub strategy: Strategy,
     /// The order s with which its price is extrapolated.
@@ -143,7 +143,7 @@ impl Timing {
 
 impl ConvergenceReport {
     /// All levels, each with its course.
-    pub fn levels(&self) -> impl Iterator<Item = (&Course, &LevelReport)> {
+    pub fn levels(&self) -> impl Iterator<Item = (&StrategyLevels, &LevelReport)> {
         (self.strategies.iter()).flat_map(|course| course.levels.iter().map(move |level| (course, level)))
     }
 }

@@ -33,7 +33,7 @@ const MOST_CELLS: f64 = 1e6;
 const DRAWN: usize = 5000;
 
 /// Seconds of the parts of a run.
-type Parts = Vec<(&'static str, f64)>;
+type PartSeconds = Vec<(&'static str, f64)>;
 
 /// A mesh and the share of each triangle in the error.
 #[derive(Debug, Clone)]
@@ -262,7 +262,7 @@ impl<'a> StudyRun<'a> {
     }
 
     /// Solves on the mesh once: the level, its seconds [s], and these in parts.
-    fn run(&self, deadline: Deadline) -> Result<(Level, f64, Parts), LevelError> {
+    fn run(&self, deadline: Deadline) -> Result<(Level, f64, PartSeconds), LevelError> {
         let mesh = Mesh::clone(&self.mesh);
         let degree = self.strategy.degree();
         let clock = Instant::now();

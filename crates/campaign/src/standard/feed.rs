@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use oilwedge_scene::Scene;
 
-use super::twin::{Fed, Feed};
+use super::twin::{Fed, StandardFeed};
 
 /// Width over B of pockets for which their flow was fitted.
 const POCKET: [f64; 2] = [0.05, 0.7];
@@ -33,9 +33,9 @@ fn unknown<T>(what: &str) -> Result<T, String> {
 }
 
 /// What one feed, or two, are to the standard.
-fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result<Feed, String> {
+fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result<StandardFeed, String> {
     let feed = feeds[0];
-    let places: Vec<Option<Side>> = feeds
+    let places: Vec<Option<LoadSide>> = feeds
         .iter()
         .map(|feed| {
             let middle = feed.groove.and_then(|groove| groove.arc).map(|arc| 0.5 * (arc.from + arc.to));
@@ -44,29 +44,29 @@ fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result
         })
         .collect();
     Ok(match (feed.hole, feed.groove, &places[..]) {
-        (Some(hole), _, [Some(Side::Opposite)]) => Feed::HoleOpposite(hole.diameter / length),
-        (Some(hole), _, [Some(Side::Across)]) => Feed::HoleAcross(hole.diameter / length),
-        (Some(hole), _, [Some(Side::Across), Some(Side::Across)])
+        (Some(hole), _, [Some(LoadSide::Opposite)]) => StandardFeed::HoleOpposite(hole.diameter / length),
+        (Some(hole), _, [Some(LoadSide::Across)]) => StandardFeed::HoleAcross(hole.diameter / length),
+        (Some(hole), _, [Some(LoadSide::Across), Some(LoadSide::Across)])
             if feeds.iter().all(|it| it.hole.map(|it| it.diameter) == Some(hole.diameter)) =>
         {
-            Feed::TwoHolesAcross(hole.diameter / length)
+            StandardFeed::TwoHolesAcross(hole.diameter / length)
         }
-        (_, Some(groove), [None]) => Feed::GrooveAround(groove.width / length),
+        (_, Some(groove), [None]) => StandardFeed::GrooveAround(groove.width / length),
         (_, Some(groove), [Some(place)]) => {
             let extent = groove.arc.map_or(0.0, |arc| arc.to - arc.from);
             let width = groove.width / length;
             let is_pocket = (POCKET[0]..=POCKET[1]).contains(&width) && extent <= SHORT;
             match place {
-                Side::Opposite if (HALF[0]..=HALF[1]).contains(&extent) => Feed::GrooveHalf(width),
-                Side::Opposite if is_pocket => Feed::PocketOpposite(width),
-                Side::Across if is_pocket => Feed::PocketAcross(width),
+                LoadSide::Opposite if (HALF[0]..=HALF[1]).contains(&extent) => StandardFeed::GrooveHalf(width),
+                LoadSide::Opposite if is_pocket => StandardFeed::PocketOpposite(width),
+                LoadSide::Across if is_pocket => StandardFeed::PocketAcross(width),
                 _ => return unknown("a groove like this"),
             }
         }
-        (_, Some(groove), [Some(Side::Across), Some(Side::Across)])
+        (_, Some(groove), [Some(LoadSide::Across), Some(LoadSide::Across)])
             if feeds.iter().all(|it| it.groove.map(|it| it.width) == Some(groove.width)) =>
         {
-            Feed::TwoPocketsAcross(groove.width / length)
+            StandardFeed::TwoPocketsAcross(groove.width / length)
         }
         _ => return unknown("feeds that lie like these"),
     })
@@ -74,31 +74,31 @@ fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result
 
 /// Side of the load on which a feed lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Side {
+enum LoadSide {
     Loaded,
     Across,
     Opposite,
 }
 
 /// The side of a feed at this angle [rad] from the load: the nearest of the standard's places.
-fn side(angle: f64) -> Side {
+fn side(angle: f64) -> LoadSide {
     match angle.cos() {
-        cos if cos < -FRAC_PI_4.cos() => Side::Opposite,
-        cos if cos > FRAC_PI_4.cos() => Side::Loaded,
-        _ => Side::Across,
+        cos if cos < -FRAC_PI_4.cos() => LoadSide::Opposite,
+        cos if cos > FRAC_PI_4.cos() => LoadSide::Loaded,
+        _ => LoadSide::Across,
     }
 }
 
 /// The feed in words.
-pub(super) fn words(feed: Feed) -> &'static str {
+pub(super) fn words(feed: StandardFeed) -> &'static str {
     match feed {
-        Feed::HoleOpposite(_) => "a hole opposite to the load",
-        Feed::HoleAcross(_) => "a hole at 90 degrees to the load",
-        Feed::TwoHolesAcross(_) => "two holes at 90 degrees to the load",
-        Feed::PocketOpposite(_) => "a pocket opposite to the load",
-        Feed::PocketAcross(_) => "a pocket at 90 degrees to the load",
-        Feed::TwoPocketsAcross(_) => "two pockets at 90 degrees to the load",
-        Feed::GrooveAround(_) => "a groove all around",
-        Feed::GrooveHalf(_) => "a groove along the half opposite to the load",
+        StandardFeed::HoleOpposite(_) => "a hole opposite to the load",
+        StandardFeed::HoleAcross(_) => "a hole at 90 degrees to the load",
+        StandardFeed::TwoHolesAcross(_) => "two holes at 90 degrees to the load",
+        StandardFeed::PocketOpposite(_) => "a pocket opposite to the load",
+        StandardFeed::PocketAcross(_) => "a pocket at 90 degrees to the load",
+        StandardFeed::TwoPocketsAcross(_) => "two pockets at 90 degrees to the load",
+        StandardFeed::GrooveAround(_) => "a groove all around",
+        StandardFeed::GrooveHalf(_) => "a groove along the half opposite to the load",
     }
 }

@@ -3,7 +3,7 @@
 use oilwedge_bearing::ThermalFlows;
 use oilwedge_bearing::thermal_balance::find;
 use oilwedge_reynolds::analytical::iso7902;
-pub(super) use oilwedge_reynolds::analytical::iso7902::Feed;
+pub(super) use oilwedge_reynolds::analytical::iso7902::StandardFeed;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Mixing, Scene};
 use oilwedge_study::effects::Sockets;
@@ -57,7 +57,7 @@ impl Lands {
 }
 
 /// The feed in the terms of the standard and its pressure [Pa], or why it has none like that.
-pub(super) type Fed = Result<Option<(Feed, f64)>, String>;
+pub(super) type Fed = Result<Option<(StandardFeed, f64)>, String>;
 
 /// The bearing by the standard.
 pub(super) struct Twin {
@@ -100,7 +100,7 @@ impl Twin {
         let coefficient = psi * iso7902::friction(number, eccentricity, lands.slenderness);
         let side = iso7902::side_flow_number(eccentricity, lands.slenderness);
         let by_film = lands.count * bearing.diameter.powi(3) * psi * speed * side;
-        let through = |(kind, pressure): &(Feed, f64)| {
+        let through = |(kind, pressure): &(StandardFeed, f64)| {
             let unit = (bearing.diameter * psi).powi(3) * pressure / viscosity;
             unit * iso7902::feed_flow_number(*kind, eccentricity, bearing.length / bearing.diameter)
         };

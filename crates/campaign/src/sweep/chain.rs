@@ -31,10 +31,10 @@ pub(super) fn chains(plan: &Plan) -> Vec<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use oilwedge_scene::sweep::{Axis, AxisValue};
+    use oilwedge_scene::sweep::{AxisValue, SweepAxis};
 
     fn plan(lengths: &[usize]) -> Plan {
-        let axis = |length: &usize| Axis {
+        let axis = |length: &usize| SweepAxis {
             name: String::new(),
             path: String::new(),
             unit: String::new(),

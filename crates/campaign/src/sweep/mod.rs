@@ -33,7 +33,7 @@ pub use forecast::Forecast;
 use forecast::{SAMPLED, samples_first};
 pub use part::Part;
 use walk::Walker;
-pub use walk::{CaseStatus, Found};
+pub use walk::{CaseOutcome, CaseStatus};
 
 /// What happens in a sweep.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub enum Event {
     /// Enough cases were computed to say how long it will take.
     Forecast(Forecast),
     /// The case of this number (from 0) ended.
-    Ended(usize, Box<Found>),
+    Ended(usize, Box<CaseOutcome>),
 }
 
 /// A chain that is walked along, and may be left and taken up again.
@@ -172,7 +172,7 @@ impl Sweep {
         let mut seconds = vec![Vec::new(); samples];
         let left: usize = chains.iter().cloned().flatten().filter(|case| !is_kept(*case)).count();
         let walks: Vec<Mutex<Walk>> = chains.iter().cloned().map(Walk::new).map(Mutex::new).collect();
-        let mut ended = |case: usize, found: Found| match is_kept(case) {
+        let mut ended = |case: usize, found: CaseOutcome| match is_kept(case) {
             true => Ok(()),
             false => event(Event::Ended(case, Box::new(found))),
         };
@@ -190,7 +190,7 @@ impl Sweep {
                 threads: workers * (rayon::current_num_threads() / workers.max(1)),
             }))?;
         }
-        let mut ended = |case: usize, found: Found| match is_kept(case) {
+        let mut ended = |case: usize, found: CaseOutcome| match is_kept(case) {
             true => Ok(()),
             false => event(Event::Ended(case, Box::new(found))),
         };
@@ -204,7 +204,7 @@ impl Sweep {
         workers: usize,
         options: &'a RunOptions,
         most: usize,
-        ended: &mut dyn FnMut(usize, Found) -> Result<(), E>,
+        ended: &mut dyn FnMut(usize, CaseOutcome) -> Result<(), E>,
     ) -> Result<(), E> {
         let next = AtomicUsize::new(0);
         let (sender, receiver) = channel();
@@ -230,7 +230,7 @@ impl Sweep {
         next: &AtomicUsize,
         options: &'a RunOptions,
         most: usize,
-        sender: &Sender<(usize, Found)>,
+        sender: &Sender<(usize, CaseOutcome)>,
     ) {
         let mut spare: Option<Walker> = None;
         while let Some(walk) = walks.get(next.fetch_add(1, Ordering::Relaxed)) {

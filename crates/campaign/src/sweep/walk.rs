@@ -45,7 +45,7 @@ pub enum CaseStatus {
 
 /// What a case gives.
 #[derive(Debug, Clone)]
-pub struct Found {
+pub struct CaseOutcome {
     /// How it ended.
     pub status: CaseStatus,
     /// Why it ended without an answer, or short of its tolerance.
@@ -62,7 +62,7 @@ pub struct Found {
     pub seconds: f64,
 }
 
-impl Found {
+impl CaseOutcome {
     fn of((solved, estimated): (&Solved, Estimated), limit: Option<&Limit>, options: &RunOptions) -> Self {
         let model = solved.film.model.sockets.thermal.as_ref();
         let criteria = design_criteria(&solved.film, model, &estimated.quantities, options.bars);
@@ -132,7 +132,7 @@ impl Found {
 }
 
 /// The film of the case before.
-struct Held {
+struct PreviousFilm {
     film: Film,
     /// Position for which its mesh was graded.
     graded_for: JournalState,
@@ -145,10 +145,10 @@ pub(super) struct Walker<'a> {
     options: &'a RunOptions,
     /// Deadline of the case that is computed.
     deadline: Deadline,
-    held: Option<Held>,
+    held: Option<PreviousFilm>,
     visited: Vec<Visited>,
     /// What was found of the bearings of a crankshaft, the last one first, whose cases are still to come.
-    bearings: Vec<Found>,
+    bearings: Vec<CaseOutcome>,
 }
 
 impl<'a> Walker<'a> {
@@ -167,52 +167,53 @@ impl<'a> Walker<'a> {
     }
 
     /// Computes the next case of the chain; `coordinate` is its value on the axis along which the chain runs.
-    pub(super) fn case(&mut self, scene: &Scene, coordinate: f64) -> Found {
+    pub(super) fn case(&mut self, scene: &Scene, coordinate: f64) -> CaseOutcome {
         let clock = Instant::now();
         self.deadline = self.options.deadline();
         let found = compile(scene).and_then(|model| match model.targets.is_some() && self.options.bars {
             _ if model.scope.orbit.is_some() => {
-                run_telling(&model, self.options, None).map(|run| Found::of_run(run.result))
+                run_telling(&model, self.options, None).map(|run| CaseOutcome::of_run(run.result))
             }
             true => self.refined(&model),
             false => self.walked(&model, coordinate),
         });
-        let mut found = found.unwrap_or_else(|error| Found::without(CaseStatus::BadScene, error.to_string(), None));
+        let mut found =
+            found.unwrap_or_else(|error| CaseOutcome::without(CaseStatus::BadScene, error.to_string(), None));
         found.seconds = clock.elapsed().as_secs_f64();
         found
     }
 
     /// The next bearing of a crankshaft, which is solved with its first one; each takes its share of the time.
-    pub(super) fn bearing(&mut self, shaft: &ShaftScene) -> Found {
+    pub(super) fn bearing(&mut self, shaft: &ShaftScene) -> CaseOutcome {
         if let Some(found) = self.bearings.pop() {
             return found;
         }
         let clock = Instant::now();
         let bearings = shaft.crankshaft.bearings.len();
         let mut found = match run_shaft(shaft, self.options) {
-            Ok(run) => Found::of_shaft(&run.result, bearings),
-            Err(error) => vec![Found::without(CaseStatus::BadScene, error.to_string(), None); bearings],
+            Ok(run) => CaseOutcome::of_shaft(&run.result, bearings),
+            Err(error) => vec![CaseOutcome::without(CaseStatus::BadScene, error.to_string(), None); bearings],
         };
         let seconds = clock.elapsed().as_secs_f64() / bearings as f64;
         found.iter_mut().for_each(|it| it.seconds = seconds);
         found.reverse();
         let first = found.pop();
         self.bearings = found;
-        first.unwrap_or_else(|| Found::without(CaseStatus::BadScene, "the shaft has no bearing".to_owned(), None))
+        first.unwrap_or_else(|| CaseOutcome::without(CaseStatus::BadScene, "the shaft has no bearing".to_owned(), None))
     }
 
     /// With a tolerance each case has meshes of its own, as when it is solved by itself.
-    fn refined(&mut self, model: &Arc<Model>) -> Result<Found, CompileError> {
+    fn refined(&mut self, model: &Arc<Model>) -> Result<CaseOutcome, CompileError> {
         let answer = answer(model, self.options)?;
         let size = answer.film.unknowns();
         Ok(match answer.outcome {
-            Ok((solved, estimated)) => Found::of((&solved, estimated), answer.limit.as_ref(), self.options),
-            Err(reason) => Found::failed(&reason, size),
+            Ok((solved, estimated)) => CaseOutcome::of((&solved, estimated), answer.limit.as_ref(), self.options),
+            Err(reason) => CaseOutcome::failed(&reason, size),
         })
     }
 
     /// Solves a case on the mesh of its chain, from the case before if there is one.
-    fn walked(&mut self, model: &Arc<Model>, coordinate: f64) -> Result<Found, CompileError> {
+    fn walked(&mut self, model: &Arc<Model>, coordinate: f64) -> Result<CaseOutcome, CompileError> {
         let (graded_for, outcome) = match self.following(model, coordinate)? {
             Some((graded_for, solved)) => (graded_for, Ok(solved)),
             None => {
@@ -225,17 +226,17 @@ impl<'a> Walker<'a> {
             Ok(solved) => {
                 let estimated = estimate_errors(&solved);
                 let limit = ended(&solved, self.options);
-                let found = Found::of((&solved, estimated), limit.as_ref(), self.options);
+                let found = CaseOutcome::of((&solved, estimated), limit.as_ref(), self.options);
                 let Solved { film, primary, .. } = solved;
                 (found, film, limit.is_none().then_some(primary.solution))
             }
-            Err((film, reason)) => (Found::failed(&reason, film.unknowns()), film, None),
+            Err((film, reason)) => (CaseOutcome::failed(&reason, film.unknowns()), film, None),
         };
         match solution {
             None => self.visited.clear(),
             Some(_) => self.visited.push(film.position().visited(point(model, coordinate))),
         }
-        self.held = Some(Held { film, graded_for, solution });
+        self.held = Some(PreviousFilm { film, graded_for, solution });
         Ok(found)
     }
 
@@ -263,7 +264,7 @@ impl<'a> Walker<'a> {
             false => Some(Position::start(model)),
             true => Position::predicted(model, &self.visited, point(model, coordinate)),
         };
-        let is_neighbour = |held: &mut Held| held.solution.is_some() && held.film.model.has_same_system(model);
+        let is_neighbour = |held: &mut PreviousFilm| held.solution.is_some() && held.film.model.has_same_system(model);
         let Some(position) = position else { return Ok(None) };
         let Some(before) = self.held.take_if(is_neighbour) else {
             return Ok(None);
@@ -272,7 +273,7 @@ impl<'a> Walker<'a> {
         let Some(film) = before.film.reused(model, &model.state_at(position)) else {
             return Ok(None);
         };
-        let mut held = Held {
+        let mut held = PreviousFilm {
             solution: before.solution.filter(|_| is_short(offset, relative(&film))),
             graded_for: before.graded_for,
             film,
@@ -303,9 +304,9 @@ fn suits(graded_for: &JournalState, film: &Film) -> bool {
 }
 
 /// The case on a mesh drawn for this position.
-fn redrawn(model: &Arc<Model>, position: Position) -> Result<Held, CompileError> {
+fn redrawn(model: &Arc<Model>, position: Position) -> Result<PreviousFilm, CompileError> {
     let film = model.film_near(model.mesh.longest, &model.state_at(position))?;
-    Ok(Held { graded_for: film.problem.journal, film, solution: None })
+    Ok(PreviousFilm { graded_for: film.problem.journal, film, solution: None })
 }
 
 /// Coordinate and duty of a case, by which its position is predicted from those of its neighbours.

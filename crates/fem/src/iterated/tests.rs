@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use oilwedge_mesh::{Mesh, RawMesh};
 
-use crate::conservation_law::{Conduction, ConservationLaw, Response, State, Tangent};
+use crate::conservation_law::{Conduction, ConservationLaw, Response, State, TangentKind};
 use crate::factorization::LazyAnalysis;
 use crate::linear_solver::MultigridSolver;
 use crate::linearisation::Route;
@@ -12,8 +12,8 @@ use crate::{Analysis, Assembler, Constraints, LinearProlongation, LinearSolver, 
 struct Film;
 
 impl ConservationLaw for Film {
-    fn tangent(&self) -> Tangent {
-        Tangent::Conduction
+    fn tangent(&self) -> TangentKind {
+        TangentKind::Conduction
     }
     fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (&[x, _], out) in positions.iter().zip(out) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::UnsymmetricAnalysis;
 use crate::Error;
-use crate::front::Extent;
+use crate::front::FrontExtent;
 
 /// The LU factors of a masked matrix.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ impl UnsymmetricFactorization {
     /// # Errors
     /// [`Error::NotFinite`] if the solution is not finite.
     pub fn solve(&self, x: &mut [f64]) -> Result<(), Error> {
-        self.both_ways(x, Extent::solve_lower, Extent::solve_upper)
+        self.both_ways(x, FrontExtent::solve_lower, FrontExtent::solve_upper)
     }
 
     /// Solves `A^T x = b` in place.
@@ -61,11 +61,11 @@ impl UnsymmetricFactorization {
     /// # Errors
     /// [`Error::NotFinite`] if the solution is not finite.
     pub fn solve_transposed(&self, x: &mut [f64]) -> Result<(), Error> {
-        self.both_ways(x, Extent::solve_upper_transposed, Extent::solve_lower_transposed)
+        self.both_ways(x, FrontExtent::solve_upper_transposed, FrontExtent::solve_lower_transposed)
     }
 
     /// Runs through the fronts in the order of elimination by `first`, and back by `second`.
-    fn both_ways(&self, x: &mut [f64], first: Step, second: Step) -> Result<(), Error> {
+    fn both_ways(&self, x: &mut [f64], first: FrontSolve, second: FrontSolve) -> Result<(), Error> {
         let analysis = &*self.analysis;
         let mut ordered: Vec<f64> = analysis.order.iter().map(|&dof| x[dof as usize]).collect();
         let mut local = Vec::new();
@@ -93,4 +93,4 @@ impl UnsymmetricFactorization {
 }
 
 /// What a front does in a solve: its extent, its panel, and the unknowns of its rows.
-type Step = fn(Extent, &[f64], &mut [f64]);
+type FrontSolve = fn(FrontExtent, &[f64], &mut [f64]);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Liner, cylinder, place, unroll};
+use super::{LinerDomain, cylinder, place, unroll};
 use crate::gmsh::{self, MshFile};
 use crate::{Error, Mesh};
 
@@ -25,7 +25,7 @@ pub fn alone(file: &MshFile) -> Result<Mesh, Error> {
     Ok(Mesh::build(unroll(file, &liner_of(file)?, 1.0)?)?)
 }
 
-fn liner_of(file: &MshFile) -> Result<Liner, Error> {
+fn liner_of(file: &MshFile) -> Result<LinerDomain, Error> {
     let mut used = vec![false; file.nodes.len()];
     for &vertex in file.triangles.iter().flatten() {
         used[vertex as usize] = true;
@@ -38,15 +38,15 @@ fn liner_of(file: &MshFile) -> Result<Liner, Error> {
         })
     };
     let size = along(&|node| node[0].abs().max(node[1].abs())).1;
-    Ok(match cylinder::Shape::find(file, &used, size)? {
-        cylinder::Shape::Plane => {
+    Ok(match cylinder::FileSurface::find(file, &used, size)? {
+        cylinder::FileSurface::Plane => {
             let (low, high) = along(&|node| node[0]);
             let (bottom, top) = along(&|node| node[1]);
             let width = high - low;
             let radius = if is_ring { width / std::f64::consts::TAU } else { width };
-            Liner { radius, length: top - bottom, arc: (!is_ring).then(|| (low / radius, high / radius)) }
+            LinerDomain { radius, length: top - bottom, arc: (!is_ring).then(|| (low / radius, high / radius)) }
         }
-        cylinder::Shape::Cylinder { axis, section } => {
+        cylinder::FileSurface::Cylinder { axis, section } => {
             let (bottom, top) = along(&|node| node[axis]);
             let [a, b] = section.centre;
             let around = |&node: &[f64; 3]| {
@@ -55,7 +55,7 @@ fn liner_of(file: &MshFile) -> Result<Liner, Error> {
             };
             let angles: Vec<[f64; 2]> = file.nodes.iter().map(around).collect();
             let arc = place::film_interval(&angles, &used, std::f64::consts::TAU);
-            Liner { radius: section.radius, length: top - bottom, arc: (!is_ring).then_some(arc) }
+            LinerDomain { radius: section.radius, length: top - bottom, arc: (!is_ring).then_some(arc) }
         }
     })
 }

@@ -9,14 +9,14 @@ const FLAT: f64 = 1e-9;
 
 /// Surface on which the nodes of a file lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum FileSurface {
     /// A plane z = constant.
     Plane,
     /// A cylinder along coordinate `axis`, with the circle of its section in the next two.
     Cylinder { axis: usize, section: Circle },
 }
 
-impl Shape {
+impl FileSurface {
     /// Recognises the shape from the nodes marked in `used`. Among several cylinders through few
     /// nodes the one of a radius nearest to `radius` (in the unit of the file) is meant.
     pub(super) fn find(file: &MshFile, used: &[bool], radius: f64) -> Result<Self, Error> {
@@ -69,9 +69,9 @@ pub(super) fn across(point: [f64; 3], axis: usize) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn find(nodes: Vec<[f64; 3]>) -> Result<Shape, Error> {
+    fn find(nodes: Vec<[f64; 3]>) -> Result<FileSurface, Error> {
         let file = MshFile { tags: (1..=nodes.len() as u64).collect(), nodes, ..MshFile::default() };
-        Shape::find(&file, &vec![true; file.nodes.len()], 2.0)
+        FileSurface::find(&file, &vec![true; file.nodes.len()], 2.0)
     }
 
     /// Nodes on a cylinder of radius 2 along `axis`, somewhere in space.
@@ -91,7 +91,7 @@ mod tests {
     fn cylinders_along_each_axis() {
         for along in 0..3 {
             for arc in [0.5, 3.0, 6.0] {
-                let Shape::Cylinder { axis, section } = find(cylinder(along, arc)).unwrap() else {
+                let FileSurface::Cylinder { axis, section } = find(cylinder(along, arc)).unwrap() else {
                     panic!("a plane");
                 };
                 assert_eq!(axis, along);
@@ -105,7 +105,7 @@ mod tests {
     fn other_shapes_are_named() {
         let square =
             |point: fn(f64, f64) -> [f64; 3]| find((0..9).map(|k| point(f64::from(k % 3), f64::from(k / 3))).collect());
-        assert_eq!(square(|a, b| [a, b, 4.0]).unwrap(), Shape::Plane);
+        assert_eq!(square(|a, b| [a, b, 4.0]).unwrap(), FileSurface::Plane);
         assert!(matches!(square(|a, b| [a, 1.0, b]), Err(Error::WrongPlane { axis: 'y' })));
         let mut bump = cylinder(2, 6.0);
         bump[17][0] += 0.01;

@@ -25,7 +25,7 @@ const STRAIGHT: f64 = 1e-9;
 
 /// The liner that a mesh should cover.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Liner {
+pub struct LinerDomain {
     /// Radius R of the bore [m].
     pub radius: f64,
     /// Length B along the axis [m].
@@ -34,7 +34,7 @@ pub struct Liner {
     pub arc: Option<(f64, f64)>,
 }
 
-impl Liner {
+impl LinerDomain {
     /// Circumference 2 pi R [m] of the full circle.
     pub fn circumference(&self) -> f64 {
         TAU * self.radius
@@ -64,7 +64,7 @@ impl Liner {
 ///
 /// # Errors
 /// Those of [`gmsh::read`], of [`unroll`] and of [`Mesh::build`], with the path.
-pub fn read(path: impl AsRef<Path>, liner: &Liner, unit: f64) -> Result<Mesh, Error> {
+pub fn read(path: impl AsRef<Path>, liner: &LinerDomain, unit: f64) -> Result<Mesh, Error> {
     let path = path.as_ref();
     let file = gmsh::read(path)?;
     let raw = unroll(&file, liner, unit).map_err(|error| error.in_file(path))?;
@@ -81,16 +81,16 @@ pub fn read(path: impl AsRef<Path>, liner: &Liner, unit: f64) -> Result<Mesh, Er
 /// # Errors
 /// The nodes lie neither in a plane z = constant nor on a cylinder; radius, length or arc are not
 /// those of the liner; groups are missing or lie elsewhere; the seam does not fit.
-pub fn unroll(file: &MshFile, liner: &Liner, unit: f64) -> Result<RawMesh, Error> {
+pub fn unroll(file: &MshFile, liner: &LinerDomain, unit: f64) -> Result<RawMesh, Error> {
     liner.check(unit)?;
     let mut used = vec![false; file.nodes.len()];
     for &vertex in file.triangles.iter().flatten() {
         used[vertex as usize] = true;
     }
-    let shape = cylinder::Shape::find(file, &used, liner.radius / unit)?;
+    let shape = cylinder::FileSurface::find(file, &used, liner.radius / unit)?;
     require_groups(file, liner, shape)?;
     let points = place::place(file, &used, shape, liner, unit)?;
-    let on_cylinder = shape != cylinder::Shape::Plane;
+    let on_cylinder = shape != cylinder::FileSurface::Plane;
     let bulges = bulges(file, &points, on_cylinder.then(|| liner.circumference()));
     let mut raw = RawMesh {
         points,
@@ -111,11 +111,11 @@ pub fn unroll(file: &MshFile, liner: &Liner, unit: f64) -> Result<RawMesh, Error
 }
 
 /// Names every group that is missing.
-fn require_groups(file: &MshFile, liner: &Liner, shape: cylinder::Shape) -> Result<(), Error> {
+fn require_groups(file: &MshFile, liner: &LinerDomain, shape: cylinder::FileSurface) -> Result<(), Error> {
     let mut curves = vec!["end_low", "end_high"];
     if liner.arc.is_some() {
         curves.extend(["arc_from", "arc_to"]);
-    } else if shape == cylinder::Shape::Plane {
+    } else if shape == cylinder::FileSurface::Plane {
         curves.extend(seam::SIDES);
     }
     let mut missing = Vec::new();

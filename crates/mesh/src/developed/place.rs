@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-use super::cylinder::{Shape, across};
-use super::{AGREEMENT, Liner, shorter_way};
+use super::cylinder::{FileSurface, across};
+use super::{AGREEMENT, LinerDomain, shorter_way};
 use crate::gmsh::MshFile;
 use crate::{Error, RawMesh};
 
@@ -13,13 +13,13 @@ use crate::{Error, RawMesh};
 pub(super) fn place(
     file: &MshFile,
     used: &[bool],
-    shape: Shape,
-    liner: &Liner,
+    shape: FileSurface,
+    liner: &LinerDomain,
     unit: f64,
 ) -> Result<Vec<[f64; 2]>, Error> {
     let mut points: Vec<[f64; 2]> = match shape {
-        Shape::Plane => file.nodes.iter().map(|node| [node[0] * unit, node[1] * unit]).collect(),
-        Shape::Cylinder { axis, section } => {
+        FileSurface::Plane => file.nodes.iter().map(|node| [node[0] * unit, node[1] * unit]).collect(),
+        FileSurface::Cylinder { axis, section } => {
             require(
                 "the radius (half of bearing.diameter)",
                 section.radius * unit,
@@ -44,10 +44,10 @@ pub(super) fn place(
     let half = 0.5 * (high - low);
     let mut lines = vec![("end_low", 1, -half), ("end_high", 1, half)];
     match (liner.arc, shape) {
-        (Some((from, to)), Shape::Plane) => shift_arc(&mut points, used, liner, [from, to], unit)?,
-        (Some((from, to)), Shape::Cylinder { .. }) => turn_arc(file, &mut points, used, liner, [from, to])?,
-        (None, Shape::Plane) => require_circumference(file, &points, liner, unit)?,
-        (None, Shape::Cylinder { .. }) => {
+        (Some((from, to)), FileSurface::Plane) => shift_arc(&mut points, used, liner, [from, to], unit)?,
+        (Some((from, to)), FileSurface::Cylinder { .. }) => turn_arc(file, &mut points, used, liner, [from, to])?,
+        (None, FileSurface::Plane) => require_circumference(file, &points, liner, unit)?,
+        (None, FileSurface::Cylinder { .. }) => {
             let period = liner.circumference();
             for point in &mut points {
                 let x = point[0].rem_euclid(period);
@@ -83,7 +83,7 @@ fn unit_hint(file: f64, scene: f64, unit: f64) -> String {
 
 /// The sides of the seam of an unrolled ring lie one circumference apart. Sides that are not even alike are left to
 /// [`super::seam`].
-fn require_circumference(file: &MshFile, points: &[[f64; 2]], liner: &Liner, unit: f64) -> Result<(), Error> {
+fn require_circumference(file: &MshFile, points: &[[f64; 2]], liner: &LinerDomain, unit: f64) -> Result<(), Error> {
     let [low, high] = super::seam::SIDES.map(|group| {
         let mut on_side = vec![false; points.len()];
         let ends = file.curve(group).unwrap_or(&[]).iter().flatten();
@@ -104,7 +104,13 @@ fn extent(points: &[[f64; 2]], used: &[bool], direction: usize) -> (f64, f64) {
 }
 
 /// An unrolled arc: moves it by whole turns.
-fn shift_arc(points: &mut [[f64; 2]], used: &[bool], liner: &Liner, arc: [f64; 2], unit: f64) -> Result<(), Error> {
+fn shift_arc(
+    points: &mut [[f64; 2]],
+    used: &[bool],
+    liner: &LinerDomain,
+    arc: [f64; 2],
+    unit: f64,
+) -> Result<(), Error> {
     let (low, high) = extent(points, used, 0);
     let [from, to] = arc.map(|angle| angle * liner.radius);
     require(
@@ -132,7 +138,13 @@ fn shift_arc(points: &mut [[f64; 2]], used: &[bool], liner: &Liner, arc: [f64; 2
 
 /// An arc on a cylinder: takes each angle in the turn around the middle of the arc; nodes of the
 /// arc's edges, which may lie half a turn from there, in the turn around that edge.
-fn turn_arc(file: &MshFile, points: &mut [[f64; 2]], used: &[bool], liner: &Liner, arc: [f64; 2]) -> Result<(), Error> {
+fn turn_arc(
+    file: &MshFile,
+    points: &mut [[f64; 2]],
+    used: &[bool],
+    liner: &LinerDomain,
+    arc: [f64; 2],
+) -> Result<(), Error> {
     let period = liner.circumference();
     let [from, to] = arc.map(|angle| angle * liner.radius);
     let found = film_interval(points, used, period);
@@ -194,7 +206,7 @@ fn require_line(
     group: &'static str,
     direction: usize,
     expected: f64,
-    liner: &Liner,
+    liner: &LinerDomain,
 ) -> Result<(), Error> {
     let tolerance = AGREEMENT * if direction == 1 { liner.length } else { liner.circumference() };
     for &vertex in file.curve(group).unwrap_or(&[]).iter().flatten() {

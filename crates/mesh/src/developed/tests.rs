@@ -3,8 +3,8 @@ use super::*;
 const RADIUS: f64 = 2.0;
 const LENGTH: f64 = 3.0;
 
-fn liner(arc: Option<(f64, f64)>) -> Liner {
-    Liner { radius: RADIUS, length: LENGTH, arc }
+fn liner(arc: Option<(f64, f64)>) -> LinerDomain {
+    LinerDomain { radius: RADIUS, length: LENGTH, arc }
 }
 
 /// `columns` times 4 rectangles over `x` in `[x0, x0 + width]`, all boundary curves named; the two

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 
 use super::outline::{Edge, Outline};
 use super::shape::Feature;
-use super::triangulate::{Domain, Triangles};
+use super::triangulate::{FilledDomain, Triangles};
 use crate::{Circle, RawMesh};
 
 /// Triangles and outlines as a mesh file would list them, the seam glued.
-pub(super) fn raw_mesh(domain: &Domain, outline: &Outline, filled: Triangles) -> RawMesh {
+pub(super) fn raw_mesh(domain: &FilledDomain, outline: &Outline, filled: Triangles) -> RawMesh {
     let Triangles { points, mut triangles } = filled;
     let mut glued: Vec<u32> = (0..points.len() as u32).collect();
     for &[left, right] in &outline.seam {

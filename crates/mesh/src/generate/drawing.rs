@@ -2,10 +2,10 @@
 
 use super::meeting::{Meeting, align, between, distance_between, land_around, lands, outline_points};
 use super::shape::Feature;
-use super::sheet::Sheet;
+use super::sheet::LinerRectangle;
 use super::union::{SAME, junctions, parts};
 use crate::Defect;
-use crate::developed::{Liner, shorter_way};
+use crate::developed::{LinerDomain, shorter_way};
 
 /// Lands and features narrower than this part of the radius cannot be meshed.
 const THINNEST: f64 = 1e-3;
@@ -18,7 +18,7 @@ const SEAM_PLACES: u32 = 360;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blueprint {
     /// Radius, length and arc.
-    pub liner: Liner,
+    pub liner: LinerDomain,
     /// Holes and grooves; those of one name may overlap and are one region, others may touch along straight sides.
     pub features: Vec<Feature>,
     /// Angle [rad] of an axial line that must be a line of edges (film start of a ring).
@@ -169,7 +169,7 @@ fn land_in_words(land: f64) -> String {
 pub(super) fn placed(blueprint: &Blueprint) -> Blueprint {
     let mut placed = blueprint.clone();
     let turn = blueprint.liner.circumference();
-    let sheet = Sheet::of(&blueprint.liner, 0.0);
+    let sheet = LinerRectangle::of(&blueprint.liner, 0.0);
     let middle = sheet.start + 0.5 * sheet.width;
     for feature in &mut placed.features {
         let x = &mut feature.shape.centre[0];
@@ -193,20 +193,20 @@ pub(super) fn placed(blueprint: &Blueprint) -> Blueprint {
 }
 
 /// Whether one feature lies within another of its kind.
-fn holds(sheet: &Sheet, outer: &Feature, inner: &Feature) -> bool {
+fn holds(sheet: &LinerRectangle, outer: &Feature, inner: &Feature) -> bool {
     let near = SAME * sheet.width;
     let mut outline = outline_points(sheet, inner).into_iter();
     outer.meshed == inner.meshed && outline.all(|point| outer.shape.distance(point, sheet.period()) < near)
 }
 
 /// Whether two features of one name are one region.
-fn are_joined(sheet: &Sheet, one: &Feature, other: &Feature) -> bool {
+fn are_joined(sheet: &LinerRectangle, one: &Feature, other: &Feature) -> bool {
     between(sheet, one, other, SAME * sheet.width) != Meeting::Apart
 }
 
 /// Everything that is wrong with the drawing.
 pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
-    let sheet = Sheet::of(&blueprint.liner, 0.0);
+    let sheet = LinerRectangle::of(&blueprint.liner, 0.0);
     let least = THINNEST * blueprint.liner.radius;
     let near = SAME * sheet.width;
     let mut faults = Vec::new();
@@ -246,7 +246,7 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
 }
 
 /// What is wrong with the land between a feature and the edges of the liner.
-fn land_fault(sheet: &Sheet, feature: &Feature, least: f64) -> Option<DrawingError> {
+fn land_fault(sheet: &LinerRectangle, feature: &Feature, least: f64) -> Option<DrawingError> {
     let near = SAME * sheet.width;
     let lands = lands(sheet, &feature.shape);
     let name = feature.name.clone();
@@ -261,7 +261,7 @@ fn land_fault(sheet: &Sheet, feature: &Feature, least: f64) -> Option<DrawingErr
 }
 
 /// What is wrong with two features that are no union.
-fn fault_between(sheet: &Sheet, one: &Feature, other: &Feature, least: f64) -> Option<DrawingError> {
+fn fault_between(sheet: &LinerRectangle, one: &Feature, other: &Feature, least: f64) -> Option<DrawingError> {
     let near = SAME * sheet.width;
     let (first, second) = (one.name.clone(), other.name.clone());
     let land = match between(sheet, one, other, near) {
@@ -277,7 +277,7 @@ fn fault_between(sheet: &Sheet, one: &Feature, other: &Feature, least: f64) -> O
 
 /// Corners at which rims meet that are too sharp for the film, or too near to each other.
 fn slivers(blueprint: &Blueprint, least: f64) -> Vec<DrawingError> {
-    let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
+    let sheet = LinerRectangle::of(&blueprint.liner, seam_place(blueprint));
     let mut slivers: Vec<DrawingError> = Vec::new();
     for junction in junctions(&sheet, &parts(&sheet, &blueprint.features)) {
         let (degrees, side) = (junction.angle.to_degrees(), junction.side);
@@ -308,7 +308,7 @@ fn to_line(blueprint: &Blueprint, feature: &Feature) -> f64 {
 }
 
 /// Free land [m] around each feature, where it touches nothing.
-pub(super) fn gaps(blueprint: &Blueprint, sheet: &Sheet) -> Vec<f64> {
+pub(super) fn gaps(blueprint: &Blueprint, sheet: &LinerRectangle) -> Vec<f64> {
     let features = &blueprint.features;
     let near = SAME * sheet.width;
     let land_between = |one: &Feature, other: &Feature| match between(sheet, one, other, near) {

@@ -1,6 +1,6 @@
 //! A mesh in rows along the flow with the geometry and the edge lengths of another mesh.
 
-use super::{Blueprint, DrawingError, Grading, Rows, Sense, generate_in_rows};
+use super::{Blueprint, DrawingError, Grading, RowLengths, Sense, generate_in_rows};
 use crate::raw::doubled_area;
 use crate::{Locator, Mesh};
 
@@ -26,15 +26,15 @@ pub fn generate_in_rows_like(
     let [low, high] = bounds(mesh);
     let width = mesh.period().unwrap_or(high[0] - low[0]);
     let place = |k: usize, number: usize| (k as f64 + 0.5) / number as f64;
-    let at = |column: usize, row: usize| -> Option<Sample> {
+    let at = |column: usize, row: usize| -> Option<MeshSample> {
         let x = low[0] + width * place(column, ALONG);
         let z = low[1] + (high[1] - low[1]) * place(row, ACROSS);
         let (t, _) = locator.find([x, z])?;
         let corners = mesh.corners(t);
-        Some(Sample { at: [column, row], extent: extent(corners), area: 0.5 * doubled_area(corners) })
+        Some(MeshSample { at: [column, row], extent: extent(corners), area: 0.5 * doubled_area(corners) })
     };
     let in_column = |column: usize| (0..ACROSS).filter_map(move |row| at(column, row));
-    let samples: Vec<Sample> = (0..ALONG).flat_map(in_column).collect();
+    let samples: Vec<MeshSample> = (0..ALONG).flat_map(in_column).collect();
     let columns = medians(&samples, 0, ALONG);
     let rows = medians(&samples, 1, ACROSS);
     let (mut wanted, mut made) = (0.0, 0.0);
@@ -49,7 +49,7 @@ pub fn generate_in_rows_like(
     };
     let along = |x: f64| nearest(&columns, ((x - low[0]) / width).rem_euclid(1.0));
     let across = |z: f64| nearest(&rows, (z - low[1]) / (high[1] - low[1]));
-    generate_in_rows(blueprint, &Rows { along: &along, across: &across, sense, grading: Grading::RESOLVED })
+    generate_in_rows(blueprint, &RowLengths { along: &along, across: &across, sense, grading: Grading::RESOLVED })
 }
 
 fn bounds(mesh: &Mesh) -> [[f64; 2]; 2] {
@@ -64,7 +64,7 @@ fn bounds(mesh: &Mesh) -> [[f64; 2]; 2] {
 }
 
 /// A triangle of the mesh at one place.
-struct Sample {
+struct MeshSample {
     /// Column and row of the place.
     at: [usize; 2],
     /// Length along the flow and width across it [m].
@@ -82,7 +82,7 @@ fn extent(corners: [[f64; 2]; 3]) -> [f64; 2] {
 }
 
 /// The median extent along an axis of the triangles on each of `number` lines across it; infinite where there are none.
-fn medians(samples: &[Sample], axis: usize, number: usize) -> Vec<f64> {
+fn medians(samples: &[MeshSample], axis: usize, number: usize) -> Vec<f64> {
     let mut extents = vec![Vec::new(); number];
     for sample in samples {
         extents[sample.at[axis]].push(sample.extent[axis]);

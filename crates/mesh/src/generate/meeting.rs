@@ -4,10 +4,10 @@
 //! Straight sides may lie on one line: a pocket begins where a groove ends, or at the edge of an arc. Sides that differ
 //! by rounding are moved onto one line first, so that each point of a common side is one node.
 
-use super::shape::{Feature, Piece, Shape};
-use super::sheet::{Sheet, on_sheet};
+use super::shape::{Feature, OutlinePiece, RoundedRectangle};
+use super::sheet::{LinerRectangle, on_sheet};
 use super::union::SAME;
-use crate::developed::{Liner, shorter_way};
+use crate::developed::{LinerDomain, shorter_way};
 
 /// Straight sides within this part of the radius lie on one line: numbers of seven digits differ by less.
 const ONE_LINE: f64 = 1e-6;
@@ -24,8 +24,8 @@ pub enum Meeting {
 }
 
 /// How two shapes on a liner lie to each other, before their sides are moved onto one line.
-pub fn meeting(liner: &Liner, one: &Shape, other: &Shape) -> Meeting {
-    let sheet = Sheet::of(liner, 0.0);
+pub fn meeting(liner: &LinerDomain, one: &RoundedRectangle, other: &RoundedRectangle) -> Meeting {
+    let sheet = LinerRectangle::of(liner, 0.0);
     let are_sharp = one.corner == 0.0 && other.corner == 0.0;
     let near = if are_sharp { ONE_LINE * liner.radius } else { SAME * sheet.width };
     let [one, other] = [one, other].map(|shape| Feature { name: String::new(), shape: *shape, meshed: false });
@@ -33,7 +33,7 @@ pub fn meeting(liner: &Liner, one: &Shape, other: &Shape) -> Meeting {
 }
 
 /// How two features lie to each other; points nearer than `near` [m] are one.
-pub(super) fn between(sheet: &Sheet, one: &Feature, other: &Feature, near: f64) -> Meeting {
+pub(super) fn between(sheet: &LinerRectangle, one: &Feature, other: &Feature, near: f64) -> Meeting {
     // The bounding boxes of two shapes lie apart along one axis, or they overlap.
     let gap = gaps_between(sheet, &one.shape, &other.shape).map(|[least, _]| least);
     let apart = gap[0].max(gap[1]);
@@ -48,7 +48,7 @@ pub(super) fn between(sheet: &Sheet, one: &Feature, other: &Feature, near: f64) 
 
 /// Gaps [m] between the bounding boxes of two shapes along x and z, negative where they overlap: the lesser one, and on
 /// a ring the one on the other side, infinite where there is none.
-fn gaps_between(sheet: &Sheet, one: &Shape, other: &Shape) -> [[f64; 2]; 2] {
+fn gaps_between(sheet: &LinerRectangle, one: &RoundedRectangle, other: &RoundedRectangle) -> [[f64; 2]; 2] {
     let halves = [0, 1].map(|axis| one.half[axis] + other.half[axis]);
     let between = [0, 1].map(|axis| one.centre[axis] - other.centre[axis]);
     let along = sheet.period().map_or(between[0], |period| shorter_way(between[0], period)).abs();
@@ -59,7 +59,7 @@ fn gaps_between(sheet: &Sheet, one: &Shape, other: &Shape) -> [[f64; 2]; 2] {
 }
 
 /// The narrow land [m] that two touching features leave on the other side of the ring; infinite where there is none.
-pub(super) fn land_around(sheet: &Sheet, one: &Feature, other: &Feature, near: f64) -> f64 {
+pub(super) fn land_around(sheet: &LinerRectangle, one: &Feature, other: &Feature, near: f64) -> f64 {
     let [[_, around], [across, _]] = gaps_between(sheet, &one.shape, &other.shape);
     match across < -near && around.abs() > near {
         true => around,
@@ -68,7 +68,7 @@ pub(super) fn land_around(sheet: &Sheet, one: &Feature, other: &Feature, near: f
 }
 
 /// Distance [m] between the outlines of two features; zero or less where they overlap.
-pub(super) fn distance_between(sheet: &Sheet, a: &Feature, b: &Feature) -> f64 {
+pub(super) fn distance_between(sheet: &LinerRectangle, a: &Feature, b: &Feature) -> f64 {
     let to = |from: &Feature, to: &Feature| {
         outline_points(sheet, from)
             .into_iter()
@@ -77,13 +77,13 @@ pub(super) fn distance_between(sheet: &Sheet, a: &Feature, b: &Feature) -> f64 {
     };
     let near = SAME * sheet.width;
     let outlines = [a, b].map(|feature| on_sheet(sheet, feature));
-    let meet = |piece: &Piece| outlines[1].iter().any(|other| !piece.meets(other, near).is_empty());
+    let meet = |piece: &OutlinePiece| outlines[1].iter().any(|other| !piece.meets(other, near).is_empty());
     let met = if outlines[0].iter().any(meet) { 0.0 } else { f64::INFINITY };
     to(a, b).min(to(b, a)).min(met)
 }
 
 /// Points along the outline of a feature, on its own turn of the ring.
-pub(super) fn outline_points(sheet: &Sheet, feature: &Feature) -> Vec<[f64; 2]> {
+pub(super) fn outline_points(sheet: &LinerRectangle, feature: &Feature) -> Vec<[f64; 2]> {
     const A_PIECE: u32 = 64;
     let pieces = feature.shape.outline(sheet.start, sheet.width);
     pieces.iter().flat_map(|piece| (0..A_PIECE).map(|k| piece.at(f64::from(k) / f64::from(A_PIECE)))).collect()
@@ -91,7 +91,7 @@ pub(super) fn outline_points(sheet: &Sheet, feature: &Feature) -> Vec<[f64; 2]> 
 
 /// Land [m] between a feature and the edges of the liner, negative where it reaches out; on a ring also what it leaves
 /// around.
-pub(super) fn lands(sheet: &Sheet, shape: &Shape) -> Vec<f64> {
+pub(super) fn lands(sheet: &LinerRectangle, shape: &RoundedRectangle) -> Vec<f64> {
     let [x, z] = shape.centre;
     let [along, across] = shape.half;
     let mut lands = vec![0.5 * sheet.length - z - across, 0.5 * sheet.length + z - across];
@@ -106,8 +106,8 @@ pub(super) fn lands(sheet: &Sheet, shape: &Shape) -> Vec<f64> {
 
 /// Moves straight sides that are almost on one line onto it: the edges of the liner, the axial line at `line` [m], and
 /// sides of features without round corners before them.
-pub(super) fn align(features: &mut [Feature], liner: &Liner, line: Option<f64>) {
-    let sheet = Sheet::of(liner, 0.0);
+pub(super) fn align(features: &mut [Feature], liner: &LinerDomain, line: Option<f64>) {
+    let sheet = LinerRectangle::of(liner, 0.0);
     let reach = ONE_LINE * liner.radius;
     let half = 0.5 * sheet.length;
     let edges = if sheet.ring { Vec::new() } else { vec![sheet.start, sheet.end()] };

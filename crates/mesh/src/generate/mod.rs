@@ -21,17 +21,17 @@ mod union;
 pub use drawing::{Blueprint, DrawingError};
 pub use like::generate_in_rows_like;
 pub use meeting::{Meeting, meeting};
-pub use rows::{Rows, Sense};
-pub use shape::{Feature, Shape};
+pub use rows::{RowLengths, Sense};
+pub use shape::{Feature, RoundedRectangle};
 pub use size::Grading;
 
 use assemble::raw_mesh;
 use drawing::{faults, gaps, placed, seam_place};
 use outline::Cutting;
-use rows::Grid;
-use sheet::Sheet;
+use rows::RowGrid;
+use sheet::LinerRectangle;
 use size::SizeField;
-use triangulate::{Domain, triangulate};
+use triangulate::{FilledDomain, triangulate};
 use union::{junctions, parts};
 
 use crate::Mesh;
@@ -80,26 +80,26 @@ fn in_domain<T>(
     blueprint: &Blueprint,
     size: &dyn Fn([f64; 2]) -> f64,
     grading: Grading,
-    made: impl FnOnce(&Domain) -> Result<T, Vec<DrawingError>>,
+    made: impl FnOnce(&FilledDomain) -> Result<T, Vec<DrawingError>>,
 ) -> Result<T, Vec<DrawingError>> {
     let blueprint = &checked(blueprint)?;
-    let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
+    let sheet = LinerRectangle::of(&blueprint.liner, seam_place(blueprint));
     let gaps = gaps(blueprint, &sheet);
     let widest = widest(&sheet);
     let size = &|point: [f64; 2]| size(point).min(widest);
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
     let field = SizeField::new(size, grading, sheet.period(), (&blueprint.features, &gaps), &corners);
-    made(&Domain { sheet, features: &blueprint.features, size: &field })
+    made(&FilledDomain { sheet, features: &blueprint.features, size: &field })
 }
 
 /// Meshes a liner in rows along the flow, as far apart as `rows` says; features refine it further.
 ///
 /// # Errors
 /// Every fault of the drawing, or that it cannot be meshed at this size.
-pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<DrawingError>> {
+pub fn generate_in_rows(blueprint: &Blueprint, rows: &RowLengths) -> Result<Mesh, Vec<DrawingError>> {
     in_rows(blueprint, rows, |domain, rows| {
         check_size(domain, Some(rows))?;
-        let grid = Grid::new(&domain.sheet, domain.features, rows, &|point| domain.size.near_features(point));
+        let grid = RowGrid::new(&domain.sheet, domain.features, rows, &|point| domain.size.near_features(point));
         meshed(domain, Some(&grid))
     })
 }
@@ -108,29 +108,29 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
 ///
 /// # Errors
 /// Every fault of the drawing.
-pub fn triangles_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<f64, Vec<DrawingError>> {
+pub fn triangles_in_rows(blueprint: &Blueprint, rows: &RowLengths) -> Result<f64, Vec<DrawingError>> {
     in_rows(blueprint, rows, |domain, rows| Ok(count(domain, Some(rows))?.triangles))
 }
 
 fn in_rows<T>(
     blueprint: &Blueprint,
-    rows: &Rows,
-    made: impl FnOnce(&Domain, &Rows) -> Result<T, Vec<DrawingError>>,
+    rows: &RowLengths,
+    made: impl FnOnce(&FilledDomain, &RowLengths) -> Result<T, Vec<DrawingError>>,
 ) -> Result<T, Vec<DrawingError>> {
     let blueprint = &checked(blueprint)?;
-    let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
+    let sheet = LinerRectangle::of(&blueprint.liner, seam_place(blueprint));
     let gaps = gaps(blueprint, &sheet);
     let widest = widest(&sheet);
     let along = |x: f64| (rows.along)(x).min(widest);
     let across = |z: f64| (rows.across)(z).min(widest);
-    let rows = Rows { along: &along, across: &across, sense: rows.sense, grading: rows.grading };
+    let rows = RowLengths { along: &along, across: &across, sense: rows.sense, grading: rows.grading };
     let size = |point: [f64; 2]| rows.size(point);
     // Grooves all around have rows along their edges, which have no corner: triangles become smaller towards all else.
     let (others, gaps): (Vec<Feature>, Vec<f64>) =
         (blueprint.features.iter().cloned().zip(gaps)).filter(|(feature, _)| !feature.shape.is_full_turn()).unzip();
     let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
     let field = SizeField::new(&size, rows.grading, sheet.period(), (&others, &gaps), &corners);
-    made(&Domain { sheet, features: &blueprint.features, size: &field }, &rows)
+    made(&FilledDomain { sheet, features: &blueprint.features, size: &field }, &rows)
 }
 
 /// The drawing with its features on the sheet, if nothing is wrong with it.
@@ -144,12 +144,12 @@ fn checked(blueprint: &Blueprint) -> Result<Blueprint, Vec<DrawingError>> {
 }
 
 /// Longest edges [m]: two at least across the liner, and four along a short arc.
-fn widest(sheet: &Sheet) -> f64 {
+fn widest(sheet: &LinerRectangle) -> f64 {
     (0.5 * sheet.length).min(0.25 * sheet.width)
 }
 
 /// The mesh of a domain, with the nodes of a grid, if there is one.
-fn meshed(domain: &Domain, grid: Option<&Grid>) -> Result<Mesh, Vec<DrawingError>> {
+fn meshed(domain: &FilledDomain, grid: Option<&RowGrid>) -> Result<Mesh, Vec<DrawingError>> {
     let cutting = Cutting { size: domain.size, grid };
     let outline = outline::outline(&domain.sheet, domain.features, &cutting);
     let nodes = grid.map(|grid| grid.inner_nodes(domain)).unwrap_or_default();
@@ -172,10 +172,10 @@ struct Count {
 }
 
 /// Counts the triangles that the wanted sizes make, which must be sizes.
-fn count(domain: &Domain, rows: Option<&Rows>) -> Result<Count, Vec<DrawingError>> {
+fn count(domain: &FilledDomain, rows: Option<&RowLengths>) -> Result<Count, Vec<DrawingError>> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
-    let Domain { sheet, features, size: field } = domain;
+    let FilledDomain { sheet, features, size: field } = domain;
     let (mut triangles, mut least) = (0.0, f64::INFINITY);
     for k in 0..ALONG * ACROSS {
         let x = sheet.start + sheet.width * (f64::from(k / ACROSS) + 0.5) / f64::from(ALONG);
@@ -204,7 +204,7 @@ fn count(domain: &Domain, rows: Option<&Rows>) -> Result<Count, Vec<DrawingError
 }
 
 /// The wanted sizes must make no more triangles than a machine can hold.
-fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingError>> {
+fn check_size(domain: &FilledDomain, rows: Option<&RowLengths>) -> Result<(), Vec<DrawingError>> {
     let Count { triangles, least } = count(domain, rows)?;
     if triangles <= MOST_TRIANGLES {
         return Ok(());
@@ -219,24 +219,24 @@ fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingErr
 mod tests {
     use super::*;
     use crate::Quality;
-    use crate::developed::Liner;
+    use crate::developed::LinerDomain;
     use std::f64::consts::{PI, TAU};
 
     pub(super) fn ring(features: Vec<Feature>) -> Blueprint {
-        let liner = Liner { radius: 0.0375, length: 0.075, arc: None };
+        let liner = LinerDomain { radius: 0.0375, length: 0.075, arc: None };
         Blueprint { liner, features, line: None }
     }
 
     fn hole(name: &str, angle: f64, z: f64, radius: f64) -> Feature {
-        let shape = Shape::disc([0.0375 * angle.to_radians(), z], radius);
+        let shape = RoundedRectangle::disc([0.0375 * angle.to_radians(), z], radius);
         Feature { name: name.to_owned(), shape, meshed: false }
     }
 
     #[test]
     fn plain_ring_and_ring_with_features() {
-        let groove = Shape { centre: [0.0375 * 5.2, 0.0], half: [0.006, 0.028], corner: 0.0 };
+        let groove = RoundedRectangle { centre: [0.0375 * 5.2, 0.0], half: [0.006, 0.028], corner: 0.0 };
         let groove = Feature { name: "groove".into(), shape: groove, meshed: false };
-        let turn = Shape { centre: [0.0, 0.02], half: [f64::INFINITY, 0.003], corner: 0.0 };
+        let turn = RoundedRectangle { centre: [0.0, 0.02], half: [f64::INFINITY, 0.003], corner: 0.0 };
         let turn = Feature { name: "turn".into(), shape: turn, meshed: true };
         let cases = [
             vec![],
@@ -269,8 +269,8 @@ mod tests {
 
     #[test]
     fn the_drawing_of_a_mesh_is_found_again() {
-        let groove = Shape { centre: [0.0375 * 5.7, 0.0], half: [0.006, 0.028], corner: 0.0 };
-        let band = Shape { centre: [0.0, 0.02], half: [f64::INFINITY, 0.003], corner: 0.0 };
+        let groove = RoundedRectangle { centre: [0.0375 * 5.7, 0.0], half: [0.006, 0.028], corner: 0.0 };
+        let band = RoundedRectangle { centre: [0.0, 0.02], half: [f64::INFINITY, 0.003], corner: 0.0 };
         let meshed = |name: &str, shape| Feature { name: name.into(), shape, meshed: true };
         let drawings = [
             vec![hole("a", 2.0, 0.015, 0.005), meshed("groove", groove)],

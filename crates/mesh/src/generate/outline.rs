@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::rows::Grid;
-use super::shape::{Feature, Piece};
-use super::sheet::{Sheet, on_sheet};
+use super::rows::RowGrid;
+use super::shape::{Feature, OutlinePiece};
+use super::sheet::{LinerRectangle, on_sheet};
 use super::size::SizeField;
-use super::union::{Part, parts};
+use super::union::{OutlinePart, parts};
 use crate::Circle;
 
 /// An arc has at least this many edges a turn.
@@ -78,24 +78,24 @@ impl Collector {
 pub(super) struct Cutting<'a> {
     pub(super) size: &'a SizeField<'a>,
     /// The grid whose rows and columns end at the outlines, if there is one.
-    pub(super) grid: Option<&'a Grid>,
+    pub(super) grid: Option<&'a RowGrid>,
 }
 
 impl Cutting<'_> {
     /// Points along a line around the bearing.
-    fn around(&self, line: &Piece) -> Vec<[f64; 2]> {
+    fn around(&self, line: &OutlinePiece) -> Vec<[f64; 2]> {
         let places = self.grid.map(|grid| grid.on_line(0, line.at(0.0)[1]));
         self.line(line, 0, places)
     }
 
     /// Points along a line from end to end.
-    fn axial(&self, line: &Piece) -> Vec<[f64; 2]> {
+    fn axial(&self, line: &OutlinePiece) -> Vec<[f64; 2]> {
         let places = self.grid.map(|grid| grid.on_line(1, line.at(0.0)[0]));
         self.line(line, 1, places)
     }
 
     /// Points along a line: of the wanted distance, or the nodes of the grid.
-    fn line(&self, line: &Piece, axis: usize, places: Option<Vec<f64>>) -> Vec<[f64; 2]> {
+    fn line(&self, line: &OutlinePiece, axis: usize, places: Option<Vec<f64>>) -> Vec<[f64; 2]> {
         let Some(places) = places else {
             return cut(line, &|point| self.size.at(point));
         };
@@ -113,7 +113,7 @@ impl Cutting<'_> {
 }
 
 /// Cuts all outlines into edges of the wanted size.
-pub(super) fn outline(sheet: &Sheet, features: &[Feature], cutting: &Cutting) -> Outline {
+pub(super) fn outline(sheet: &LinerRectangle, features: &[Feature], cutting: &Cutting) -> Outline {
     let mut collector = Collector {
         outline: Outline::default(),
         cell: SAME * sheet.width.max(sheet.length) * 10.0,
@@ -138,8 +138,8 @@ pub(super) fn outline(sheet: &Sheet, features: &[Feature], cutting: &Cutting) ->
     for (index, piece) in &rims {
         let feature = &features[*index];
         let circle = match piece {
-            Piece::Arc(circle, ..) => Some(*circle),
-            Piece::Line(..) => None,
+            OutlinePiece::Arc(circle, ..) => Some(*circle),
+            OutlinePiece::Line(..) => None,
         };
         let group = (!feature.meshed).then_some(feature.name.as_str());
         collector.chain(&cut(piece, &|point| cutting.size.at(point)), group, circle);
@@ -148,7 +148,13 @@ pub(super) fn outline(sheet: &Sheet, features: &[Feature], cutting: &Cutting) ->
 }
 
 /// The two sides of the sheet: edges of an arc, or a seam with the same points on both sides.
-fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces: &[Part], cutting: &Cutting) {
+fn sides(
+    collector: &mut Collector,
+    sheet: &LinerRectangle,
+    features: &[Feature],
+    pieces: &[OutlinePart],
+    cutting: &Cutting,
+) {
     let (low, high) = (-0.5 * sheet.length, 0.5 * sheet.length);
     if !sheet.ring {
         for (x, group) in [(sheet.start, "arc_from"), (sheet.end(), "arc_to")] {
@@ -173,7 +179,12 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
 }
 
 /// A side of the sheet along an axis, cut where outlines meet it, without what runs through a cut-out.
-fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64; 2]; 2]) -> Vec<Piece> {
+fn free(
+    sheet: &LinerRectangle,
+    features: &[Feature],
+    pieces: &[OutlinePart],
+    [from, to]: [[f64; 2]; 2],
+) -> Vec<OutlinePiece> {
     let near = SAME * sheet.width;
     let axis = usize::from(from[0] == to[0]);
     let is_on = |point: &[f64; 2], line: f64| (point[1 - axis] - line).abs() < near;
@@ -201,14 +212,14 @@ fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64;
         features.iter().any(holds)
     };
     let between = places.windows(2).filter(|pair| !removed(at(0.5 * (pair[0] + pair[1]))));
-    between.map(|pair| Piece::Line(at(pair[0]), at(pair[1]))).collect()
+    between.map(|pair| OutlinePiece::Line(at(pair[0]), at(pair[1]))).collect()
 }
 
 /// Points along a piece whose distances follow the wanted size, both ends included.
-pub(super) fn cut(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
+pub(super) fn cut(piece: &OutlinePiece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
     let least = match piece {
-        Piece::Line(..) => 1.0,
-        Piece::Arc(_, from, to) => ((to - from) / (std::f64::consts::TAU / EDGES_A_TURN) - 1e-9).ceil().max(1.0),
+        OutlinePiece::Line(..) => 1.0,
+        OutlinePiece::Arc(_, from, to) => ((to - from) / (std::f64::consts::TAU / EDGES_A_TURN) - 1e-9).ceil().max(1.0),
     };
     let count = counted(piece, size);
     let samples = count.len() - 1;
@@ -229,7 +240,7 @@ pub(super) fn cut(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<[f64; 2]
 }
 
 /// Edges of the wanted size up to each of a number of samples along a piece: the integral of ds / size.
-fn counted(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<f64> {
+fn counted(piece: &OutlinePiece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<f64> {
     const MOST: usize = 1 << 20;
     let length = piece.length();
     let mut samples = 64usize;
@@ -248,7 +259,7 @@ fn counted(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<f64> {
 }
 
 /// Edges along the rim of a feature.
-pub(super) fn edges_along(sheet: &Sheet, feature: &Feature, size: &SizeField) -> f64 {
+pub(super) fn edges_along(sheet: &LinerRectangle, feature: &Feature, size: &SizeField) -> f64 {
     let pieces = on_sheet(sheet, feature);
     pieces.iter().filter_map(|piece| counted(piece, &|point| size.at(point)).last().copied()).sum()
 }

@@ -2,8 +2,8 @@
 //!
 //! Round rims are known by their circles; a rim of straight edges along the axes is a rectangle.
 
-use super::{Blueprint, DrawingError, Feature, Shape};
-use crate::developed::{Liner, shorter_way};
+use super::{Blueprint, DrawingError, Feature, RoundedRectangle};
+use crate::developed::{LinerDomain, shorter_way};
 use crate::topology::NO_TRIANGLE;
 use crate::{Mesh, Region};
 
@@ -15,7 +15,7 @@ impl Blueprint {
     ///
     /// # Errors
     /// Every region that is neither a disc, a rectangle along the axes, nor a band all around.
-    pub fn of_mesh(mesh: &Mesh, liner: Liner, names: &[&str]) -> Result<Self, Vec<DrawingError>> {
+    pub fn of_mesh(mesh: &Mesh, liner: LinerDomain, names: &[&str]) -> Result<Self, Vec<DrawingError>> {
         let mut features = Vec::new();
         let mut faults = Vec::new();
         for &name in names {
@@ -42,7 +42,7 @@ fn rim(mesh: &Mesh, region: &Region) -> Vec<u32> {
 }
 
 /// The shape of a region of a liner of this length [m].
-fn shape_of(mesh: &Mesh, region: &Region, length: f64) -> Option<Shape> {
+fn shape_of(mesh: &Mesh, region: &Region, length: f64) -> Option<RoundedRectangle> {
     let rim = rim(mesh, region);
     let first = *rim.first()?;
     if let Some(circle) = mesh.circle(first) {
@@ -54,14 +54,14 @@ fn shape_of(mesh: &Mesh, region: &Region, length: f64) -> Option<Shape> {
                 off.max((other.radius - circle.radius).abs()) < ON_LINE * circle.radius
             })
         };
-        return rim.iter().all(same).then(|| Shape::disc(circle.centre, circle.radius));
+        return rim.iter().all(same).then(|| RoundedRectangle::disc(circle.centre, circle.radius));
     }
     rectangle(mesh, &rim, region.cells.is_empty().then_some(length))
 }
 
 /// The rectangle or band that edges along the axes bound. The rim of one that is cut out has no edges on the ends of a
 /// liner, whose length [m] is given for it.
-fn rectangle(mesh: &Mesh, rim: &[u32], cut_out_of: Option<f64>) -> Option<Shape> {
+fn rectangle(mesh: &Mesh, rim: &[u32], cut_out_of: Option<f64>) -> Option<RoundedRectangle> {
     let origin = mesh.edge_nodes(*rim.first()?)[0];
     // Corners of every edge near the first one: the shorter way around.
     let near = |edge: &u32| {
@@ -93,13 +93,13 @@ fn rectangle(mesh: &Mesh, rim: &[u32], cut_out_of: Option<f64>) -> Option<Shape>
     let centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
     if straight && horizontal.count() == edges.len() {
         let turn = mesh.period()?;
-        let band = Shape { centre, half: [f64::INFINITY, half[1]], corner: 0.0 };
+        let band = RoundedRectangle { centre, half: [f64::INFINITY, half[1]], corner: 0.0 };
         return ((length - 2.0 * turn).abs() < 1e-6 * turn).then_some(band);
     }
     let on_sides = edges.iter().all(|edge| along(0, edge) || along(1, edge));
     let is_open = |z: &f64| cut_out_of.is_some_and(|length| at(z.abs(), 0.5 * length));
     let closed = 2 - [low[1], high[1]].iter().filter(|z| is_open(z)).count();
-    (straight && on_sides && at(length, closed as f64 * (high[0] - low[0]))).then_some(Shape {
+    (straight && on_sides && at(length, closed as f64 * (high[0] - low[0]))).then_some(RoundedRectangle {
         centre,
         half,
         corner: 0.0,

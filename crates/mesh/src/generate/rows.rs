@@ -8,10 +8,10 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::outline::cut;
-use super::shape::{Feature, Piece};
-use super::sheet::Sheet;
+use super::shape::{Feature, OutlinePiece};
+use super::sheet::LinerRectangle;
 use super::size::Grading;
-use super::triangulate::{Domain, Triangles};
+use super::triangulate::{FilledDomain, Triangles};
 
 /// Stops that differ by less than this part of half of the length are one.
 const SAME: f64 = 1e-9;
@@ -32,7 +32,7 @@ const DEEPEST: u32 = 20;
 const UNITS: i64 = 1 << DEEPEST;
 
 /// Edge lengths of a mesh in rows.
-pub struct Rows<'a> {
+pub struct RowLengths<'a> {
     /// Distance [m] of the columns at x.
     pub along: &'a dyn Fn(f64) -> f64,
     /// Distance [m] of the rows at z.
@@ -62,7 +62,7 @@ impl Sense {
     }
 }
 
-impl Rows<'_> {
+impl RowLengths<'_> {
     /// The shorter edge of the grid [m] at a point.
     pub(super) fn size(&self, [x, z]: [f64; 2]) -> f64 {
         (self.along)(x).min((self.across)(z))
@@ -70,20 +70,25 @@ impl Rows<'_> {
 }
 
 /// Places of nodes: columns and rows times [`UNITS`].
-type Place = [i64; 2];
+type NodePlace = [i64; 2];
 
 /// Columns and rows of a sheet, its edges among them, and the nodes of their cells and of what these are halved to.
 #[derive(Debug)]
-pub(super) struct Grid {
+pub(super) struct RowGrid {
     columns: Vec<f64>,
     rows: Vec<f64>,
-    nodes: BTreeSet<Place>,
+    nodes: BTreeSet<NodePlace>,
     sense: Sense,
 }
 
-impl Grid {
+impl RowGrid {
     /// The grid of a sheet; `wanted` is the edge length [m] that features want at a point.
-    pub(super) fn new(sheet: &Sheet, features: &[Feature], rows: &Rows, wanted: &dyn Fn([f64; 2]) -> f64) -> Self {
+    pub(super) fn new(
+        sheet: &LinerRectangle,
+        features: &[Feature],
+        rows: &RowLengths,
+        wanted: &dyn Fn([f64; 2]) -> f64,
+    ) -> Self {
         let half = 0.5 * sheet.length;
         let mut grid = Self {
             columns: filled(&[sheet.start, sheet.end()], 0, rows.along),
@@ -107,9 +112,9 @@ impl Grid {
     }
 
     /// The nodes inside the film of `domain`, which leave room for the outlines.
-    pub(super) fn inner_nodes(&self, domain: &Domain) -> Vec<[f64; 2]> {
+    pub(super) fn inner_nodes(&self, domain: &FilledDomain) -> Vec<[f64; 2]> {
         let last = [self.columns.len() - 1, self.rows.len() - 1].map(|last| last as i64 * UNITS);
-        let inside = |place: &&Place| (0..2).all(|k| place[k] > 0 && place[k] < last[k]);
+        let inside = |place: &&NodePlace| (0..2).all(|k| place[k] > 0 && place[k] < last[k]);
         let positions = self.nodes.iter().filter(inside).map(|&place| self.position(place));
         positions.filter(|&point| domain.margin(point) > APART * domain.size.at(point)).collect()
     }
@@ -120,7 +125,7 @@ impl Grid {
     pub(super) fn turn_diagonals(&self, filled: &mut Triangles) {
         let Triangles { points, triangles } = filled;
         let key = |point: [f64; 2]| point.map(f64::to_bits);
-        let places: HashMap<[u64; 2], Place> =
+        let places: HashMap<[u64; 2], NodePlace> =
             (self.nodes.iter()).map(|&place| (key(self.position(place)), place)).collect();
         // An odd number of columns has no middle between two of them.
         let is_odd = self.columns.len().is_multiple_of(2);
@@ -151,7 +156,7 @@ impl Grid {
         }
     }
 
-    fn position(&self, place: Place) -> [f64; 2] {
+    fn position(&self, place: NodePlace) -> [f64; 2] {
         let on = |places: &[f64], place: i64| {
             let (cell, part) = ((place / UNITS) as usize, (place % UNITS) as f64 / UNITS as f64);
             match places.get(cell + 1) {
@@ -163,9 +168,9 @@ impl Grid {
     }
 
     /// Cells whose edges are as short as wanted; their corners become nodes.
-    fn halved(&mut self, wanted: &dyn Fn([f64; 2]) -> f64) -> Vec<[Place; 2]> {
-        let mut cells: Vec<[Place; 2]> = Vec::new();
-        let mut tasks: Vec<[Place; 2]> = Vec::new();
+    fn halved(&mut self, wanted: &dyn Fn([f64; 2]) -> f64) -> Vec<[NodePlace; 2]> {
+        let mut cells: Vec<[NodePlace; 2]> = Vec::new();
+        let mut tasks: Vec<[NodePlace; 2]> = Vec::new();
         for i in 0..self.columns.len() as i64 - 1 {
             for j in 0..self.rows.len() as i64 - 1 {
                 tasks.push([[i * UNITS, j * UNITS], [(i + 1) * UNITS, (j + 1) * UNITS]]);
@@ -187,11 +192,11 @@ impl Grid {
     }
 
     /// Halves long cells with a node amid a long side, and makes the two sides of a ring alike. True if there were any.
-    fn halve_long_cells(&mut self, cells: &mut Vec<[Place; 2]>, is_ring: bool) -> bool {
+    fn halve_long_cells(&mut self, cells: &mut Vec<[NodePlace; 2]>, is_ring: bool) -> bool {
         let before = self.nodes.len();
         let last = (self.columns.len() - 1) as i64 * UNITS;
         if is_ring {
-            let on_sides: Vec<Place> = (self.nodes.iter()).filter(|place| place[0] % last == 0).copied().collect();
+            let on_sides: Vec<NodePlace> = (self.nodes.iter()).filter(|place| place[0] % last == 0).copied().collect();
             for [side, level] in on_sides {
                 self.nodes.insert([last - side, level]);
             }
@@ -229,14 +234,14 @@ fn right_angle(corners: [[f64; 2]; 3]) -> Option<usize> {
     })
 }
 
-fn corners_of([low, high]: [Place; 2]) -> [Place; 4] {
+fn corners_of([low, high]: [NodePlace; 2]) -> [NodePlace; 4] {
     [low, [high[0], low[1]], high, [low[0], high[1]]]
 }
 
 /// Cells halved along and across the flow, or not.
-fn halves(cells: Vec<[Place; 2]>, split: [bool; 2]) -> Vec<[Place; 2]> {
+fn halves(cells: Vec<[NodePlace; 2]>, split: [bool; 2]) -> Vec<[NodePlace; 2]> {
     (0..2).filter(|&k| split[k]).fold(cells, |cells, k| {
-        let halve = |[low, high]: [Place; 2]| {
+        let halve = |[low, high]: [NodePlace; 2]| {
             let (mut middle_high, mut middle_low) = (high, low);
             let middle = (low[k] + high[k]) / 2;
             (middle_high[k], middle_low[k]) = (middle, middle);
@@ -247,7 +252,7 @@ fn halves(cells: Vec<[Place; 2]>, split: [bool; 2]) -> Vec<[Place; 2]> {
 }
 
 /// Rows that must be there: the ends and the edges of grooves along the flow.
-fn stops(half: f64, features: &[Feature], rows: &Rows) -> Vec<f64> {
+fn stops(half: f64, features: &[Feature], rows: &RowLengths) -> Vec<f64> {
     let mut stops = vec![-half, half];
     let (all_around, others): (Vec<_>, Vec<_>) =
         (features.iter().filter(|feature| !feature.shape.is_disc())).partition(|feature| feature.shape.is_full_turn());
@@ -277,7 +282,7 @@ fn filled(stops: &[f64], axis: usize, spacing: &dyn Fn(f64) -> f64) -> Vec<f64> 
     };
     let mut places = vec![stops[0]];
     for pair in stops.windows(2) {
-        let piece = Piece::Line(on_axis(pair[0]), on_axis(pair[1]));
+        let piece = OutlinePiece::Line(on_axis(pair[0]), on_axis(pair[1]));
         let widest = (pair[1] - pair[0]) / FEWEST;
         let points = cut(&piece, &|point| spacing(point[axis]).min(widest));
         places.extend(points[1..].iter().map(|point| point[axis]));

@@ -15,14 +15,14 @@ pub struct Feature {
     /// Name of the region in the mesh.
     pub name: String,
     /// Shape of the feature.
-    pub shape: Shape,
+    pub shape: RoundedRectangle,
     /// True if its inside is meshed (a surface region), false if it is cut out (a curve region).
     pub meshed: bool,
 }
 
 /// A rectangle with round corners; lengths in m on the developed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shape {
+pub struct RoundedRectangle {
     /// Centre `(x = R phi, z)`.
     pub centre: [f64; 2],
     /// Half the extent along `x` and `z`; infinite along `x` for a groove all around.
@@ -33,14 +33,14 @@ pub struct Shape {
 
 /// A piece of an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Piece {
+pub(super) enum OutlinePiece {
     /// A straight line.
     Line([f64; 2], [f64; 2]),
     /// An arc of a circle, from one angle to another [rad], counter-clockwise.
     Arc(Circle, f64, f64),
 }
 
-impl Shape {
+impl RoundedRectangle {
     /// A round hole.
     pub fn disc(centre: [f64; 2], radius: f64) -> Self {
         Self { centre, half: [radius, radius], corner: radius }
@@ -113,11 +113,11 @@ impl Shape {
     }
 
     /// The outline, counter-clockwise; of a groove all around the two lines from `start` over one turn.
-    pub(super) fn outline(&self, start: f64, turn: f64) -> Vec<Piece> {
+    pub(super) fn outline(&self, start: f64, turn: f64) -> Vec<OutlinePiece> {
         let [x, z] = self.centre;
         let [a, b] = self.half;
         if self.is_full_turn() {
-            let line = |z: f64| Piece::Line([start, z], [start + turn, z]);
+            let line = |z: f64| OutlinePiece::Line([start, z], [start + turn, z]);
             return vec![line(z - b), line(z + b)];
         }
         let (inner_a, inner_b) = (a - self.corner, b - self.corner);
@@ -129,7 +129,7 @@ impl Shape {
             let from = FRAC_PI_2 * (f64::from(quarter) - 1.0);
             if self.corner > 0.0 {
                 let circle = Circle { centre, radius: self.corner };
-                pieces.push(Piece::Arc(circle, from, from + FRAC_PI_2));
+                pieces.push(OutlinePiece::Arc(circle, from, from + FRAC_PI_2));
             }
             let (next_sx, next_sz) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][usize::from(quarter)];
             let next = [x + next_sx * inner_a, z + next_sz * inner_b];
@@ -137,14 +137,14 @@ impl Shape {
             let out = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][usize::from(quarter)];
             let side = [centre, next].map(|p| [p[0] + self.corner * out[0], p[1] + self.corner * out[1]]);
             if (side[1][0] - side[0][0]).hypot(side[1][1] - side[0][1]) > 1e-12 * (a + b) {
-                pieces.push(Piece::Line(side[0], side[1]));
+                pieces.push(OutlinePiece::Line(side[0], side[1]));
             }
         }
         pieces
     }
 }
 
-impl Piece {
+impl OutlinePiece {
     /// Length [m].
     pub(super) fn length(&self) -> f64 {
         match self {
@@ -286,7 +286,7 @@ fn lines_meet([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
 
 /// The points in which a line meets a circle; one where it comes as near as `near` [m] to touching it.
 fn line_meets_circle([a, b]: [[f64; 2]; 2], circle: &Circle, near: f64) -> Vec<[f64; 2]> {
-    let ([u, v], arm) = (Piece::Line(a, b).direction(0.0), [0, 1].map(|d| circle.centre[d] - a[d]));
+    let ([u, v], arm) = (OutlinePiece::Line(a, b).direction(0.0), [0, 1].map(|d| circle.centre[d] - a[d]));
     let (along, off) = (arm[0] * u + arm[1] * v, arm[0] * v - arm[1] * u);
     let half_chord = half_chord(circle.radius, off, near);
     let at = |s: f64| [a[0] + s * u, a[1] + s * v];
@@ -323,10 +323,10 @@ mod tests {
     #[test]
     fn outline_lies_at_distance_zero_and_closes() {
         let shapes = [
-            Shape::disc([0.3, 0.1], 0.05),
-            Shape { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.0 },
-            Shape { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.02 },
-            Shape { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.04 },
+            RoundedRectangle::disc([0.3, 0.1], 0.05),
+            RoundedRectangle { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.0 },
+            RoundedRectangle { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.02 },
+            RoundedRectangle { centre: [0.3, 0.1], half: [0.1, 0.04], corner: 0.04 },
         ];
         for shape in shapes {
             let pieces = shape.outline(0.0, 1.0);
@@ -346,10 +346,10 @@ mod tests {
 
     #[test]
     fn a_circle_is_cut_twice() {
-        let pieces = Shape::disc([0.3, 0.1], 0.05).outline(0.0, 1.0);
-        let parts: Vec<Piece> = pieces.iter().flat_map(|piece| piece.split_at(0.32)).collect();
+        let pieces = RoundedRectangle::disc([0.3, 0.1], 0.05).outline(0.0, 1.0);
+        let parts: Vec<OutlinePiece> = pieces.iter().flat_map(|piece| piece.split_at(0.32)).collect();
         assert_eq!(parts.len(), 6);
-        let length: f64 = parts.iter().map(Piece::length).sum();
+        let length: f64 = parts.iter().map(OutlinePiece::length).sum();
         assert!((length - TAU * 0.05).abs() < 1e-15);
     }
 }

@@ -1,22 +1,22 @@
 //! The rectangle that is triangulated, and the outlines of features laid on it.
 
-use super::shape::{Feature, Piece};
-use crate::developed::Liner;
+use super::shape::{Feature, OutlinePiece};
+use crate::developed::LinerDomain;
 
 /// Coordinates that differ by less than this part of the length are one.
 const SAME: f64 = 1e-9;
 
 /// The rectangle that is triangulated.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sheet {
+pub(super) struct LinerRectangle {
     pub(super) start: f64,
     pub(super) width: f64,
     pub(super) length: f64,
     pub(super) ring: bool,
 }
 
-impl Sheet {
-    pub(super) fn of(liner: &Liner, start: f64) -> Self {
+impl LinerRectangle {
+    pub(super) fn of(liner: &LinerDomain, start: f64) -> Self {
         match liner.arc {
             Some((from, to)) => Self {
                 start: liner.radius * from,
@@ -38,7 +38,7 @@ impl Sheet {
 
     /// Whether a piece of the outline of a feature lies on an edge of the sheet: on an end or, on an arc, on one of its
     /// edges. A meshed feature may also begin or end at the seam of a ring, which is a line of edges.
-    fn has_on_edge(&self, piece: &Piece, meshed: bool) -> bool {
+    fn has_on_edge(&self, piece: &OutlinePiece, meshed: bool) -> bool {
         let (near, half) = (SAME * self.length, 0.5 * self.length);
         let points = [0.0, 0.5, 1.0].map(|s| piece.at(s));
         let is_on = |axis: usize, line: f64| points.iter().all(|point| (point[axis] - line).abs() < near);
@@ -54,9 +54,9 @@ impl Sheet {
 }
 
 /// The outline of a feature laid on the sheet: on a ring cut at its sides.
-pub(super) fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
+pub(super) fn on_sheet(sheet: &LinerRectangle, feature: &Feature) -> Vec<OutlinePiece> {
     let pieces = feature.shape.outline(sheet.start, sheet.width);
-    let is_inside = |piece: &Piece| !sheet.has_on_edge(piece, feature.meshed);
+    let is_inside = |piece: &OutlinePiece| !sheet.has_on_edge(piece, feature.meshed);
     if !sheet.ring || feature.shape.is_full_turn() {
         return pieces.into_iter().filter(is_inside).collect();
     }

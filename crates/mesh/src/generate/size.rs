@@ -1,6 +1,6 @@
 //! How large triangles should be: a base size, finer towards features and sharp corners.
 
-use super::shape::{Feature, Shape};
+use super::shape::{Feature, RoundedRectangle};
 use super::union::Junction;
 
 /// How edges grow from the rims of features towards the edges far from them.
@@ -114,7 +114,7 @@ impl<'a> SizeField<'a> {
 
 /// Corners of a shape, sharp or round, and straight sides that are shorter than their neighbours; `wide` [m] is its
 /// lesser half extent, or the size far from it.
-fn spots_of(shape: &Shape, wide: f64, grading: Grading) -> Vec<Spot> {
+fn spots_of(shape: &RoundedRectangle, wide: f64, grading: Grading) -> Vec<Spot> {
     let sharp =
         shape.sharp_corners().into_iter().map(|centre| Spot { centre, radius: 0.0, size: wide / grading.per_corner });
     let round = shape.round_corners().into_iter().map(|centre| Spot {

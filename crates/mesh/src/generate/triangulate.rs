@@ -9,7 +9,7 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, T
 
 use super::outline::Outline;
 use super::shape::Feature;
-use super::sheet::Sheet;
+use super::sheet::LinerRectangle;
 use super::size::SizeField;
 use crate::numbering::hilbert_order;
 use crate::raw::doubled_area;
@@ -42,13 +42,13 @@ pub(super) struct Triangles {
 }
 
 /// What is filled.
-pub(super) struct Domain<'a> {
-    pub(super) sheet: Sheet,
+pub(super) struct FilledDomain<'a> {
+    pub(super) sheet: LinerRectangle,
     pub(super) features: &'a [Feature],
     pub(super) size: &'a SizeField<'a>,
 }
 
-impl Domain<'_> {
+impl FilledDomain<'_> {
     /// Distance [m] from all outlines, negative outside of the film.
     pub(super) fn margin(&self, point: [f64; 2]) -> f64 {
         let mut margin = self.sheet.margin(point);
@@ -77,14 +77,14 @@ impl Domain<'_> {
 
 /// The points of a triangulation that belong to a grid.
 #[derive(Debug, Clone, Copy)]
-struct Grid {
+struct GridPoints {
     /// Points on rims; all other points before `end` are the grid's.
     rims: [usize; 2],
     /// The first point that may move.
     end: usize,
 }
 
-impl Grid {
+impl GridPoints {
     fn new(outline: &Outline, nodes: &[[f64; 2]]) -> Self {
         let end = outline.points.len() + nodes.len();
         let rims = match nodes.is_empty() {
@@ -106,10 +106,10 @@ fn centroid(corners: [[f64; 2]; 3]) -> [f64; 2] {
 }
 
 /// Triangulates `domain` inside `outline` with the `nodes` of a grid, which stay; none if an outline crosses itself.
-pub(super) fn triangulate(domain: &Domain, outline: &Outline, nodes: &[[f64; 2]]) -> Option<Triangles> {
+pub(super) fn triangulate(domain: &FilledDomain, outline: &Outline, nodes: &[[f64; 2]]) -> Option<Triangles> {
     let edges: Vec<[usize; 2]> = outline.edges.iter().map(|edge| edge.ends.map(|end| end as usize)).collect();
     let given: Vec<[f64; 2]> = outline.points.iter().chain(nodes).copied().collect();
-    let grid = Grid::new(outline, nodes);
+    let grid = GridPoints::new(outline, nodes);
     let mut cdt = load(&given, &edges)?;
     for _ in 0..ROUNDS {
         let fresh = candidates(domain, &cdt, grid);
@@ -156,7 +156,7 @@ fn positions(cdt: &Cdt) -> Vec<[f64; 2]> {
 }
 
 /// Triangles of the film: their vertices and corners.
-fn film<'a>(domain: &'a Domain, cdt: &'a Cdt) -> impl Iterator<Item = ([u32; 3], [[f64; 2]; 3])> + 'a {
+fn film<'a>(domain: &'a FilledDomain, cdt: &'a Cdt) -> impl Iterator<Item = ([u32; 3], [[f64; 2]; 3])> + 'a {
     cdt.inner_faces().filter_map(|face| {
         let vertices = face.vertices();
         let corners = vertices.map(|v| [v.position().x, v.position().y]);
@@ -166,7 +166,7 @@ fn film<'a>(domain: &'a Domain, cdt: &'a Cdt) -> impl Iterator<Item = ([u32; 3],
 }
 
 /// Circumcentres of triangles that are too large or too sharp, in the order of the Hilbert curve.
-fn candidates(domain: &Domain, cdt: &Cdt, grid: Grid) -> Vec<[f64; 2]> {
+fn candidates(domain: &FilledDomain, cdt: &Cdt, grid: GridPoints) -> Vec<[f64; 2]> {
     let cosine = TOO_SHARP.to_radians().cos();
     let mut centres = Vec::new();
     for (vertices, corners) in film(domain, cdt) {
@@ -188,7 +188,7 @@ fn candidates(domain: &Domain, cdt: &Cdt, grid: Grid) -> Vec<[f64; 2]> {
 }
 
 /// Inserts the points that keep their distance; returns how many.
-fn insert(domain: &Domain, cdt: &mut Cdt, points: Vec<[f64; 2]>) -> usize {
+fn insert(domain: &FilledDomain, cdt: &mut Cdt, points: Vec<[f64; 2]>) -> usize {
     let mut inserted = 0;
     let mut hint = None;
     for point in points {
@@ -219,7 +219,7 @@ fn insert(domain: &Domain, cdt: &mut Cdt, points: Vec<[f64; 2]>) -> usize {
 }
 
 /// Moves each inner point to the weighted mean of the centroids of its triangles.
-fn smooth(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
+fn smooth(domain: &FilledDomain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
     let mut sums = vec![[0.0; 3]; points.len()];
     for (numbers, corners) in film(domain, cdt) {
         let centre = centroid(corners);
@@ -239,10 +239,10 @@ fn smooth(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
 }
 
 /// Moves inner points of sharp triangles, one after the other, to where the least angle around them is greatest.
-fn open_angles(domain: &Domain, cdt: &Cdt, grid: Grid, points: &mut [[f64; 2]]) {
+fn open_angles(domain: &FilledDomain, cdt: &Cdt, grid: GridPoints, points: &mut [[f64; 2]]) {
     let cosine = OPENED.to_radians().cos();
     let triangles: Vec<[u32; 3]> = film(domain, cdt).map(|(numbers, _)| numbers).collect();
-    let around = Around::new(&triangles, points.len());
+    let around = VertexStars::new(&triangles, points.len());
     let corners = |triangle: [u32; 3], points: &[[f64; 2]]| triangle.map(|v| points[v as usize]);
     let mut sharp: Vec<u32> = (triangles.iter())
         .filter(|triangle| greatest_cosine(corners(**triangle, points)) > cosine)
@@ -284,12 +284,12 @@ fn open_angles(domain: &Domain, cdt: &Cdt, grid: Grid, points: &mut [[f64; 2]]) 
 }
 
 /// Triangles around each vertex.
-struct Around {
+struct VertexStars {
     start: Vec<u32>,
     list: Vec<u32>,
 }
 
-impl Around {
+impl VertexStars {
     fn new(triangles: &[[u32; 3]], vertices: usize) -> Self {
         let mut start = vec![0u32; vertices + 1];
         for &v in triangles.iter().flatten() {
@@ -315,7 +315,7 @@ impl Around {
 }
 
 /// Least angle [deg] of the film's triangles, without those of the grid.
-fn least_angle(domain: &Domain, cdt: &Cdt, grid: Grid) -> f64 {
+fn least_angle(domain: &FilledDomain, cdt: &Cdt, grid: GridPoints) -> f64 {
     let cosine = film(domain, cdt)
         .filter(|(vertices, _)| !grid.holds(*vertices))
         .map(|(_, corners)| greatest_cosine(corners))

@@ -5,36 +5,36 @@
 //! name go. What stays bounds the union, counter-clockwise about it. A common part stays once, with the feature that is
 //! cut out if one of them is.
 
-use super::shape::{Feature, Piece};
-use super::sheet::{Sheet, on_sheet};
+use super::shape::{Feature, OutlinePiece};
+use super::sheet::{LinerRectangle, on_sheet};
 
 /// Points nearer than this part of the circumference are one.
 pub(super) const SAME: f64 = 1e-11;
 
 /// A part of the outline of a feature, by the index of that feature.
-pub(super) type Part = (usize, Piece);
+pub(super) type OutlinePart = (usize, OutlinePiece);
 
 /// The outlines of all features on the sheet, but for what lies on the ends of the liner: of features of one name that
 /// of their union.
-pub(super) fn parts(sheet: &Sheet, features: &[Feature]) -> Vec<Part> {
+pub(super) fn parts(sheet: &LinerRectangle, features: &[Feature]) -> Vec<OutlinePart> {
     let own = |(index, feature): (usize, &Feature)| {
         let pieces = on_sheet(sheet, feature);
-        pieces.into_iter().map(move |piece| (index, piece)).collect::<Vec<Part>>()
+        pieces.into_iter().map(move |piece| (index, piece)).collect::<Vec<OutlinePart>>()
     };
     of_outlines(sheet, features, features.iter().enumerate().flat_map(own).collect())
 }
 
 /// What of the `parts` of the outlines of `features`, laid on `sheet`, bounds the unions of those of one name.
-fn of_outlines(sheet: &Sheet, features: &[Feature], parts: Vec<Part>) -> Vec<Part> {
+fn of_outlines(sheet: &LinerRectangle, features: &[Feature], parts: Vec<OutlinePart>) -> Vec<OutlinePart> {
     let near = SAME * sheet.width;
-    let cut = |(index, piece): &Part| {
+    let cut = |(index, piece): &OutlinePart| {
         let others = parts.iter().filter(|(other, _)| other != index);
         let mut places: Vec<f64> = others.flat_map(|(_, other)| piece.meets(other, near)).collect();
         places.sort_unstable_by(f64::total_cmp);
         let cuts = piece.divided(&places, near);
-        cuts.into_iter().map(|cut| (*index, cut)).collect::<Vec<Part>>()
+        cuts.into_iter().map(|cut| (*index, cut)).collect::<Vec<OutlinePart>>()
     };
-    let is_outer = |(index, piece): &Part| {
+    let is_outer = |(index, piece): &OutlinePart| {
         (0..features.len())
             .filter(|other| other != index)
             .all(|other| !covers(sheet, features, other, (*index, piece), near))
@@ -44,7 +44,13 @@ fn of_outlines(sheet: &Sheet, features: &[Feature], parts: Vec<Part>) -> Vec<Par
 
 /// Whether a part of the outline of a feature lies inside another of its name, or is that of another. Of two that run
 /// along each other one is kept if both features lie on the same side, or have two names.
-fn covers(sheet: &Sheet, features: &[Feature], other: usize, (index, piece): (usize, &Piece), near: f64) -> bool {
+fn covers(
+    sheet: &LinerRectangle,
+    features: &[Feature],
+    other: usize,
+    (index, piece): (usize, &OutlinePiece),
+    near: f64,
+) -> bool {
     let shape = &features[other].shape;
     let middle = piece.at(0.5);
     let distance = shape.distance(middle, sheet.period());
@@ -76,17 +82,17 @@ pub(super) struct Junction {
 
 /// An end of a part: the part, where it ends, and the direction [rad] in which the part leaves from there.
 struct PartEnd<'a> {
-    part: &'a Part,
+    part: &'a OutlinePart,
     at: [f64; 2],
     angle: f64,
 }
 
 /// The corners at which the rims of two or more features meet.
-pub(super) fn junctions(sheet: &Sheet, parts: &[Part]) -> Vec<Junction> {
+pub(super) fn junctions(sheet: &LinerRectangle, parts: &[OutlinePart]) -> Vec<Junction> {
     let near = 1e2 * SAME * sheet.width;
     let ends_of = |part| {
         [(0.0, 1.0), (1.0, -1.0)].map(|(s, sense): (f64, f64)| {
-            let (_, piece): &Part = part;
+            let (_, piece): &OutlinePart = part;
             let [u, v] = piece.direction(s).map(|x| sense * x);
             let (at, angle) = (piece.at(s), v.atan2(u));
             PartEnd { part, at, angle }
@@ -119,22 +125,22 @@ pub(super) fn junctions(sheet: &Sheet, parts: &[Part]) -> Vec<Junction> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::shape::Shape;
+    use super::super::shape::RoundedRectangle;
     use super::*;
-    use crate::developed::Liner;
+    use crate::developed::LinerDomain;
 
-    fn sheet() -> Sheet {
-        let liner = Liner { radius: 0.5, length: 2.0, arc: None };
-        Sheet::of(&liner, 0.0)
+    fn sheet() -> LinerRectangle {
+        let liner = LinerDomain { radius: 0.5, length: 2.0, arc: None };
+        LinerRectangle::of(&liner, 0.0)
     }
 
-    fn feature(shape: Shape) -> Feature {
+    fn feature(shape: RoundedRectangle) -> Feature {
         Feature { name: "one".to_owned(), shape, meshed: false }
     }
 
     fn rectangle(centre: [f64; 2], half: [f64; 2]) -> Feature {
         let corner = 0.0;
-        feature(Shape { centre, half, corner })
+        feature(RoundedRectangle { centre, half, corner })
     }
 
     /// Area inside outer parts, by Green's theorem.
@@ -159,7 +165,7 @@ mod tests {
     #[test]
     fn areas_of_unions() {
         let groove = rectangle([1.5, 0.0], [0.4, 0.1]);
-        let disc = |x: f64, z: f64| feature(Shape::disc([x, z], 0.2));
+        let disc = |x: f64, z: f64| feature(RoundedRectangle::disc([x, z], 0.2));
         let whole = std::f64::consts::PI * 0.04;
         // A disc amid a narrower groove: two caps stand out.
         let half = (0.5f64).acos();

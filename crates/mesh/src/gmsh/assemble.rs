@@ -3,14 +3,14 @@
 use std::collections::HashMap;
 
 use super::MshFile;
-use super::scan::{Block, Entity, Scan, kind};
+use super::scan::{ElementBlock, Entity, Scan, kind};
 use crate::defect::MOST_DEFECTS;
 use crate::{Defect, Error};
 
 /// Puts together what the scan found.
 // Long: one pass over the elements, in which nodes, groups and defects are found together.
 pub(super) fn assemble(scan: Scan) -> Result<MshFile, Error> {
-    let groups = Groups::new(&scan);
+    let groups = EntityGroups::new(&scan);
     let (nodes, elements) = (scan.nodes.unwrap_or_default(), scan.elements.unwrap_or_default());
     let wrong: Vec<Defect> = nodes
         .iter()
@@ -97,7 +97,7 @@ struct Members {
     triangles: Vec<u32>,
 }
 
-fn count_triangles(blocks: &[Block]) -> (usize, usize) {
+fn count_triangles(blocks: &[ElementBlock]) -> (usize, usize) {
     let count = |kind: i32| {
         blocks.iter().filter(|block| block.kind == kind).map(|block| block.numbers.len() / (1 + block.nodes)).sum()
     };
@@ -105,14 +105,14 @@ fn count_triangles(blocks: &[Block]) -> (usize, usize) {
 }
 
 /// The physical groups that each entity belongs to.
-struct Groups {
+struct EntityGroups {
     /// Names in the order of `$PhysicalNames`; groups without a name follow. A name of both a curve and a surface
     /// stands here twice.
     names: Vec<String>,
     of_entity: HashMap<(i32, i32), Vec<usize>>,
 }
 
-impl Groups {
+impl EntityGroups {
     fn new(scan: &Scan) -> Self {
         let mut names = Vec::new();
         let mut number = HashMap::new();
@@ -141,7 +141,7 @@ impl Groups {
         Self { names, of_entity }
     }
 
-    fn of(&self, block: &Block) -> Result<&[usize], Error> {
+    fn of(&self, block: &ElementBlock) -> Result<&[usize], Error> {
         let groups = self.of_entity.get(&(block.dim, block.entity));
         groups.map(Vec::as_slice).ok_or(Error::UnknownEntity { dim: block.dim, tag: block.entity })
     }

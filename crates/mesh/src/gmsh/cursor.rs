@@ -1,7 +1,7 @@
 //! Walks over the numbers of one section, in text and in binary alike.
 
 use crate::Error;
-use crate::error::Position;
+use crate::error::FilePosition;
 
 /// What most words of a text are.
 const WHOLE: &str = "a whole number";
@@ -26,7 +26,7 @@ impl<'a> Cursor<'a> {
         self.binary
     }
 
-    pub(super) fn position(&self) -> Position {
+    pub(super) fn position(&self) -> FilePosition {
         position(self.bytes, self.at, self.binary)
     }
 
@@ -184,12 +184,12 @@ impl<'a> Cursor<'a> {
 }
 
 /// Line (text) or byte (binary) of an offset.
-pub(super) fn position(bytes: &[u8], offset: usize, binary: bool) -> Position {
+pub(super) fn position(bytes: &[u8], offset: usize, binary: bool) -> FilePosition {
     if binary {
-        return Position::Byte(offset);
+        return FilePosition::Byte(offset);
     }
     let before = &bytes[..offset.min(bytes.len())];
-    Position::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count())
+    FilePosition::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count())
 }
 
 #[cfg(test)]

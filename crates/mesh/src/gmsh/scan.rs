@@ -16,7 +16,7 @@ pub(super) struct Scan {
     /// Coordinates of all nodes, in the order of the file, and their tags.
     pub(super) nodes: Option<Vec<[f64; 3]>>,
     pub(super) node_tags: Vec<u64>,
-    pub(super) elements: Option<Vec<Block>>,
+    pub(super) elements: Option<Vec<ElementBlock>>,
     /// `(dimension, tag, name)` of the named physical groups.
     pub(super) names: Vec<(i32, i32, String)>,
     /// Tags of nodes that correspond, `[node, master]`.
@@ -34,7 +34,7 @@ pub(super) struct Entity {
 
 /// The elements of one kind on one entity.
 #[derive(Debug)]
-pub(super) struct Block {
+pub(super) struct ElementBlock {
     pub(super) dim: i32,
     pub(super) entity: i32,
     /// Element type in gmsh's numbering.
@@ -293,7 +293,7 @@ fn scan_elements(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
         let mut numbers = Vec::with_capacity((1 + nodes) * count);
         cursor.sizes((1 + nodes) * count, &mut numbers)?;
         present += count;
-        blocks.push(Block { dim, entity, kind, nodes, numbers });
+        blocks.push(ElementBlock { dim, entity, kind, nodes, numbers });
     }
     if present != total {
         return Err(cursor.damaged(format!("{total} elements announced, {present} present")));

@@ -24,7 +24,7 @@ pub fn write(mesh: &Mesh, path: impl AsRef<Path>) -> Result<(), Error> {
 
 /// The text that [`write()`] writes.
 pub fn to_text(mesh: &Mesh) -> String {
-    let sheet = Sheet::new(mesh);
+    let sheet = PlaneLayout::new(mesh);
     let curves = sheet.curves();
     let (surface_names, surfaces) = surfaces(mesh);
     let mut text = String::from("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
@@ -36,10 +36,10 @@ pub fn to_text(mesh: &Mesh) -> String {
 }
 
 /// Triangles that belong to the same groups: the groups, then the triangles.
-type Surface = (Vec<usize>, Vec<usize>);
+type GroupedTriangles = (Vec<usize>, Vec<usize>);
 
 /// Names of the surface groups, and the triangles by the groups that they share.
-fn surfaces(mesh: &Mesh) -> (Vec<String>, Vec<Surface>) {
+fn surfaces(mesh: &Mesh) -> (Vec<String>, Vec<GroupedTriangles>) {
     let regions: Vec<&Region> = mesh.regions().iter().filter(|region| !region.cells.is_empty()).collect();
     let mut names: Vec<String> = regions.iter().map(|region| region.name.clone()).collect();
     let mut groups_of = vec![Vec::new(); mesh.triangles().len()];
@@ -61,14 +61,14 @@ fn surfaces(mesh: &Mesh) -> (Vec<String>, Vec<Surface>) {
 
 /// The mesh laid out in the plane. Vertices and mid-side nodes that a triangle takes one period
 /// further on are nodes of their own.
-struct Sheet<'a> {
+struct PlaneLayout<'a> {
     mesh: &'a Mesh,
     positions: Vec<[f64; 2]>,
     /// Node of each vertex, then of each edge: where it lies, and one period further on.
     of_thing: Vec<[u32; 2]>,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> PlaneLayout<'a> {
     fn new(mesh: &'a Mesh) -> Self {
         let things = mesh.points().len() + mesh.topology().edges.len();
         let mut position = vec![[None; 2]; things];
@@ -150,7 +150,7 @@ impl<'a> Sheet<'a> {
         text: &mut String,
         curves: &[(String, Vec<[u32; 3]>)],
         surface_names: &[String],
-        surfaces: &[Surface],
+        surfaces: &[GroupedTriangles],
     ) -> std::fmt::Result {
         writeln!(text, "$PhysicalNames\n{}", curves.len() + surface_names.len())?;
         for (tag, (name, _)) in (1..).zip(curves) {
@@ -179,7 +179,7 @@ impl<'a> Sheet<'a> {
         &self,
         text: &mut String,
         curves: &[(String, Vec<[u32; 3]>)],
-        surfaces: &[Surface],
+        surfaces: &[GroupedTriangles],
     ) -> std::fmt::Result {
         let count = self.positions.len();
         writeln!(text, "$Nodes\n1 {count} 1 {count}\n2 1 0 {count}")?;

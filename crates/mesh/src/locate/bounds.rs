@@ -5,14 +5,14 @@ use crate::Mesh;
 
 /// A box with sides along the axes. On a ring its middle lies within the period from zero.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bounds {
+pub(super) struct BoundingBox {
     /// Middle [m].
     middle: [f64; 2],
     /// Half of its width and of its height [m].
     half: [f64; 2],
 }
 
-impl Bounds {
+impl BoundingBox {
     /// The box around triangle `t`, a little larger; a parabola stays in the triangle of its ends and of the point
     /// twice as far out as its middle.
     pub(super) fn of_triangle(mesh: &Mesh, t: usize) -> Self {

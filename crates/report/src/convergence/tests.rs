@@ -1,6 +1,6 @@
 use oilwedge_campaign::convergence::cost_model::{Measure, Price};
 use oilwedge_campaign::convergence::report::{
-    CONVERGE_FORMAT, ConvergenceReport, Course, GoalFacts, LevelReport, Reference, Timing,
+    CONVERGE_FORMAT, ConvergenceReport, GoalFacts, LevelReport, Reference, StrategyLevels, Timing,
 };
 use oilwedge_campaign::convergence::strategy::Strategy;
 use oilwedge_study::effects::Effects;
@@ -36,7 +36,7 @@ pub(crate) fn example() -> ConvergenceReport {
             value: 1000.0,
             uncertainty: Some(1e-4),
         }),
-        strategies: vec![Course {
+        strategies: vec![StrategyLevels {
             strategy: Strategy::P2Uniform,
             order: 2.0,
             time_exponent: Some(1.0),

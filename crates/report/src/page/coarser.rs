@@ -25,7 +25,7 @@ const GONE: usize = 4;
 
 /// A film on fewer triangles.
 #[derive(Debug)]
-pub(super) struct Coarser {
+pub(super) struct CoarserFilm {
     pub(super) film: DrawnFilm,
     pub(super) picture: FilmPicture,
     /// The fields, and the greatest difference from the film at its own nodes over the range of the field.
@@ -92,7 +92,7 @@ impl Sides {
 
 /// Origin of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Source {
+enum NodeOrigin {
     /// A node of the film.
     Node(u32),
     /// The middle of a side that the film does not have.
@@ -101,13 +101,13 @@ enum Source {
 
 /// Nodes in the order in which they are met.
 #[derive(Debug, Default)]
-struct Nodes {
-    numbers: HashMap<Source, u32>,
-    sources: Vec<Source>,
+struct NodeOrder {
+    numbers: HashMap<NodeOrigin, u32>,
+    sources: Vec<NodeOrigin>,
 }
 
-impl Nodes {
-    fn number(&mut self, source: Source) -> u32 {
+impl NodeOrder {
+    fn number(&mut self, source: NodeOrigin) -> u32 {
         *self.numbers.entry(source).or_insert_with(|| {
             self.sources.push(source);
             self.sources.len() as u32 - 1
@@ -117,11 +117,11 @@ impl Nodes {
     /// Numbers the nodes of triangles with these corners.
     fn cells(&mut self, triangles: &[[u32; 3]], sides: &Sides) -> Vec<[u32; 6]> {
         let mut cell = |corners: &[u32; 3]| {
-            let [a, b, c] = corners.map(|vertex| self.number(Source::Node(vertex)));
+            let [a, b, c] = corners.map(|vertex| self.number(NodeOrigin::Node(vertex)));
             let [d, e, f] = ENDS.map(|[k, l]| {
                 let ends = side(corners[k], corners[l]);
-                let old = sides.middle.get(&ends).map(|node| Source::Node(*node));
-                self.number(old.unwrap_or(Source::Middle(ends)))
+                let old = sides.middle.get(&ends).map(|node| NodeOrigin::Node(*node));
+                self.number(old.unwrap_or(NodeOrigin::Middle(ends)))
             });
             [a, b, c, d, e, f]
         };
@@ -133,7 +133,7 @@ impl Nodes {
 ///
 /// # Errors
 /// [`Error::Format`]: triangles of the picture do not cover what is between them.
-pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> Result<Coarser, Error> {
+pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> Result<CoarserFilm, Error> {
     let sides = Sides::of(film, picture);
     let places = film.places(picture);
     let corners = film.cells().iter().zip(&picture.cells).map(|(nodes, &[a, b, c, ..])| {
@@ -143,12 +143,12 @@ pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> R
     let corners: Vec<[u32; 3]> = corners.collect();
     let wanted = picture.points.len().saturating_sub(most).div_ceil(GONE);
     let triangles = thinned(&places, &corners, &sides.must_stay, (film.circumference(), wanted));
-    let mut nodes = Nodes::default();
+    let mut nodes = NodeOrder::default();
     let cells = nodes.cells(&triangles, &sides);
     let middle = |[a, b]: [u32; 2]| film.between(places[a as usize], places[b as usize]);
-    let point = |source: &Source| match source {
-        Source::Node(node) => picture.points[*node as usize],
-        Source::Middle(ends) => film.point(middle(*ends)),
+    let point = |source: &NodeOrigin| match source {
+        NodeOrigin::Node(node) => picture.points[*node as usize],
+        NodeOrigin::Middle(ends) => film.point(middle(*ends)),
     };
     let mut coarse = FilmPicture {
         points: nodes.sources.iter().map(point).collect(),
@@ -158,15 +158,15 @@ pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> R
     };
     let finder = Finder::new(film);
     let found = nodes.sources.iter().map(|source| match source {
-        Source::Node(_) => Some(None),
-        Source::Middle(ends) => finder.find(middle(*ends)).map(Some),
+        NodeOrigin::Node(_) => Some(None),
+        NodeOrigin::Middle(ends) => finder.find(middle(*ends)).map(Some),
     });
     let found: Option<Vec<_>> = found.collect();
     let found =
         found.ok_or_else(|| Error::format("page")("the triangles of film.vtu leave gaps; solve the scene again"))?;
     for (row, values) in drawn_fields(&picture.point_data) {
-        let value = |(source, place): (&Source, &Option<InTriangle>)| match (source, place) {
-            (Source::Node(node), _) => values[*node as usize],
+        let value = |(source, place): (&NodeOrigin, &Option<InTriangle>)| match (source, place) {
+            (NodeOrigin::Node(node), _) => values[*node as usize],
             (_, place) => place.and_then(|place| finder.value(row, place)).unwrap_or(f64::NAN),
         };
         let values = nodes.sources.iter().zip(&found).map(value).collect();
@@ -175,7 +175,7 @@ pub(super) fn coarser(film: &DrawnFilm, picture: &FilmPicture, most: usize) -> R
     let drawn = DrawnFilm::new(film.result().clone(), &coarse)?;
     let differences = differences(&drawn, picture, &places, &nodes);
     coarse.cell_data = summed(&drawn, film, picture);
-    Ok(Coarser { film: DrawnFilm::new(film.result().clone(), &coarse)?, picture: coarse, differences })
+    Ok(CoarserFilm { film: DrawnFilm::new(film.result().clone(), &coarse)?, picture: coarse, differences })
 }
 
 fn scalars(row: &FieldRow, values: Vec<f64>) -> PictureField {
@@ -187,10 +187,10 @@ fn differences(
     coarse: &DrawnFilm,
     picture: &FilmPicture,
     places: &[[f64; 2]],
-    nodes: &Nodes,
+    nodes: &NodeOrder,
 ) -> Vec<(&'static str, f64)> {
     let finder = Finder::new(coarse);
-    let gone = (0..places.len()).filter(|node| !nodes.numbers.contains_key(&Source::Node(*node as u32)));
+    let gone = (0..places.len()).filter(|node| !nodes.numbers.contains_key(&NodeOrigin::Node(*node as u32)));
     let gone: Vec<_> = gone.filter_map(|node| Some((node, finder.find(places[node])?))).collect();
     let difference = |(row, values, [low, high]): (&'static FieldRow, &Vec<f64>, [f64; 2])| {
         let off = |(node, place): &(usize, InTriangle)| Some((finder.value(row, *place)? - values[*node]).abs());
@@ -219,7 +219,7 @@ fn summed(coarse: &DrawnFilm, film: &DrawnFilm, picture: &FilmPicture) -> Vec<Pi
 }
 
 /// What the page says of it.
-impl Coarser {
+impl CoarserFilm {
     pub(super) fn note(&self, nodes: usize) -> String {
         let each = |(label, off): &(&str, f64)| format!("{label} {} %", significant(100.0 * off, 1));
         let differences: Vec<String> = self.differences.iter().map(each).collect();

@@ -45,7 +45,7 @@ pub(super) struct FilmData {
     angle: Packed,
     height: Packed,
     fields: Vec<FieldData>,
-    lines: Vec<Line>,
+    lines: Vec<LinerLine>,
 }
 
 /// A field.
@@ -72,7 +72,7 @@ struct FieldData {
 
 /// A line on the liner: paths of angles [rad] and heights [m] in turn.
 #[derive(Debug, Serialize)]
-struct Line {
+struct LinerLine {
     kind: &'static str,
     paths: Vec<Vec<f64>>,
 }
@@ -160,7 +160,7 @@ fn part(value: f64, [low, high]: [f64; 2], steps: f64) -> u32 {
     }
 }
 
-fn lines(film: &DrawnFilm) -> Vec<Line> {
+fn lines(film: &DrawnFilm) -> Vec<LinerLine> {
     // Pieces are joined on a sheet of that circumference, to the places of a drawing.
     let scale = SHEET / (TAU * film.radius());
     let on_liner = |[x, z]: &[f64; 2]| [x / SHEET * TAU, z / scale].map(|part| (part * 1e7).round() / 1e7);
@@ -174,5 +174,5 @@ fn lines(film: &DrawnFilm) -> Vec<Line> {
     let rims: Vec<[[f64; 2]; 2]> = film.rims().flat_map(|(_, rim)| rim.iter().copied()).collect();
     let lines = [("rupture", rupture), ("reformation", reformation), ("rim", &rims[..])];
     let lines = lines.into_iter().filter(|(_, line)| !line.is_empty());
-    lines.map(|(kind, line)| Line { kind, paths: paths(line) }).collect()
+    lines.map(|(kind, line)| LinerLine { kind, paths: paths(line) }).collect()
 }

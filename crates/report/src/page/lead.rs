@@ -3,7 +3,7 @@
 use oilwedge_drawing::PAGE_WIDTH;
 use serde::Serialize;
 
-use super::{Drawn, drawn};
+use super::{PageFigure, drawn};
 use crate::orbit_course::OrbitCourse;
 use crate::plot::{film_over_cycle, path_and_load};
 use crate::sheet::Sheet;
@@ -14,9 +14,9 @@ pub(super) struct Lead {
     pub(super) title: &'static str,
     pub(super) words: Vec<String>,
     /// Figures side by side, as far as they fit.
-    pub(super) beside: Vec<Drawn>,
+    pub(super) beside: Vec<PageFigure>,
     /// A figure a row.
-    pub(super) figures: Vec<Drawn>,
+    pub(super) figures: Vec<PageFigure>,
     pub(super) table: Option<Sheet>,
 }
 

@@ -54,7 +54,7 @@ use coarser::coarser;
 use files::{SavedFiles, saved};
 use film_data::FilmData;
 use lead::Lead;
-use quantities::{Shown, cards, quantities};
+use quantities::{ShownQuantity, cards, quantities};
 use sweep_data::SweepData;
 use verdict::Outcome;
 
@@ -88,7 +88,7 @@ const MESH: &str = "mesh";
 
 /// A figure on the page.
 #[derive(Debug, Serialize)]
-struct Drawn {
+struct PageFigure {
     name: String,
     svg: String,
 }
@@ -142,19 +142,19 @@ struct Page {
     lead: Lead,
     simulated: Vec<Told>,
     not_simulated: Vec<String>,
-    cards: Vec<Shown>,
+    cards: Vec<ShownQuantity>,
     words: Vec<String>,
     section: Option<String>,
     /// Heading of the film that is drawn.
     film_title: String,
     profiles: Option<String>,
     balance: Option<String>,
-    maps: Vec<Drawn>,
+    maps: Vec<PageFigure>,
     notes: Vec<String>,
     film: Option<Interactive>,
     /// A sweep for the script, as JSON.
     cases: Option<String>,
-    quantities: Vec<Shown>,
+    quantities: Vec<ShownQuantity>,
     warnings: Vec<String>,
     balances: Sheet,
     assumptions: Sheet,
@@ -241,7 +241,7 @@ pub fn sweep_page(sweep: &SweepResult, files: &[SceneFile]) -> Result<String, Er
 pub fn convergence_page(study: &ConvergenceReport, svg: Option<&str>) -> Result<String, Error> {
     let picture = svg
         .filter(|svg| svg.starts_with("<svg"))
-        .map(|svg| Drawn { name: CONVERGENCE.to_owned(), svg: svg.to_owned() });
+        .map(|svg| PageFigure { name: CONVERGENCE.to_owned(), svg: svg.to_owned() });
     render(Page {
         kind: "convergence study",
         maps: picture.into_iter().collect(),
@@ -286,7 +286,7 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
     let (figures, data) =
         rayon::join(|| film_figures(&film, &options).map(|figures| drawn(&figures)), || film_data(&film, picture));
     let (data, note) = data?;
-    for Drawn { name, svg } in figures.map_err(|unknown| Error::format("page")(unknown.name))? {
+    for PageFigure { name, svg } in figures.map_err(|unknown| Error::format("page")(unknown.name))? {
         match name.as_str() {
             SECTION => page.section = Some(svg),
             PROFILES => page.profiles = Some(svg),
@@ -295,7 +295,7 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
                 "The mesh of {} triangles is too fine to be drawn on a page; film.vtu has it.",
                 picture.cells.len()
             )),
-            _ => page.maps.push(Drawn { name, svg }),
+            _ => page.maps.push(PageFigure { name, svg }),
         }
     }
     page.notes.extend(note);
@@ -310,8 +310,8 @@ fn embedded(data: &impl Serialize) -> Result<String, Error> {
     Ok(json.replace('<', "\\u003c"))
 }
 
-fn drawn(figures: &[(String, Figure)]) -> Vec<Drawn> {
-    let each = |(name, figure): &(String, Figure)| Drawn { name: name.clone(), svg: figure.to_svg() };
+fn drawn(figures: &[(String, Figure)]) -> Vec<PageFigure> {
+    let each = |(name, figure): &(String, Figure)| PageFigure { name: name.clone(), svg: figure.to_svg() };
     figures.par_iter().map(each).collect()
 }
 

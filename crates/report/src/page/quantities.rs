@@ -19,7 +19,7 @@ const CARDS: usize = 8;
 
 /// A quantity.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Shown {
+pub(super) struct ShownQuantity {
     #[serde(skip)]
     row: &'static Row,
     pub(super) name: String,
@@ -34,32 +34,32 @@ pub(super) struct Shown {
     pub(super) bar: String,
     /// The bar in SI; empty where there is none.
     bar_si: String,
-    parts: Vec<Part>,
+    parts: Vec<BarPart>,
 }
 
 /// A part of an error bar.
 #[derive(Debug, Clone, Serialize)]
-struct Part {
+struct BarPart {
     name: String,
     value: String,
     si: String,
 }
 
 /// All quantities of a run, in the order of the catalogue.
-pub(super) fn quantities(result: &RunResult) -> Vec<Shown> {
+pub(super) fn quantities(result: &RunResult) -> Vec<ShownQuantity> {
     let mut all: Vec<&Quantity> = result.quantities.iter().collect();
     all.sort_by_key(|it| (CATALOGUE.iter().position(|row| *row == it.row), &it.name));
-    all.into_iter().map(|it| Shown::of(it, result.bars)).collect()
+    all.into_iter().map(|it| ShownQuantity::of(it, result.bars)).collect()
 }
 
-impl Shown {
+impl ShownQuantity {
     /// A quantity with the parts of its bar.
     pub(super) fn of(it: &Quantity, has_bars: bool) -> Self {
         let (_, size) = readable_unit(it.value, it.row.unit);
         let mut parts: Vec<(&str, f64)> =
             it.bar.iter().flat_map(Bar::by_name).filter(|(_, part)| *part > 0.0).collect();
         parts.sort_by_key(|(name, _)| *name);
-        let part = |(name, value): (&str, f64)| Part {
+        let part = |(name, value): (&str, f64)| BarPart {
             name: name.to_owned(),
             value: with_minus(bar(value / size)),
             si: format!("{value}"),
@@ -108,13 +108,13 @@ static ASKED_FIRST: [(&str, [&Row; 2]); 6] = [
 ];
 
 /// The quantities at the head of the page: what is asked first, then further headlines.
-pub(super) fn cards(all: &[Shown], effects: &Effects) -> Vec<Shown> {
+pub(super) fn cards(all: &[ShownQuantity], effects: &Effects) -> Vec<ShownQuantity> {
     let first = ASKED_FIRST.iter().filter_map(|(name, rows)| {
         let found = rows.iter().find_map(|row| all.iter().find(|it| it.row == *row))?;
         let name = (*name).to_owned();
-        Some(Shown { name, ..found.clone() })
+        Some(ShownQuantity { name, ..found.clone() })
     });
-    let mut cards: Vec<Shown> = first.collect();
+    let mut cards: Vec<ShownQuantity> = first.collect();
     for other in headlines(all, |it| it.row, effects) {
         if cards.iter().all(|card| card.row != other.row) {
             cards.push(other.clone());

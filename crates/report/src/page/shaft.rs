@@ -9,7 +9,7 @@ use oilwedge_study::orbit::CycleFacts;
 use oilwedge_study::quantities::Row;
 use oilwedge_study::shaft::{BearingReport, ShaftBalances, ShaftResult};
 
-use super::quantities::Shown;
+use super::quantities::ShownQuantity;
 use super::verdict::Outcome;
 use super::{Lead, Page, SceneFile, command, drawn, head, render, tables, texts};
 use crate::Error;
@@ -59,14 +59,14 @@ pub fn shaft_page(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Err
 }
 
 /// The bearing that is worst by a row, as a card; `worst` chooses one of two values.
-fn cards(view: &ShaftView) -> Vec<Shown> {
+fn cards(view: &ShaftView) -> Vec<ShownQuantity> {
     let worst = |(name, rows): (&str, [&'static Row; 2]), sign: f64| {
         let row = row_of(&view.result, rows);
         let value = |it: &&BearingReport| it.quantity(row).map_or(f64::NEG_INFINITY, |it| sign * it.value);
         let bearing = view.bearings().iter().max_by(|a, b| value(a).total_cmp(&value(b)))?;
         let quantity = bearing.quantity(row)?;
         // What the shaft decides has no bar.
-        let mut card = Shown::of(quantity, quantity.bar.is_some());
+        let mut card = ShownQuantity::of(quantity, quantity.bar.is_some());
         card.name = format!("{}: {name}", bearing.name);
         Some(card)
     };
@@ -76,7 +76,7 @@ fn cards(view: &ShaftView) -> Vec<Shown> {
         let sum: f64 = numbers().map(|number| Some(number?.value)).sum::<Option<f64>>()?;
         // The errors of bearings on one shaft may have one sign.
         let error: Option<f64> = numbers().map(|number| number?.error()).sum();
-        let mut card = Shown::number(row, row.name, (sum, error), error.is_some());
+        let mut card = ShownQuantity::number(row, row.name, (sum, error), error.is_some());
         card.name = format!("all bearings: {name}");
         if error.is_none() {
             card.bar = String::new();

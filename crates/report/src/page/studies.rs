@@ -1,7 +1,7 @@
 //! Tables of sweeps and convergence studies.
 
-use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport};
-use oilwedge_scene::sweep::Axis;
+use oilwedge_campaign::convergence::{ConvergenceReport, LevelReport, StrategyLevels};
+use oilwedge_scene::sweep::SweepAxis;
 use oilwedge_study::result::Verdict;
 
 use crate::criteria;
@@ -44,7 +44,7 @@ pub(super) fn sweep_rows(sweep: &SweepResult) -> Option<Sheet> {
     header.extend(["status", "warnings"].map(str::to_owned));
     let shown = sweep.rows.iter().map(|it| {
         let mut cells = vec![count(it.case)];
-        let input = |axis: &Axis| it.inputs.get(&axis.name).map_or_else(Cell::default, of_axis);
+        let input = |axis: &SweepAxis| it.inputs.get(&axis.name).map_or_else(Cell::default, of_axis);
         cells.extend(sweep.axes.iter().map(|axis| Cell { kind: "whole", ..input(axis) }));
         cells.extend(quantities.iter().map(|(name, _, size)| quantity(it.quantities.get(name), *size)));
         cells.extend(is_judged.then(|| verdict_of(it)));
@@ -93,7 +93,7 @@ fn unit_of(unit: &str) -> String {
 
 /// The levels of a convergence study.
 pub(super) fn study_levels(study: &ConvergenceReport) -> Option<Sheet> {
-    let row = |(course, level): (&Course, &LevelReport)| {
+    let row = |(course, level): (&StrategyLevels, &LevelReport)| {
         let value = number_as(level.value, significant(level.value, VALUE_DIGITS));
         let sizes = [level.level, level.cells, level.unknowns].map(count);
         let errors = [level.relative_bar, level.relative_error].map(optional);

@@ -1,7 +1,7 @@
 //! A sweep as the script of the page has it: its axes, and values and errors of all quantities at all cases.
 
 use oilwedge_drawing::ColourMap;
-use oilwedge_scene::sweep::{Axis, AxisValue};
+use oilwedge_scene::sweep::{AxisValue, SweepAxis};
 use oilwedge_study::result::Verdict;
 use serde::Serialize;
 
@@ -82,7 +82,7 @@ fn remark(row: &CaseRecord) -> String {
 }
 
 impl AxisData {
-    fn of(axis: &Axis) -> Self {
+    fn of(axis: &SweepAxis) -> Self {
         Self {
             label: axis.name.replace('_', " "),
             unit: printed_unit(&axis.unit),

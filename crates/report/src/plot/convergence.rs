@@ -1,9 +1,9 @@
 //! A convergence study: error against time and against unknowns, and the adaptive mesh.
 
-use oilwedge_campaign::convergence::{Convergence, ConvergenceReport, Course, LevelReport, Measure, Strategy};
+use oilwedge_campaign::convergence::{Convergence, ConvergenceReport, LevelReport, Measure, Strategy, StrategyLevels};
 use oilwedge_drawing::{
-    Anchor, Axis, BLUE, Band, Chart, Colour, Entry, Figure, GREEN, GREY, INK, Label, Letters, Mark, Note, PAGE_WIDTH,
-    SMALLEST_LETTERS, Scale, Series, Stroke, VERMILION, draw_legend, legend_height,
+    Anchor, Axis, BLUE, Band, Chart, Colour, Figure, GREEN, GREY, INK, Label, LegendEntry, Letters, Mark, Note,
+    PAGE_WIDTH, SMALLEST_LETTERS, Scale, Series, Stroke, VERMILION, draw_legend, legend_height,
 };
 
 use super::error_map;
@@ -16,12 +16,12 @@ const HEIGHT: f64 = 66.0;
 
 /// What a chart shows errors against.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Against {
+enum ErrorAxis {
     Time,
     Unknowns,
 }
 
-impl Against {
+impl ErrorAxis {
     fn of(self, level: &LevelReport) -> f64 {
         match self {
             Self::Time => level.seconds.total,
@@ -47,7 +47,7 @@ fn colour(strategy: Strategy) -> Colour {
 }
 
 /// True errors of a course that mean something: not below what the finest answer is known to.
-fn errors(report: &ConvergenceReport, course: &Course, against: Against) -> Vec<[f64; 2]> {
+fn errors(report: &ConvergenceReport, course: &StrategyLevels, against: ErrorAxis) -> Vec<[f64; 2]> {
     let floor = floor(report).unwrap_or(0.0);
     let point = |level: &LevelReport| Some([against.of(level), level.relative_error?]);
     let points = course.levels.iter().filter_map(point);
@@ -55,7 +55,7 @@ fn errors(report: &ConvergenceReport, course: &Course, against: Against) -> Vec<
 }
 
 /// Bars of a course.
-fn bars(course: &Course, against: Against) -> Vec<[f64; 2]> {
+fn bars(course: &StrategyLevels, against: ErrorAxis) -> Vec<[f64; 2]> {
     let point = |level: &LevelReport| Some([against.of(level), level.relative_bar?]);
     let points = course.levels.iter().filter_map(point);
     points.filter(|[_, bar]| *bar > 0.0).collect()
@@ -63,17 +63,17 @@ fn bars(course: &Course, against: Against) -> Vec<[f64; 2]> {
 
 /// What is predicted: from the last known points of a strategy to its price beyond. Bars are what is predicted, if
 /// there are any.
-fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, Vec<[f64; 2]>)> {
+fn predictions(report: &ConvergenceReport, against: ErrorAxis) -> Vec<(Strategy, Vec<[f64; 2]>)> {
     let (Some(reference), Some(first)) = (&report.reference, report.prices.first()) else {
         return Vec::new();
     };
     let measure = first.measure;
-    let predicted = |course: &Course| {
+    let predicted = |course: &StrategyLevels| {
         let beyond: Vec<_> = (report.prices.iter())
             .filter(|price| price.extrapolated && price.measure == measure && price.strategy == course.strategy)
             .map(|price| match against {
-                Against::Time => [price.seconds, price.accuracy],
-                Against::Unknowns => [price.unknowns, price.accuracy],
+                ErrorAxis::Time => [price.seconds, price.accuracy],
+                ErrorAxis::Unknowns => [price.unknowns, price.accuracy],
             })
             .collect();
         let last = course.levels.last()?;
@@ -92,13 +92,13 @@ fn floor(report: &ConvergenceReport) -> Option<f64> {
 }
 
 /// One chart of errors.
-fn chart(report: &ConvergenceReport, against: Against) -> Chart {
+fn chart(report: &ConvergenceReport, against: ErrorAxis) -> Chart {
     let (x, y) = match against {
-        Against::Time => (
+        ErrorAxis::Time => (
             (Label::plain("time from the scene to the answer"), Scale::Seconds),
             Label::plain(&format!("relative error of the {}", report.goal.name)),
         ),
-        Against::Unknowns => ((Label::plain("unknown pressures"), Scale::Powers), Label::default()),
+        ErrorAxis::Unknowns => ((Label::plain("unknown pressures"), Scale::Powers), Label::default()),
     };
     let mut chart = Chart::new("", x.0, y);
     (chart.x.1, chart.y.1) = (x.1, Scale::Powers);
@@ -116,8 +116,8 @@ fn chart(report: &ConvergenceReport, against: Against) -> Chart {
     }
     if let Some(high) = floor(report) {
         let note = match against {
-            Against::Time => Label::plain("below the uncertainty of the finest answer"),
-            Against::Unknowns => Label::default(),
+            ErrorAxis::Time => Label::plain("below the uncertainty of the finest answer"),
+            ErrorAxis::Unknowns => Label::default(),
         };
         let low = f64::NEG_INFINITY;
         chart.bands.push(Band { low, high, note });
@@ -125,8 +125,8 @@ fn chart(report: &ConvergenceReport, against: Against) -> Chart {
     chart
 }
 
-fn legend(report: &ConvergenceReport) -> Vec<Entry> {
-    let entry = |name: &str, colour: Colour, stroke: Stroke, mark: Option<Mark>| Entry {
+fn legend(report: &ConvergenceReport) -> Vec<LegendEntry> {
+    let entry = |name: &str, colour: Colour, stroke: Stroke, mark: Option<Mark>| LegendEntry {
         name: Label::plain(name),
         colour,
         stroke: Some(stroke),
@@ -134,11 +134,11 @@ fn legend(report: &ConvergenceReport) -> Vec<Entry> {
         area: None,
     };
     let courses = report.strategies.iter().filter(|course| !course.levels.is_empty());
-    let of_course = |course: &Course| {
+    let of_course = |course: &StrategyLevels| {
         let strategy = course.strategy;
         entry(strategy.name(), colour(strategy), Stroke::Solid, Some(mark(strategy)))
     };
-    let mut entries: Vec<Entry> = courses.map(of_course).collect();
+    let mut entries: Vec<LegendEntry> = courses.map(of_course).collect();
     if report.levels().any(|(_, level)| level.relative_bar.is_some()) {
         entries.push(entry("estimated error bar", INK, Stroke::Dashed, None));
     }
@@ -191,7 +191,7 @@ pub(super) fn figure(study: &Convergence) -> Figure {
     let entries = legend(report);
     draw_legend(&mut figure, &entries, [MARGIN, y], width);
     y += legend_height(&entries, width);
-    let charts = [Against::Time, Against::Unknowns].map(|against| chart(report, against));
+    let charts = [ErrorAxis::Time, ErrorAxis::Unknowns].map(|against| chart(report, against));
     let errors = charts[0].axis(1);
     let half = 0.5 * (width - GAP);
     for (k, mut chart) in charts.into_iter().enumerate() {

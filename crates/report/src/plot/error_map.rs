@@ -6,7 +6,7 @@ use oilwedge_drawing::{
     draw_bands, draw_colour_bar, draw_mesh,
 };
 
-use super::liner::{Liner, Nodes};
+use super::liner::{LinerWindow, TriangleNodes};
 
 /// Decades that the colours span, bands in a decade, and room for their bar [mm].
 pub(super) const MOST_DECADES: f64 = 5.0;
@@ -54,8 +54,8 @@ pub(super) fn draw(
     [left, top, width, _]: Rectangle,
 ) -> f64 {
     let mesh = &marked.mesh;
-    let cells: Vec<Nodes> = (0..mesh.triangles().len()).map(|t| mesh.nodes(t)).collect();
-    let liner = Liner::of(&cells, marked.radius, mesh.period(), None);
+    let cells: Vec<TriangleNodes> = (0..mesh.triangles().len()).map(|t| mesh.nodes(t)).collect();
+    let liner = LinerWindow::of(&cells, marked.radius, mesh.period(), None);
     let reference = report.reference.as_ref().map(|reference| reference.value.abs());
     let decades = marked.indicator.as_deref().zip(reference);
     let decades = decades.and_then(|(indicator, reference)| Decades::of(indicator, reference));

@@ -2,15 +2,15 @@
 //! alone.
 
 use oilwedge_drawing::{
-    Anchor, Axis, BLACK, BLUE, Colour, ColourMap, Entry, Figure, Frame, GREY, INK, Label, Letters, Levels, Mark, Pen,
-    SMALLEST_LETTERS, Scale, Stroke, VERMILION, WHITE, draw_bands, draw_colour_bar, draw_legend, draw_mesh, joined,
-    least_and_greatest, legend_height,
+    Anchor, Axis, BLACK, BLUE, Colour, ColourMap, Figure, GREY, INK, Label, LegendEntry, Letters, Levels, Mark, Pen,
+    PlotFrame, SMALLEST_LETTERS, Scale, Stroke, VERMILION, WHITE, draw_bands, draw_colour_bar, draw_legend, draw_mesh,
+    joined, least_and_greatest, legend_height,
 };
 use oilwedge_study::fields::{ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, PRESSURE, VISCOSITY, field};
 
 use super::error_map::{Decades, MOST_DECADES};
 use super::film::DrawnFilm;
-use super::liner::Liner;
+use super::liner::LinerWindow;
 use super::sample::Finder;
 use crate::readable::{axis_label, readable_unit_of};
 
@@ -143,7 +143,7 @@ pub(super) fn mesh_figure(film: &DrawnFilm, width: f64) -> Figure {
 }
 
 /// The legend below the frame, and the height of the sheet.
-fn finish(figure: &mut Figure, liner: &Liner, frame: &Frame, entries: &[Entry]) {
+fn finish(figure: &mut Figure, liner: &LinerWindow, frame: &PlotFrame, entries: &[LegendEntry]) {
     let width = figure.size()[0] - 2.0 * MARGIN;
     let mut y = frame.inner[1] + frame.inner[3] + frame.bottom_margin() + 1.0;
     let stretch = liner.stretch(frame);
@@ -180,10 +180,10 @@ fn thinnest(film: &DrawnFilm) -> Option<(f64, Option<f64>)> {
 }
 
 /// Rims, edges of the cavity, the thinnest film and the peak, if it is to be marked; returns their legend.
-fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option<[f64; 2]>) -> Vec<Entry> {
+fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &PlotFrame, peak: Option<[f64; 2]>) -> Vec<LegendEntry> {
     let mut entries = Vec::new();
     let mut say = |name: &str, colour: Colour, stroke: Option<Stroke>, mark: Option<Mark>| {
-        entries.push(Entry { name: Label::plain(name), colour, stroke, mark, area: None });
+        entries.push(LegendEntry { name: Label::plain(name), colour, stroke, mark, area: None });
     };
     let placed = |pieces: &[[[f64; 2]; 2]]| {
         let pieces: Vec<[[f64; 2]; 2]> = pieces

@@ -11,7 +11,7 @@ use oilwedge_study::quantities::{
 };
 use oilwedge_study::result::{Geometry, RunResult};
 
-use super::liner::{Liner, Nodes};
+use super::liner::{LinerWindow, TriangleNodes};
 use crate::Error;
 
 /// Nodes on the cylinder are as far from its axis as this part of the radius allows.
@@ -24,8 +24,8 @@ pub struct DrawnFilm {
     pub(super) result: RunResult,
     /// Whether the points of its picture are on the cylinder; otherwise they are unrolled.
     is_cylinder: bool,
-    pub(super) liner: Liner,
-    pub(super) cells: Vec<Nodes>,
+    pub(super) liner: LinerWindow,
+    pub(super) cells: Vec<TriangleNodes>,
     /// Fields by name: values at the nodes of each triangle, SI.
     pub(super) fields: Vec<(String, Vec<[f64; 6]>)>,
     /// Lines by name: pieces on the unrolled liner [m].
@@ -43,7 +43,7 @@ impl DrawnFilm {
             return Err(Error::format("picture")("result.json has no geometry; solve the scene again"));
         }
         let unroll = Unrolled::of(picture, radius);
-        let cells: Vec<Nodes> = picture.cells.iter().map(|cell| unroll.cell(cell)).collect();
+        let cells: Vec<TriangleNodes> = picture.cells.iter().map(|cell| unroll.cell(cell)).collect();
         let angles = match arc {
             Some(ends) => ends.map(f64::to_radians),
             None => {
@@ -60,7 +60,7 @@ impl DrawnFilm {
         let unrolled = |pieces: &Vec<[[f64; 3]; 2]>| pieces.iter().map(|piece| unroll.piece(piece)).collect();
         Ok(Self {
             is_cylinder: unroll.is_cylinder,
-            liner: Liner::between(&cells, radius, angles),
+            liner: LinerWindow::between(&cells, radius, angles),
             fields: nodal.chain(constant).collect(),
             lines: picture.lines.iter().map(|(name, pieces)| (name.clone(), unrolled(pieces))).collect(),
             cells,
@@ -78,7 +78,7 @@ impl DrawnFilm {
     }
 
     /// Nodes of the triangles on the unrolled liner [m], continuous within each.
-    pub(crate) fn cells(&self) -> &[Nodes] {
+    pub(crate) fn cells(&self) -> &[TriangleNodes] {
         &self.cells
     }
 
@@ -178,12 +178,12 @@ impl DrawnFilm {
 
     /// Triangles with the values of a field between which it is a quadratic: a field that is linear on the parts of
     /// triangles has four for each.
-    pub(super) fn pieces(&self, name: &str) -> Option<(Vec<Nodes>, Vec<[f64; 6]>)> {
+    pub(super) fn pieces(&self, name: &str) -> Option<(Vec<TriangleNodes>, Vec<[f64; 6]>)> {
         let values = self.values(name)?;
         if field(name).map(|row| row.interpolation) != Some(Interpolation::Linear) {
             return Some((self.cells.clone(), values.to_vec()));
         }
-        let parts = |cell: (&Nodes, &[f64; 6])| {
+        let parts = |cell: (&TriangleNodes, &[f64; 6])| {
             PARTS.map(|part| (straight(part.map(|k| cell.0[k])), linear(part.map(|k| cell.1[k]))))
         };
         Some(self.cells.iter().zip(values).flat_map(parts).unzip())
@@ -193,7 +193,7 @@ impl DrawnFilm {
 /// Parts of a triangle by its nodes.
 const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
 
-fn straight([a, b, c]: [[f64; 2]; 3]) -> Nodes {
+fn straight([a, b, c]: [[f64; 2]; 3]) -> TriangleNodes {
     let middle = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     [a, b, c, middle(a, b), middle(b, c), middle(c, a)]
 }
@@ -231,7 +231,7 @@ impl<'a> Unrolled<'a> {
         }
     }
 
-    fn cell(&self, cell: &[u32; 6]) -> Nodes {
+    fn cell(&self, cell: &[u32; 6]) -> TriangleNodes {
         let nodes = cell.map(|node| self.at(self.points[node as usize]));
         nodes.map(|node| self.beside(node, nodes[0]))
     }

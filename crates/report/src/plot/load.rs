@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use oilwedge_drawing::{
-    BLACK, BLUE, Chart, Figure, GREEN, GREY, GRID, Kind, Label, Mark, Note, Series, Stroke, VERMILION, charts_figure,
-    least_and_greatest, linear_steps, number,
+    BLACK, BLUE, Chart, ChartKind, Figure, GREEN, GREY, GRID, Label, Mark, Note, Series, Stroke, VERMILION,
+    charts_figure, least_and_greatest, linear_steps, number,
 };
 use oilwedge_study::duty::{DutyCycle, Frame};
 
@@ -25,7 +25,7 @@ const KILO: f64 = 1e3;
 
 /// The pictures of a load by name; `title` is that of the scene.
 pub fn load_figures(title: &str, cycle: &DutyCycle, width: f64) -> Vec<(String, Figure)> {
-    let drawn = Drawn::of(cycle);
+    let drawn = DrawnLoad::of(cycle);
     let polar = drawn.frames().into_iter().map(|(frame, name)| drawn.polar(frame, name));
     let polar: Vec<_> = polar.collect();
     let by_angle = drawn.by_angle();
@@ -37,13 +37,13 @@ pub fn load_figures(title: &str, cycle: &DutyCycle, width: f64) -> Vec<(String, 
 }
 
 /// A load and the unit in which it is drawn.
-struct Drawn<'a> {
+struct DrawnLoad<'a> {
     cycle: &'a DutyCycle,
     /// The unit and its size [N].
     unit: (&'static str, f64),
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> DrawnLoad<'a> {
     fn of(cycle: &'a DutyCycle) -> Self {
         let [x, y] = cycle.summary().peak.1;
         let peak = x.hypot(y);
@@ -128,7 +128,7 @@ pub(super) fn polar(
     (name, sheet): (&str, &ForcePlane),
 ) -> Chart {
     let mut chart = Chart::new(title, Label::default(), Label::default());
-    chart.kind = Kind::Drawing;
+    chart.kind = ChartKind::Drawing;
     sheet.draw_rings(&mut chart);
     chart.series.push(Series::line("", VERMILION, tip));
     let points = marks.iter().map(|(_, point)| *point).collect();

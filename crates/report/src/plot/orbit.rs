@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use oilwedge_drawing::{
-    BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, GRID, Kind, Label, Mark, Note, Series, Stroke, VERMILION,
+    BLACK, BLUE, Chart, ChartKind, Colour, Figure, GREEN, GREY, GRID, Label, Mark, Note, Series, Stroke, VERMILION,
     charts_figure, number,
 };
 
@@ -71,7 +71,7 @@ pub fn orbits_beside(courses: [(&str, &OrbitCourse); 2], width: f64) -> Vec<(Str
 /// The path of the journal's centre in the circle of the clearance, with marks each so many degrees of the crank.
 pub(super) fn circle(title: &str, course: &OrbitCourse, step: f64) -> Chart {
     let mut chart = Chart::new(title, Label::default(), Label::default());
-    chart.kind = Kind::Drawing;
+    chart.kind = ChartKind::Drawing;
     let point = |radius: f64, turn: f64| [radius * (TAU * turn).cos(), radius * (TAU * turn).sin()];
     for radius in RINGS {
         let ring = (0..=360).map(|k| point(radius, f64::from(k) / 360.0)).collect();

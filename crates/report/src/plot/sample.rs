@@ -4,7 +4,7 @@ use oilwedge_drawing::least_and_greatest;
 use oilwedge_study::fields::{FieldRow, Interpolation};
 
 use super::film::DrawnFilm;
-use super::liner::Nodes;
+use super::liner::TriangleNodes;
 
 /// How far outside of a triangle a point may be that belongs to it [1].
 const SLACK: f64 = 1e-6;
@@ -138,7 +138,7 @@ fn on_parts(values: &[f64; 6], parts: [f64; 3]) -> f64 {
 }
 
 /// Coordinates of a point in a triangle with curved sides, by Newton's method; a straight one takes one step.
-fn coordinates(nodes: &Nodes, point: [f64; 2]) -> [f64; 3] {
+fn coordinates(nodes: &TriangleNodes, point: [f64; 2]) -> [f64; 3] {
     let (mut s, mut t) = (0.0, 0.0);
     for _ in 0..STEPS {
         let a = 1.0 - s - t;

@@ -28,7 +28,7 @@ const WALL: Colour = Colour([120, 150, 180]);
 
 /// A throw as it is drawn.
 #[derive(Debug, Clone, Copy)]
-struct Throw {
+struct DrawnThrow {
     shape: ThrowShape,
     /// Axial position at which the first web of the throw begins [m].
     from: f64,
@@ -36,7 +36,7 @@ struct Throw {
     angle: f64,
 }
 
-impl Throw {
+impl DrawnThrow {
     /// Extents of the webs [m].
     fn webs(&self) -> [[f64; 2]; 2] {
         let ThrowShape { web_thickness, pin_length, .. } = self.shape;
@@ -46,10 +46,10 @@ impl Throw {
 }
 
 /// A shaft and the places of its drawing.
-struct Drawn<'a> {
+struct DrawnShaft<'a> {
     shaft: &'a Crankshaft,
     radius: f64,
-    throws: Vec<Throw>,
+    throws: Vec<DrawnThrow>,
     /// Greatest radius of a straight piece [m].
     journal: f64,
     /// Millimetres on the sheet to a metre of the shaft.
@@ -76,7 +76,8 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
     let scale = room / (to - from + 2.0 * half);
     let letters = Letters::sized(SMALLEST_LETTERS);
     let top = MARGIN + Letters::default().line() + 1.5 * letters.line();
-    let drawn = Drawn { shaft, radius, throws, journal, scale, origin: [MARGIN - scale * from, top + scale * half] };
+    let drawn =
+        DrawnShaft { shaft, radius, throws, journal, scale, origin: [MARGIN - scale * from, top + scale * half] };
     let title = format!("{}: the shaft", view.result.head.title);
     let description = "the shaft to scale from the side, with its bearings, and along its axis, with its throws";
     let mut figure = Figure::new([width, 0.0], &title, description);
@@ -105,19 +106,19 @@ fn extent(shaft: &Crankshaft, bearings: &[BearingReport]) -> [f64; 2] {
     ends.fold([0.0, shaft.length()], |[from, to], [low, high]| [from.min(low), to.max(high)])
 }
 
-fn throws(shaft: &Crankshaft) -> Vec<Throw> {
+fn throws(shaft: &Crankshaft) -> Vec<DrawnThrow> {
     let mut from = 0.0;
     let mut throws = Vec::new();
     for piece in &shaft.pieces {
         if let (ShaftPiece::Throw { fires_at }, Some(shape)) = (piece, shaft.throw) {
-            throws.push(Throw { shape, from, angle: -fires_at });
+            throws.push(DrawnThrow { shape, from, angle: -fires_at });
         }
         from += shaft.length_of(piece);
     }
     throws
 }
 
-impl Drawn<'_> {
+impl DrawnShaft<'_> {
     /// A place by z and x, with x upwards.
     fn at(&self, [z, x]: [f64; 2]) -> [f64; 2] {
         [self.origin[0] + self.scale * z, self.origin[1] - self.scale * x]
@@ -180,7 +181,7 @@ impl Drawn<'_> {
     }
 
     /// The counterweights: throw, web, and angle in the axes of the shaft.
-    fn weights(&self) -> impl Iterator<Item = (&Throw, usize, f64)> {
+    fn weights(&self) -> impl Iterator<Item = (&DrawnThrow, usize, f64)> {
         let weights = self.shaft.counterweights.iter().filter(|weight| weight.moment > 0.0);
         weights.filter_map(|weight| {
             let throw = self.throws.get(weight.throw)?;

@@ -1,10 +1,10 @@
 //! The pictures of a sweep: curves with error bars over one axis, and maps over two.
 
 use oilwedge_drawing::{
-    Axis, Cell, CellGrid, Chart, Colour, ColourMap, Figure, Label, Mark, SERIES, Scale, Series, charts_figure,
+    Axis, CellGrid, Chart, Colour, ColourMap, ColouredCell, Figure, Label, Mark, SERIES, Scale, Series, charts_figure,
     draw_colour_bar, least_and_greatest, linear_steps, number,
 };
-use oilwedge_scene::sweep::{Axis as SweepAxis, AxisValue};
+use oilwedge_scene::sweep::{AxisValue, SweepAxis};
 use oilwedge_study::quantities::{CATALOGUE, Headline, row};
 
 use crate::readable::{axis_label, printed_unit, readable_unit_of};
@@ -223,8 +223,8 @@ fn map(cases: &SweepResult, name: &str, [across, upwards]: [usize; 2], width: f6
     };
     let step = linear_steps(high - low, 100.0);
     let cell = |value: &Option<f64>| match value {
-        Some(value) => Cell { fill: map.colour((value - low) / (high - low)), word: number(*value, step) },
-        None => Cell { fill: ABSENT, word: Label::plain("\u{2013}") },
+        Some(value) => ColouredCell { fill: map.colour((value - low) / (high - low)), word: number(*value, step) },
+        None => ColouredCell { fill: ABSENT, word: Label::plain("\u{2013}") },
     };
     let others: Vec<String> = (0..cases.axes.len())
         .filter(|k| ![across, upwards].contains(k))

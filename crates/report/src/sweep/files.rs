@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::SweepError;
 use super::report::{Identity, SweepReport};
 use super::rotor_table::{ROTOR_FILES, rotor_tables};
-use super::table::{Columns, Row, to_csv, whole_rows};
+use super::table::{Columns, TextRow, to_csv, whole_rows};
 use crate::json::json;
 use crate::page::SWEEP_PAGE_FILE;
 use crate::{Error, folder};
@@ -23,12 +23,12 @@ pub const TABLE_FILE: &str = "sweep.csv";
 pub const REPORT_FILE: &str = "sweep.json";
 
 /// A table that is being written. No other run may write it as long as this one lives: its file is locked.
-pub(crate) struct Table {
+pub(crate) struct WrittenTable {
     path: PathBuf,
     file: File,
 }
 
-impl Table {
+impl WrittenTable {
     /// Begins the table in the folder `dir`, or takes up the one that stands there: its whole rows are kept.
     /// With `fresh` one that stands there is replaced.
     ///
@@ -38,7 +38,7 @@ impl Table {
         dir: &Path,
         begun: &SweepReport,
         fresh: bool,
-    ) -> Result<(Self, BTreeMap<usize, Row>), SweepError> {
+    ) -> Result<(Self, BTreeMap<usize, TextRow>), SweepError> {
         let (identity, columns) = (&begun.identity, &begun.columns);
         let path = dir.join(TABLE_FILE);
         std::fs::create_dir_all(dir).map_err(Error::system(&path))?;
@@ -50,7 +50,8 @@ impl Table {
         };
         let headings = columns.headings();
         let table = to_csv(std::iter::once(&headings).chain(kept.values()));
-        let about = json(&Begun { identity: identity.clone(), complete: false, process: Some(std::process::id()) })?;
+        let about =
+            json(&TableCompanions { identity: identity.clone(), complete: false, process: Some(std::process::id()) })?;
         let (about_step, table_step) =
             ((OsStr::new(REPORT_FILE), Some(about.as_bytes())), (OsStr::new(TABLE_FILE), Some(&table[..])));
         let page_step = (OsStr::new(SWEEP_PAGE_FILE), None);
@@ -74,7 +75,7 @@ impl Table {
     ///
     /// # Errors
     /// The system refuses.
-    pub(crate) fn add(&mut self, row: &Row) -> Result<(), Error> {
+    pub(crate) fn add(&mut self, row: &TextRow) -> Result<(), Error> {
         self.file.write_all(&to_csv([row])).map_err(Error::system(&self.path))
     }
 }
@@ -82,7 +83,7 @@ impl Table {
 /// What stands beside a table that is being written; of a sweep that has ended this is how its report begins.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
-struct Begun {
+struct TableCompanions {
     #[serde(flatten)]
     identity: Identity,
     complete: bool,
@@ -90,7 +91,7 @@ struct Begun {
     process: Option<u32>,
 }
 
-impl Begun {
+impl TableCompanions {
     /// What a report says; what is no report of a sweep says nothing.
     fn read(report: &[u8]) -> Self {
         serde_json::from_slice(report).unwrap_or_default()
@@ -106,7 +107,7 @@ fn free(dir: &Path, path: &Path) -> Result<Option<File>, SweepError> {
     match earlier.try_lock() {
         Err(TryLockError::WouldBlock) => Err(SweepError::Busy {
             folder: dir.to_path_buf(),
-            process: std::fs::read(dir.join(REPORT_FILE)).ok().and_then(|about| Begun::read(&about).process),
+            process: std::fs::read(dir.join(REPORT_FILE)).ok().and_then(|about| TableCompanions::read(&about).process),
         }),
         Ok(()) | Err(TryLockError::Error(_)) => Ok(Some(earlier)),
     }
@@ -134,7 +135,7 @@ pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<Vec<&'static st
 }
 
 /// The rows in the folder that are those of this sweep, by the number of their case (from 0).
-fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, Row>, SweepError> {
+fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, TextRow>, SweepError> {
     let Some(earlier) = Earlier::read(dir, identity, columns)? else {
         return Ok(BTreeMap::new());
     };
@@ -143,14 +144,14 @@ fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<u
 }
 
 /// Number (from 0) of the case of a row.
-pub(super) fn case_of(row: &Row) -> Option<usize> {
+pub(super) fn case_of(row: &TextRow) -> Option<usize> {
     row.first()?.parse::<usize>().ok()?.checked_sub(1)
 }
 
 /// What earlier runs of a sweep have left in a folder.
 pub(super) struct Earlier {
     /// The rows of its table.
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<TextRow>,
     /// Whether the sweep has ended.
     pub(super) is_complete: bool,
 }
@@ -172,7 +173,7 @@ impl Earlier {
         if !about.exists() {
             return Err(other("without the record of what it was computed from"));
         }
-        let about = Begun::read(&read(&about)?);
+        let about = TableCompanions::read(&read(&about)?);
         if let Some(difference) = difference(&about.identity, identity) {
             return Err(other(difference));
         }

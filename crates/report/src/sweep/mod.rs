@@ -30,10 +30,10 @@ pub use parts::{PARTS_FOLDER, part_folder};
 pub use report::{CaseQuantity, CaseRecord, ColumnRecord, Identity, SWEEP_FORMAT, SweepReport, SweepResult};
 pub use rotor_table::ROTOR_FILES;
 pub(crate) use table::to_csv;
-pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, VERDICT, WARNINGS};
+pub use table::{Columns, LIMITS, REASON, SECONDS, TextRow, UNKNOWNS, VERDICT, WARNINGS};
 
 use crate::{Error, folder};
-use files::{Table, case_of, finish};
+use files::{WrittenTable, case_of, finish};
 use parts::rows_of_parts;
 use table::whole_rows;
 
@@ -85,7 +85,7 @@ pub fn run(
     let dir = (options.part).map_or(dir.to_path_buf(), |part| part_folder(dir, part));
     check(&dir)?;
     let mut report = begun(sweep, options)?;
-    let (mut table, rows) = Table::open(&dir, &report, options.fresh)?;
+    let (mut table, rows) = WrittenTable::open(&dir, &report, options.fresh)?;
     report.kept = rows.len();
     let mut now = Progress { kept: rows.len(), done: rows.len(), cases: cases.len() };
     progress(Notice::Progress(now));
@@ -125,7 +125,7 @@ pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> 
     check(dir)?;
     let mut report = begun(sweep, options)?;
     let rows = rows_of_parts(sweep, &report, parts)?;
-    let _alone = Table::open(dir, &report, options.fresh)?;
+    let _alone = WrittenTable::open(dir, &report, options.fresh)?;
     report.join(rows);
     report.rotor_tables = finish(dir, &report)?;
     Ok(report)
@@ -168,7 +168,7 @@ pub fn of_rows(sweep: &Sweep, options: &SweepOptions, rows: &[u8]) -> Result<Swe
 /// The rows of the part of a sweep that cannot be computed, with the reason, as CSV with headings.
 pub fn failed_rows(sweep: &Sweep, options: &SweepOptions, reason: &str) -> Vec<u8> {
     let (columns, cases) = (columns(sweep, options), cases(sweep, options));
-    let rows: Vec<Row> = cases.map(|case| columns.failed(&sweep.plan, case, reason)).collect();
+    let rows: Vec<TextRow> = cases.map(|case| columns.failed(&sweep.plan, case, reason)).collect();
     to_csv(std::iter::once(&columns.headings()).chain(&rows))
 }
 

@@ -12,7 +12,7 @@ use oilwedge_campaign::sweep::{Part, Sweep};
 use super::SweepError;
 use super::files::{Earlier, TABLE_FILE, case_of};
 use super::report::{Identity, SweepReport};
-use super::table::Row;
+use super::table::TextRow;
 
 /// Folder of the parts, below that of the sweep.
 pub const PARTS_FOLDER: &str = "parts";
@@ -43,7 +43,7 @@ fn part_named(text: &str) -> Option<Part> {
 ///
 /// # Errors
 /// Parts are missing or have not ended, belong to other sweeps, or do not have each case once.
-pub(super) fn rows_of_parts(sweep: &Sweep, begun: &SweepReport, dir: &Path) -> Result<Vec<Row>, SweepError> {
+pub(super) fn rows_of_parts(sweep: &Sweep, begun: &SweepReport, dir: &Path) -> Result<Vec<TextRow>, SweepError> {
     let of = division(dir)?;
     let (mut missing, mut unfinished) = (Vec::new(), Vec::new());
     let mut rows = Vec::new();

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::table::{Columns, LIMITS, REASON, Row, SECONDS, SEPARATOR, UNKNOWNS, VERDICT, WARNINGS};
+use super::table::{Columns, LIMITS, REASON, SECONDS, SEPARATOR, TextRow, UNKNOWNS, VERDICT, WARNINGS};
 use oilwedge_campaign::sweep::Part;
-use oilwedge_scene::sweep::{Axis, AxisValue, Plan};
+use oilwedge_scene::sweep::{AxisValue, Plan, SweepAxis};
 use oilwedge_study::effects::Effects;
 use oilwedge_study::result::Verdict;
 
@@ -52,7 +52,7 @@ pub struct SweepReport {
     /// The columns of the table.
     pub columns: Columns,
     /// One row a case of the sweep or its part, in their order.
-    pub rows: Vec<Row>,
+    pub rows: Vec<TextRow>,
     /// Rows that an earlier run had computed.
     pub kept: usize,
     /// Seconds that this run took; of a table that is joined those of its cases together.
@@ -65,8 +65,8 @@ pub struct SweepReport {
 
 impl SweepReport {
     /// Takes rows that other runs have computed, of all cases.
-    pub(super) fn join(&mut self, rows: Vec<Row>) {
-        let seconds = |row: &Row| self.columns.tail(row, SECONDS).parse::<f64>().ok();
+    pub(super) fn join(&mut self, rows: Vec<TextRow>) {
+        let seconds = |row: &TextRow| self.columns.tail(row, SECONDS).parse::<f64>().ok();
         self.seconds = rows.iter().filter_map(seconds).sum();
         self.rows = rows;
         self.is_joined = true;
@@ -79,12 +79,12 @@ impl SweepReport {
     }
 
     /// The number in a row of the quantity in the column of this number, in its unit.
-    pub fn value(&self, row: &Row, column: usize) -> Option<f64> {
+    pub fn value(&self, row: &TextRow, column: usize) -> Option<f64> {
         row.get(self.columns.place(column))?.parse().ok()
     }
 
     /// Whether a case has an answer: a film, if only that of a search that was ended.
-    pub fn has_answer(&self, row: &Row) -> bool {
+    pub fn has_answer(&self, row: &TextRow) -> bool {
         !self.columns.tail(row, UNKNOWNS).is_empty()
             && (0..self.columns.quantities.len()).any(|it| self.value(row, it).is_some())
     }
@@ -117,7 +117,7 @@ pub struct SweepResult {
     /// What was simulated in the first case, and what was not.
     pub effects: Effects,
     /// The axes.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<SweepAxis>,
     /// The columns that the scene asks for; absent in JSON where it asks for none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub columns: Vec<ColumnRecord>,
@@ -205,7 +205,7 @@ fn entries(cell: &str) -> impl Iterator<Item = &str> {
 
 impl SweepReport {
     /// A row as the file has it.
-    fn record(&self, row: &Row) -> CaseRecord {
+    fn record(&self, row: &TextRow) -> CaseRecord {
         let number = |text: &String| text.parse::<f64>().ok();
         let columns = &self.columns;
         let case: usize = row[0].parse().unwrap_or(0);

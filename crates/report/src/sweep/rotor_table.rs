@@ -12,7 +12,7 @@ use oilwedge_study::quantities::{
 };
 
 use super::report::SweepReport;
-use super::table::{Row, status_name, to_csv};
+use super::table::{TextRow, status_name, to_csv};
 use oilwedge_campaign::sweep::CaseStatus;
 use oilwedge_study::result::Status;
 
@@ -42,12 +42,12 @@ pub(super) fn rotor_tables(report: &SweepReport) -> [Option<Vec<u8>>; 2] {
     };
     let table = |keys: &[&str]| {
         let coefficients = COLUMNS.iter().map(|(name, _)| *name);
-        let headings: Row = keys.iter().copied().chain(coefficients).map(str::to_owned).collect();
-        let line = |point: &Point| -> Row {
+        let headings: TextRow = keys.iter().copied().chain(coefficients).map(str::to_owned).collect();
+        let line = |point: &RotorRow| -> TextRow {
             let keys = point.keys[..keys.len()].iter().map(|number| format!("{number:?}"));
             keys.chain(point.coefficients.iter().cloned()).collect()
         };
-        let rows: Vec<Row> = rows.iter().map(line).collect();
+        let rows: Vec<TextRow> = rows.iter().map(line).collect();
         to_csv(std::iter::once(&headings).chain(&rows))
     };
     match report.plan.axes.len() {
@@ -57,14 +57,14 @@ pub(super) fn rotor_tables(report: &SweepReport) -> [Option<Vec<u8>>; 2] {
 }
 
 /// A row of a table.
-struct Point {
+struct RotorRow {
     /// Speed and frequency of the whirl [rad/s].
     keys: [f64; 2],
-    coefficients: Row,
+    coefficients: TextRow,
 }
 
 /// The rows, by ascending speed and frequency.
-fn points(report: &SweepReport) -> Option<Vec<Point>> {
+fn points(report: &SweepReport) -> Option<Vec<RotorRow>> {
     let axes = &report.plan.axes;
     let place = |path: &str| axes.iter().position(|axis| axis.path == path);
     let (speeds, whirls) = (place(SPEED)?, place(WHIRL));
@@ -76,7 +76,7 @@ fn points(report: &SweepReport) -> Option<Vec<Point>> {
         .iter()
         .map(|(_, row)| report.columns.quantities.iter().position(|column| column.row == *row))
         .collect::<Option<_>>()?;
-    let mut points: Vec<Point> = Vec::new();
+    let mut points: Vec<RotorRow> = Vec::new();
     for row in &report.rows {
         let number = |axis: usize| of_axis(report, axis, row);
         let speed = unit * number(speeds)?;
@@ -89,9 +89,9 @@ fn points(report: &SweepReport) -> Option<Vec<Point>> {
             Some(format!("{:?}", report.columns.quantities[place].own(value)))
         });
         let is_converged = row[report.columns.status()] == status_name(CaseStatus::Run(Status::Converged));
-        if let Some(coefficients) = values.collect::<Option<Row>>().filter(|_| is_converged) {
+        if let Some(coefficients) = values.collect::<Option<TextRow>>().filter(|_| is_converged) {
             let keys = [speed, ratio * speed];
-            points.push(Point { keys, coefficients });
+            points.push(RotorRow { keys, coefficients });
         }
     }
     points.sort_by(|a, b| a.keys[0].total_cmp(&b.keys[0]).then(a.keys[1].total_cmp(&b.keys[1])));
@@ -100,7 +100,7 @@ fn points(report: &SweepReport) -> Option<Vec<Point>> {
 }
 
 /// The number of a row on an axis, in the unit of the axis.
-fn of_axis(report: &SweepReport, axis: usize, row: &Row) -> Option<f64> {
+fn of_axis(report: &SweepReport, axis: usize, row: &TextRow) -> Option<f64> {
     let case: usize = row.first()?.parse().ok()?;
     let index = *report.plan.indices(case.checked_sub(1)?).get(axis)?;
     match report.plan.axes.get(axis)?.values.get(index)? {

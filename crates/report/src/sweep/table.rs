@@ -1,7 +1,7 @@
 //! The table of a sweep: one row a case, and which columns there are.
 
 use crate::Error;
-use oilwedge_campaign::sweep::{CaseStatus, Found};
+use oilwedge_campaign::sweep::{CaseOutcome, CaseStatus};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::{AxisValue, Plan, WantedColumn};
 use oilwedge_study::column::Column;
@@ -20,7 +20,7 @@ pub struct Columns {
 }
 
 /// A row: one text a column, empty where there is no value.
-pub type Row = Vec<String>;
+pub type TextRow = Vec<String>;
 
 impl Columns {
     /// The columns of all cases of a sweep; without a wish of the scene an input that is a quantity of the report too
@@ -39,7 +39,7 @@ impl Columns {
     }
 
     /// The headings.
-    pub fn headings(&self) -> Row {
+    pub fn headings(&self) -> TextRow {
         let mut row = vec!["case".to_owned()];
         row.extend(self.inputs.iter().cloned());
         row.push("status".to_owned());
@@ -57,7 +57,7 @@ impl Columns {
     ///
     /// # Errors
     /// A number is not finite.
-    pub(crate) fn row(&self, plan: &Plan, number: usize, found: &Found) -> Result<Row, Error> {
+    pub(crate) fn row(&self, plan: &Plan, number: usize, found: &CaseOutcome) -> Result<TextRow, Error> {
         let mut row = inputs(plan, number);
         row.push(status_name(found.status).to_owned());
         for column in &self.quantities {
@@ -85,7 +85,7 @@ impl Columns {
     }
 
     /// The row of case `number` (from 0), which cannot be computed.
-    pub(crate) fn failed(&self, plan: &Plan, number: usize, reason: &str) -> Row {
+    pub(crate) fn failed(&self, plan: &Plan, number: usize, reason: &str) -> TextRow {
         let mut row = inputs(plan, number);
         row.push(FAILED.to_owned());
         row.resize(self.place(self.quantities.len()), String::new());
@@ -104,14 +104,14 @@ impl Columns {
     }
 
     /// What a row has in one of the last columns: [`UNKNOWNS`] to [`SECONDS`].
-    pub fn tail<'a>(&self, row: &'a Row, name: &str) -> &'a str {
+    pub fn tail<'a>(&self, row: &'a TextRow, name: &str) -> &'a str {
         let place = TAIL.iter().position(|other| *other == name);
         place.and_then(|place| row.get(self.place(self.quantities.len()) + place)).map_or("", |text| text)
     }
 }
 
 /// Number and inputs of a case.
-fn inputs(plan: &Plan, number: usize) -> Row {
+fn inputs(plan: &Plan, number: usize) -> TextRow {
     let mut row = vec![(number + 1).to_string()];
     for (axis, index) in plan.axes.iter().zip(plan.indices(number)) {
         row.push(match &axis.values[index] {
@@ -166,7 +166,7 @@ pub(crate) fn status_name(status: CaseStatus) -> &'static str {
 }
 
 /// Rows as lines of CSV.
-pub(crate) fn to_csv<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Vec<u8> {
+pub(crate) fn to_csv<'a>(rows: impl IntoIterator<Item = &'a TextRow>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
         // Writing into memory cannot fail.
@@ -177,11 +177,11 @@ pub(crate) fn to_csv<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Vec<u8> {
 
 /// The rows of a table whose writer may have been killed: whole ones, up to the first that is not. `None` where the
 /// table has other headings.
-pub(crate) fn whole_rows(bytes: &[u8], headings: &Row) -> Option<Vec<Row>> {
+pub(crate) fn whole_rows(bytes: &[u8], headings: &TextRow) -> Option<Vec<TextRow>> {
     let end = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |place| place + 1);
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..end]);
     let mut records = reader.records();
-    let row = |record: csv::StringRecord| -> Row { record.iter().map(str::to_owned).collect() };
+    let row = |record: csv::StringRecord| -> TextRow { record.iter().map(str::to_owned).collect() };
     match records.next() {
         // Killed while the headings were written.
         None => return to_csv([headings]).starts_with(bytes).then(Vec::new),

@@ -10,7 +10,7 @@ use oilwedge_study::result::headlines;
 use super::pieces::{counted, effects, heading, printable, table, time};
 use crate::digits::significant;
 use crate::readable::readable_unit;
-use crate::sweep::{LIMITS, REASON, Row, SweepReport, VERDICT, WARNINGS};
+use crate::sweep::{LIMITS, REASON, SweepReport, TextRow, VERDICT, WARNINGS};
 
 /// How many cases have each code.
 fn tally(report: &SweepReport, column: &str) -> String {
@@ -90,17 +90,17 @@ fn written(report: &SweepReport, folder: &Path) -> String {
 
 /// A column of numbers that is shown: the quantity by its place among those of the report, its heading, the size of its
 /// unit.
-struct Shown {
+struct ShownColumn {
     place: usize,
     heading: String,
     size: f64,
 }
 
 /// The columns that the scene asks for, in their units; else the headlines, in units that suit them.
-fn shown(report: &SweepReport) -> Vec<Shown> {
+fn shown(report: &SweepReport) -> Vec<ShownColumn> {
     let all: Vec<(usize, &Column)> = report.columns.quantities.iter().enumerate().collect();
     if report.plan.columns.is_some() {
-        let column = |&(place, column): &(usize, &Column)| Shown {
+        let column = |&(place, column): &(usize, &Column)| ShownColumn {
             place,
             heading: printable(&headed(&column.name, &column.unit)),
             size: 1.0,
@@ -110,7 +110,7 @@ fn shown(report: &SweepReport) -> Vec<Shown> {
     let column = |&(place, column): &(usize, &Column)| {
         let values = report.rows.iter().filter_map(|row| report.value(row, place));
         let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), column.row.unit);
-        Shown { place, heading: headed(column.row.symbol, unit), size }
+        ShownColumn { place, heading: headed(column.row.symbol, unit), size }
     };
     let headlines = headlines(&all, |(_, column)| column.row, &report.effects);
     headlines.into_iter().map(column).collect()
@@ -135,7 +135,7 @@ fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
         0..1 + report.columns.inputs.len() + columns.len(),
     );
     let inputs = report.columns.inputs.len();
-    let mut add = |row: &Row| {
+    let mut add = |row: &TextRow| {
         let mut cells: Vec<String> = row[..=inputs].iter().map(|cell| printable(cell)).collect();
         let numbers = columns.iter().map(|column| {
             let value = report.value(row, column.place);

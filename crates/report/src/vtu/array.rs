@@ -13,9 +13,9 @@ const BLOCK: usize = 32_768;
 /// Level of zlib: files of one part in twenty less cost twice the time.
 const ZLIB_LEVEL: u8 = 6;
 
-/// Numbers of an array.
+/// ArrayNumbers of an array.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Numbers<'a> {
+pub(super) enum ArrayNumbers<'a> {
     Float64(&'a [f64]),
     /// Written with 32 bits each.
     Float32(&'a [f64]),
@@ -23,7 +23,7 @@ pub(super) enum Numbers<'a> {
     UInt8(&'a [u8]),
 }
 
-impl Numbers<'_> {
+impl ArrayNumbers<'_> {
     /// VTK's name of the type.
     fn kind(self) -> &'static str {
         match self {
@@ -62,12 +62,12 @@ pub(super) struct Array<'a> {
     pub(super) name: &'a str,
     pub(super) unit: Option<&'a str>,
     pub(super) components: usize,
-    pub(super) numbers: Numbers<'a>,
+    pub(super) numbers: ArrayNumbers<'a>,
 }
 
 impl<'a> Array<'a> {
     /// An array without a unit.
-    pub(super) fn plain(name: &'a str, components: usize, numbers: Numbers<'a>) -> Self {
+    pub(super) fn plain(name: &'a str, components: usize, numbers: ArrayNumbers<'a>) -> Self {
         Self { name, unit: None, components, numbers }
     }
 

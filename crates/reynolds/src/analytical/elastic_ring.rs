@@ -44,12 +44,12 @@ pub struct ElasticRing {
 }
 
 /// The constants of four functions: a condition is a row, and so is a displacement.
-type Row = [f64; 4];
+type ConditionRow = [f64; 4];
 
 /// Solution at one radius: the parts of displacement and stress that turn with `exp(i n phi)` and with `exp(-i n phi)`.
-struct At {
-    displacement: [Row; 2],
-    stress: [Row; 2],
+struct RingSolution {
+    displacement: [ConditionRow; 2],
+    stress: [ConditionRow; 2],
 }
 
 impl ElasticRing {
@@ -106,14 +106,14 @@ impl ElasticRing {
 
     /// Solution at the radius r over that of the bore; what grows outwards is over its value at the outer surface, so
     /// that nothing overflows.
-    fn at(&self, n: usize, r: f64) -> At {
+    fn at(&self, n: usize, r: f64) -> RingSolution {
         let kappa = 3.0 - 4.0 * self.poisson;
         let grown = (r / self.ratio()).powi(n as i32);
         let decayed = r.powi(-(n as i32));
         if n == 1 {
             let square = r * r / (self.ratio() * self.ratio());
             let slope = 2.0 * r / (self.ratio() * self.ratio());
-            return At {
+            return RingSolution {
                 displacement: [
                     [kappa * square, -1.0, -r.powi(-2), 0.0],
                     [-2.0 * square, 2.0 * kappa * r.ln(), 0.0, 1.0],
@@ -122,7 +122,7 @@ impl ElasticRing {
             };
         }
         let n = n as f64;
-        At {
+        RingSolution {
             displacement: [
                 [kappa * grown * r, (n - 1.0) * decayed * r, 0.0, -decayed / r],
                 [-(n + 1.0) * grown * r, kappa * decayed * r, -grown / r, 0.0],
@@ -136,7 +136,7 @@ impl ElasticRing {
 }
 
 /// Four equations with scaled columns, by elimination with row pivots.
-fn solved(mut a: [Row; 4], mut b: Row) -> Row {
+fn solved(mut a: [ConditionRow; 4], mut b: ConditionRow) -> ConditionRow {
     let greatest = |column: usize| a.iter().fold(0.0f64, |most, row| most.max(row[column].abs()));
     let scale = [0, 1, 2, 3].map(greatest);
     for row in &mut a {
@@ -170,7 +170,7 @@ mod tests {
         ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: OuterSurface::Clamped };
 
     /// Hooke's law and equilibrium of `(u_r cos, u_t sin, s_r cos, s_rt sin)` along r: derivatives.
-    fn along_r(ring: &ElasticRing, n: f64, r: f64, [u, v, s, t]: Row) -> Row {
+    fn along_r(ring: &ElasticRing, n: f64, r: f64, [u, v, s, t]: ConditionRow) -> ConditionRow {
         let g = ring.shear_modulus();
         let lame = 2.0 * g * ring.poisson / (1.0 - 2.0 * ring.poisson);
         let hoop = (u + n * v) / r;
@@ -180,10 +180,10 @@ mod tests {
     }
 
     /// The state at the outer surface, by the classical method of Runge and Kutta.
-    fn shot(ring: &ElasticRing, n: f64, mut state: Row) -> Row {
+    fn shot(ring: &ElasticRing, n: f64, mut state: ConditionRow) -> ConditionRow {
         const STEPS: usize = 4000;
         let step = ring.thickness / STEPS as f64;
-        let plus = |a: Row, by: f64, b: Row| [0, 1, 2, 3].map(|k| a[k] + by * b[k]);
+        let plus = |a: ConditionRow, by: f64, b: ConditionRow| [0, 1, 2, 3].map(|k| a[k] + by * b[k]);
         for k in 0..STEPS {
             let r = ring.radius + step * k as f64;
             let first = along_r(ring, n, r, state);

@@ -6,7 +6,7 @@
 //! beta    = [b_0 + b_1 eps + b_2 eps^2 + b_3 eps^3 + b_4 eps^4] arctan(pi sqrt(1 - eps^2)/(2 eps))
 //! f/psi   = pi/(So sqrt(1 - eps^2)) + eps/2 sin(beta)                   full film, on the journal
 //! Q_3     = D^3 psi omega Q_3*,       Q_3* = (b - 0.223 b^3) eps/4      leaves at the ends
-//! Q_p     = D^3 psi^3 p_en/eta Q_p*                                     pressed through by the feed, see [`Feed`]
+//! Q_p     = D^3 psi^3 p_en/eta Q_p*                                     pressed through by the feed, see [`StandardFeed`]
 //! ```
 //! with polynomials a_1, a_2, b_0 to b_4 in b.
 //!
@@ -84,7 +84,7 @@ pub fn side_flow_number(eccentricity: f64, slenderness: f64) -> f64 {
 
 /// How the oil is fed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Feed {
+pub enum StandardFeed {
     /// A hole opposite to the load; its diameter over B.
     HoleOpposite(f64),
     /// A hole at 90 degrees to the load; its diameter over B.
@@ -104,21 +104,21 @@ pub enum Feed {
 }
 
 /// Flow number Q_p* of what the pressure of the feed presses through.
-pub fn feed_flow_number(feed: Feed, eccentricity: f64, slenderness: f64) -> f64 {
+pub fn feed_flow_number(feed: StandardFeed, eccentricity: f64, slenderness: f64) -> f64 {
     let eps = eccentricity;
     let wide = (1.0 + eps).powi(3);
     let hole = |x: f64| PI / 48.0 / ((1.0 / x).ln() * polynomial([1.204, 0.368, -1.046, 1.942], x));
     let pocket = |x: f64| PI / 48.0 / ((1.0 / x).ln() * polynomial([1.188, 1.582, -2.585, 5.563], x));
     let film = |x: f64| 1.0 / (slenderness * (1.0 - x));
     match feed {
-        Feed::HoleOpposite(x) => wide * hole(x),
-        Feed::HoleAcross(x) => hole(x),
-        Feed::TwoHolesAcross(x) => 2.0 * hole(x),
-        Feed::PocketOpposite(x) => wide * pocket(x),
-        Feed::PocketAcross(x) => pocket(x),
-        Feed::TwoPocketsAcross(x) => 2.0 * pocket(x),
-        Feed::GrooveAround(x) => PI / 24.0 * (1.0 + 1.5 * eps * eps) * film(x),
-        Feed::GrooveHalf(x) => {
+        StandardFeed::HoleOpposite(x) => wide * hole(x),
+        StandardFeed::HoleAcross(x) => hole(x),
+        StandardFeed::TwoHolesAcross(x) => 2.0 * hole(x),
+        StandardFeed::PocketOpposite(x) => wide * pocket(x),
+        StandardFeed::PocketAcross(x) => pocket(x),
+        StandardFeed::TwoPocketsAcross(x) => 2.0 * pocket(x),
+        StandardFeed::GrooveAround(x) => PI / 24.0 * (1.0 + 1.5 * eps * eps) * film(x),
+        StandardFeed::GrooveHalf(x) => {
             let half = PI * (1.0 + 1.5 * eps * eps) + 6.0 * eps + 4.0 / 3.0 * eps.powi(3);
             half / 48.0 * film(x)
         }
@@ -153,8 +153,8 @@ mod tests {
         assert_eq!(side_flow_number(0.0, 0.5), 0.0);
         // Two slots of length (B - b_G)/2: 2 pi D c^3 p/(12 eta (B - b_G)/2) with c = psi D/2.
         let annulus = 2.0 * PI / 8.0 / (12.0 * 0.5 * 0.4);
-        assert!((feed_flow_number(Feed::GrooveAround(0.2), 0.0, 0.5) / annulus - 1.0).abs() < 1e-12);
-        assert!((feed_flow_number(Feed::GrooveHalf(0.2), 0.0, 0.5) / (0.5 * annulus) - 1.0).abs() < 1e-12);
+        assert!((feed_flow_number(StandardFeed::GrooveAround(0.2), 0.0, 0.5) / annulus - 1.0).abs() < 1e-12);
+        assert!((feed_flow_number(StandardFeed::GrooveHalf(0.2), 0.0, 0.5) / (0.5 * annulus) - 1.0).abs() < 1e-12);
     }
 
     /// The mean of h^3 along the wide half over that of all of it.
@@ -166,7 +166,8 @@ mod tests {
             (1.0 + 0.7 * theta.cos()).powi(3) / f64::from(n)
         };
         let half: f64 = (0..n).map(cube).sum();
-        let fit = feed_flow_number(Feed::GrooveHalf(0.0), 0.7, 0.5) / feed_flow_number(Feed::GrooveHalf(0.0), 0.0, 0.5);
+        let fit = feed_flow_number(StandardFeed::GrooveHalf(0.0), 0.7, 0.5)
+            / feed_flow_number(StandardFeed::GrooveHalf(0.0), 0.0, 0.5);
         assert!((fit / half - 1.0).abs() < 1e-8, "{fit} {half}");
     }
 }

@@ -11,7 +11,7 @@
 
 mod jfo;
 
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_fem::newton::Failure;
 
 pub use jfo::FilmFraction;
@@ -19,7 +19,7 @@ pub(crate) use jfo::{
     Carriage, PointChanges, cell_volumes, check_supply, held_volume, oil_carried, residual_changes, spread, work,
 };
 
-use crate::film_start::Steps;
+use crate::film_start::StepBudget;
 use crate::lubricant::PressureLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
@@ -146,8 +146,8 @@ impl Cavitation {
     pub(crate) fn solve(
         &self,
         (problem, system, motion): (&FilmProblem, &FilmSystem, f64),
-        start: InitialGuess,
-        steps: Steps,
+        start: WarmStart,
+        steps: StepBudget,
     ) -> Result<FilmSolution, NoFilm> {
         match self {
             Self::Jfo { .. } => jfo::solve((problem, system, motion), start, steps),

@@ -142,7 +142,7 @@ struct Weights {
 }
 
 /// A film and its coarse comparison.
-struct Pair<'a> {
+struct FilmPair<'a> {
     film: &'a SolvedFilm,
     /// The wall, if it gives way.
     following: Option<&'a FollowingWall>,
@@ -163,7 +163,7 @@ pub fn conserving_error(
     let SolvedFilm { problem, system, solution } = film;
     let (fraction, other) = (solution.film_fraction.as_ref()?, coarse.solution.film_fraction.as_ref()?);
     (system.space().degree() == 2).then_some(())?;
-    let pair = Pair::new(film, coarse, following);
+    let pair = FilmPair::new(film, coarse, following);
     let total = load::load(film);
     let (sin, cos) = total.angle().sin_cos();
     let [along, across] = [[cos, sin], [-sin, cos]].map(|[x, y]| pair.shares(|at| x * at.force[0] + y * at.force[1]));
@@ -228,7 +228,7 @@ impl ConservingError {
     }
 }
 
-impl<'a> Pair<'a> {
+impl<'a> FilmPair<'a> {
     fn new(film: &'a SolvedFilm, coarse: &SolvedFilm, following: Option<&'a FollowingWall>) -> Self {
         let pressure: Vec<f64> = film.solution.unknown.iter().map(|&u| film.problem.pressure_at(u)).collect();
         let mut pair = Self { film, following, pressure, difference: Vec::new() };

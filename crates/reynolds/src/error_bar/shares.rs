@@ -37,7 +37,7 @@ pub(super) fn film_error(
     let raised = system.cubic().prolongation.prolong(&solution.unknown);
     let split = Split::new(film, cubic, &raised);
     let vectors = GoalVectors { cubic, raised: &raised, following };
-    let [x, y, thrust] = vectors.of(|At { cos, sin, mu, .. }| [cos + mu[0], sin + mu[1], 1.0]);
+    let [x, y, thrust] = vectors.of(|WeighingPoint { cos, sin, mu, .. }| [cos + mu[0], sin + mu[1], 1.0]);
     let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
         let geometry = geometry::rims(film, &dual, given);
@@ -63,7 +63,7 @@ pub(super) fn film_error(
     ];
     let moments = match problem.can_tilt() {
         true => {
-            let [x, y] = vectors.of(|At { cos, sin, z, mu }| [z * cos + mu[2], z * sin + mu[3]]);
+            let [x, y] = vectors.of(|WeighingPoint { cos, sin, z, mu }| [z * cos + mu[2], z * sin + mu[3]]);
             Some([
                 load(&x, Some(2), &|region, [angle, z]| excess(region) * z * angle.cos())?,
                 load(&y, Some(3), &|region, [angle, z]| excess(region) * z * angle.sin())?,
@@ -190,7 +190,7 @@ struct GoalVectors<'a> {
 }
 
 /// Point at which a goal is weighed.
-struct At {
+struct WeighingPoint {
     cos: f64,
     sin: f64,
     /// Axial position [m].
@@ -202,7 +202,7 @@ struct At {
 impl GoalVectors<'_> {
     /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights
     /// w.
-    fn of<const N: usize>(&self, weights: impl Fn(At) -> [f64; N]) -> [Vec<f64>; N] {
+    fn of<const N: usize>(&self, weights: impl Fn(WeighingPoint) -> [f64; N]) -> [Vec<f64>; N] {
         let (SolvedFilm { problem, system, solution }, following) = (self.cubic, self.following);
         let (space, mesh) = (system.space(), system.space().mesh());
         let rule = KinkRule::for_degree(space.degree());
@@ -216,7 +216,7 @@ impl GoalVectors<'_> {
                 for q in 0..points.positions.len() {
                     let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));
                     let position = points.positions[q];
-                    let weights = weights(At {
+                    let weights = weights(WeighingPoint {
                         cos: cosines[q],
                         sin: sines[q],
                         z: position[1],

@@ -47,7 +47,7 @@ pub struct Sharpened {
 
 /// The film that is reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reported {
+pub enum ReportedFilm {
     /// The finite volumes: position or temperature are those of their force and heat.
     FiniteVolumes,
     /// The load of the hill: its force balances what the journal bears. Else the narrower bar.
@@ -58,36 +58,41 @@ pub enum Reported {
 
 /// Gives the numbers in `error` of a film with the numbers `film` the bars that they have beside its hill; the numbers
 /// that are those of the hill.
-pub fn sharpen(error: &mut ConservingError, film: &HillNumbers, sharp: &SharpFilm, reported: Reported) -> Sharpened {
+pub fn sharpen(
+    error: &mut ConservingError,
+    film: &HillNumbers,
+    sharp: &SharpFilm,
+    reported: ReportedFilm,
+) -> Sharpened {
     let mut sharpened = Sharpened::default();
     if !error.is_resolved {
         return sharpened;
     }
     let bars = LoadBars::new(error, sharp);
     match bars.verdict(error, &film.load, &sharp.cubic.load) {
-        Verdict::Better if reported == Reported::Narrower => sharpened.load = Some(sharp.cubic.load),
-        _ if reported == Reported::LoadOfHill => sharpened.load = Some(sharp.cubic.load),
-        Verdict::Apart => reach(error, &film.load, &sharp.cubic.load),
-        Verdict::Better | Verdict::Wider => {}
+        HillVerdict::Better if reported == ReportedFilm::Narrower => sharpened.load = Some(sharp.cubic.load),
+        _ if reported == ReportedFilm::LoadOfHill => sharpened.load = Some(sharp.cubic.load),
+        HillVerdict::Apart => reach(error, &film.load, &sharp.cubic.load),
+        HillVerdict::Better | HillVerdict::Wider => {}
     }
     if sharpened.load.is_some() {
         bars.replace(error);
     }
     let greatest = bar(sharp, |hill| hill.greatest);
-    match Verdict::of(greatest, error.greatest_pressure, sharp.cubic.greatest - film.greatest) {
-        Verdict::Better if reported != Reported::FiniteVolumes => {
+    match HillVerdict::of(greatest, error.greatest_pressure, sharp.cubic.greatest - film.greatest) {
+        HillVerdict::Better if reported != ReportedFilm::FiniteVolumes => {
             error.greatest_pressure = greatest;
             sharpened.greatest = Some(sharp.cubic.greatest);
         }
-        Verdict::Apart => error.greatest_pressure = (sharp.cubic.greatest - film.greatest).abs(),
-        Verdict::Better | Verdict::Wider => {}
+        HillVerdict::Apart => error.greatest_pressure = (sharp.cubic.greatest - film.greatest).abs(),
+        HillVerdict::Better | HillVerdict::Wider => {}
     }
     sharpened
 }
 
 /// What a number of the hill is beside that of the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Verdict {
+enum HillVerdict {
     /// The hill's bar is narrower, and its number lies inside the bar of the film.
     Better,
     /// The hill's bar is narrower, and its number lies outside the bar of the film.
@@ -96,7 +101,7 @@ enum Verdict {
     Wider,
 }
 
-impl Verdict {
+impl HillVerdict {
     /// The verdict on a number with the bar `hill` that differs by `apart` from that of the film, whose bar is `film`.
     /// Where that has no end the film may not exist.
     fn of(hill: f64, film: f64, apart: f64) -> Self {
@@ -138,7 +143,7 @@ pub fn is_of_use(error: &ConservingError, film: &SolvedFilm) -> bool {
 pub fn takes_load_of_hill(error: &ConservingError, film: &SolvedFilm, sharp: &SharpFilm) -> bool {
     let load = || load(film).total;
     let verdict = || LoadBars::new(error, sharp).verdict(error, &load(), &sharp.cubic.load);
-    error.is_resolved && verdict() == Verdict::Better
+    error.is_resolved && verdict() == HillVerdict::Better
 }
 
 /// Bars [N] of the load of a hill: as a whole it is that of one film, and so is the power that follows from it.
@@ -167,13 +172,13 @@ impl LoadBars {
     }
 
     /// What the load of a `hill` is beside that of the `film`: as a whole, with its direction.
-    fn verdict(&self, error: &ConservingError, film: &Share, hill: &Share) -> Verdict {
+    fn verdict(&self, error: &ConservingError, film: &Share, hill: &Share) -> HillVerdict {
         let [along, across] = along_and_across(film, hill);
         let bars = [error.load.total(), error.across.total()];
         match self.along.total() + self.across.total() < bars[0] + bars[1] {
-            false => Verdict::Wider,
-            true if along.abs() <= bars[0] && across.abs() <= bars[1] => Verdict::Better,
-            true => Verdict::Apart,
+            false => HillVerdict::Wider,
+            true if along.abs() <= bars[0] && across.abs() <= bars[1] => HillVerdict::Better,
+            true => HillVerdict::Apart,
         }
     }
 

@@ -36,7 +36,7 @@ const BEND_ALONG: f64 = 0.125;
 const ROUNDING: f64 = 1e-12;
 /// Depths at the points of a grid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Points {
+pub struct SurfaceGrid {
     /// Growing angles [rad] within one turn; one alone for a surface that does not depend on the angle.
     pub angles: Vec<f64>,
     /// Growing axial positions [m].
@@ -58,7 +58,7 @@ pub struct Measured {
 
 impl Measured {
     /// The surface of a bearing with this radius [m] and length [m]; `closed`: its angles go all around.
-    pub fn new(points: &Points, radius: f64, length: f64, closed: bool) -> Self {
+    pub fn new(points: &SurfaceGrid, radius: f64, length: f64, closed: bool) -> Self {
         let around = PointAxis {
             places: points.angles.iter().map(|angle| radius * angle).collect(),
             period: closed.then_some(std::f64::consts::TAU * radius),
@@ -163,11 +163,11 @@ mod tests {
     const RADIUS: f64 = 0.05;
 
     /// Points of a function of angle and position, `columns` around and with uneven distances along the axis.
-    fn points(columns: u32, depth: impl Fn(f64, f64) -> f64) -> Points {
+    fn points(columns: u32, depth: impl Fn(f64, f64) -> f64) -> SurfaceGrid {
         let angles: Vec<f64> = (0..columns).map(|i| TAU * f64::from(i) / f64::from(columns)).collect();
         let zs = vec![-0.02, -0.013, -0.004, 0.003, 0.011, 0.02];
         let row = |&angle: &f64| zs.iter().map(|&z| depth(angle, z)).collect();
-        Points { depths: angles.iter().map(row).collect(), angles, zs }
+        SurfaceGrid { depths: angles.iter().map(row).collect(), angles, zs }
     }
 
     #[test]
@@ -220,7 +220,7 @@ mod tests {
         };
         let (angles, zs) = (grow(40, 0.0, TAU), grow(15, -0.02, 0.02));
         let depths: Vec<Vec<f64>> = (0..40).map(|_| (0..15).map(|_| 1e-6 * (6.0 * next()).floor()).collect()).collect();
-        let points = Points { angles, zs, depths };
+        let points = SurfaceGrid { angles, zs, depths };
         let measured = Measured::new(&points, RADIUS, 0.04, true);
         let twists = measured.nodes.iter().filter(|node| node[3] != 0.0).count();
         for i in 0..40 {
@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn one_angle_stands_for_all() {
-        let one = Points { angles: vec![0.0], zs: vec![-0.02, 0.0, 0.02], depths: vec![vec![4e-6, 0.0, 4e-6]] };
+        let one = SurfaceGrid { angles: vec![0.0], zs: vec![-0.02, 0.0, 0.02], depths: vec![vec![4e-6, 0.0, 4e-6]] };
         let measured = Measured::new(&one, RADIUS, 0.04, true);
         for x in [0.0, 0.1, 0.3] {
             let found = measured.at([x, 0.01]);

@@ -17,7 +17,7 @@ pub use deflection::{Closing, Deflection, WallStage};
 pub use eccentricity::Eccentricity;
 pub use envelope::{Envelope, Wearing};
 pub use groove_depth::GrooveDepth;
-pub use measured::{Measured, Points};
+pub use measured::{Measured, SurfaceGrid};
 pub use oval::Oval;
 pub use profile::{Profile, Relief, Shape};
 pub use tilt::Tilt;
@@ -89,7 +89,7 @@ mod tests {
         let angles: Vec<f64> = (0..12).map(|k| std::f64::consts::TAU * f64::from(k) / 12.0).collect();
         let zs = vec![-0.02, -0.005, 0.015, 0.02];
         let depth = |angle: f64, z: f64| 3e-6 * (angle.cos() + 50.0 * z * angle.sin());
-        let points = Points {
+        let points = SurfaceGrid {
             depths: angles.iter().map(|&angle| zs.iter().map(|&z| depth(angle, z)).collect()).collect(),
             angles,
             zs,

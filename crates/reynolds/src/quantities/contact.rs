@@ -15,19 +15,19 @@
 //! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by**
 //! `tests/tests/contact`.
 
-use super::contact_division::Accuracy;
+use super::contact_division::ContactTolerance;
 use super::contact_points::ContactPoints;
 use super::share::{Resultant, Share};
 use crate::{FilmChange, FilmProblem, FilmSystem};
 
 /// What contact carries in this position; `None` where none is simulated.
 pub fn share(problem: &FilmProblem, system: &FilmSystem) -> Option<Share> {
-    Some(ContactPoints::of_load_alone(problem, system, Accuracy::Full)?.share())
+    Some(ContactPoints::of_load_alone(problem, system, ContactTolerance::Full)?.share())
 }
 
 /// Error of integration [N] of the force of a `share`: its difference from that of a rule of lower degree.
 pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 {
-    ContactPoints::of_load_alone(problem, system, Accuracy::Lower).map_or(0.0, |rough| {
+    ContactPoints::of_load_alone(problem, system, ContactTolerance::Lower).map_or(0.0, |rough| {
         let [x, y] = share.less(&rough.share()).force;
         x.hypot(y)
     })
@@ -36,7 +36,7 @@ pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 
 /// First-order change of what contact carries with `changes` of the journal or the gap; zero where none is simulated.
 pub fn contact_change(problem: &FilmProblem, system: &FilmSystem, changes: &[FilmChange<'_>]) -> Resultant {
     let mut sum = Resultant::default();
-    if let Some(points) = ContactPoints::of_load_alone(problem, system, Accuracy::Full) {
+    if let Some(points) = ContactPoints::of_load_alone(problem, system, ContactTolerance::Full) {
         for change in changes {
             sum += points.load_change(&points.gap_change(problem, *change));
         }

@@ -42,7 +42,7 @@ const STEADY: f64 = 0.85;
 
 /// Accuracy to which contact is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Accuracy {
+pub(crate) enum ContactTolerance {
     /// The accuracy of numbers that are reported.
     Full,
     /// One of lower degree on the same parts, to compare with.
@@ -69,7 +69,7 @@ impl Fineness {
 }
 
 /// A part of the reference triangle.
-pub(super) struct Part {
+pub(super) struct TrianglePart {
     /// Rule of degree 8.
     pub(super) rule: Rule,
     /// Rule of degree 6: to compare with, and for splines that have a kink amid the part.
@@ -79,17 +79,17 @@ pub(super) struct Part {
 }
 
 /// The parts of a triangle after each quartering; those of part k are numbers 4 k to 4 k + 3 of the next.
-pub(super) static PARTS: LazyLock<Vec<Vec<Part>>> = LazyLock::new(|| {
+pub(super) static PARTS: LazyLock<Vec<Vec<TrianglePart>>> = LazyLock::new(|| {
     let mut corners = vec![[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]];
-    let mut parts = vec![corners.iter().map(Part::of).collect()];
+    let mut parts = vec![corners.iter().map(TrianglePart::of).collect()];
     for _ in 0..MOST_QUARTERINGS {
         corners = corners.iter().flat_map(quartered).collect();
-        parts.push(corners.iter().map(Part::of).collect());
+        parts.push(corners.iter().map(TrianglePart::of).collect());
     }
     parts
 });
 
-impl Part {
+impl TrianglePart {
     fn of(corners: &[[f64; 2]; 3]) -> Self {
         let ([a, b, c], [ab, bc, ca]) = (*corners, middles(corners));
         Self {
@@ -113,7 +113,7 @@ fn quartered(corners: &[[f64; 2]; 3]) -> [[[f64; 2]; 3]; 4] {
 
 /// A part of a triangle that is still to be integrated.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
+pub(super) struct PendingPart {
     /// How often the triangle was quartered.
     pub(super) level: usize,
     /// Place of the piece among [`PARTS`].
@@ -124,7 +124,7 @@ pub(super) struct Piece {
     pub(super) weight: f64,
 }
 
-impl Piece {
+impl PendingPart {
     /// A triangle.
     pub(super) const WHOLE: Self = Self { level: 0, number: 0, is_for_load: true, weight: 1.0 };
 

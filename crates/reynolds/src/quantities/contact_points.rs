@@ -20,7 +20,7 @@ use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
 use rayon::prelude::*;
 
-use super::contact_division::{Accuracy, Division, PARTS, Part, Piece, division};
+use super::contact_division::{ContactTolerance, Division, PARTS, PendingPart, TrianglePart, division};
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::contact::{Contact, ContactLaw, Fineness};
@@ -83,25 +83,25 @@ pub struct ContactPoints {
 }
 
 /// A film whose surfaces touch.
-struct Touching<'a> {
+struct TouchingFilm<'a> {
     problem: &'a FilmProblem,
     system: &'a FilmSystem,
     law: ContactLaw,
     fineness: Fineness,
-    accuracy: Accuracy,
+    accuracy: ContactTolerance,
     /// The splines whose forces are asked for.
     grid: Option<&'a Grid>,
     /// The splines of the wall that gives way, and how it is bent.
     bent: Option<(&'a Grid, &'a [f64])>,
 }
 
-impl Touching<'_> {
+impl TouchingFilm<'_> {
     /// Adds the points of triangle `t`, where its parts touch.
     fn add(&self, t: usize, points: &mut Vec<ContactPoint>) {
         let mesh = self.system.space().mesh();
         let mapping = Mapping::of(mesh, t);
         let by_wall = self.grid.map_or(0, |grid| quarterings(grid, &mesh.corners(t)));
-        let mut left = vec![Piece::WHOLE];
+        let mut left = vec![PendingPart::WHOLE];
         while let Some(piece) = left.pop() {
             let part = &PARTS[piece.level][piece.number];
             let gaps = self.at_nodes(t, part.nodes.map(|node| mapping.at(node).position));
@@ -115,7 +115,7 @@ impl Touching<'_> {
                 continue;
             }
             let [quartered, whole] = piece.shared(of_quarters);
-            left.extend(quartered.into_iter().flat_map(Piece::quarters));
+            left.extend(quartered.into_iter().flat_map(PendingPart::quarters));
             let Some(whole) = whole else { continue };
             let (serves, rule) = match whole.is_for_load {
                 true if is_wide => (Serves::Load, self.of_load(part)),
@@ -129,10 +129,10 @@ impl Touching<'_> {
         }
     }
 
-    fn of_load<'a>(&self, part: &'a Part) -> &'a Rule {
+    fn of_load<'a>(&self, part: &'a TrianglePart) -> &'a Rule {
         match self.accuracy {
-            Accuracy::Full => &part.rule,
-            Accuracy::Lower => &part.lower,
+            ContactTolerance::Full => &part.rule,
+            ContactTolerance::Lower => &part.lower,
         }
     }
 
@@ -180,23 +180,31 @@ impl ContactPoints {
     /// The points of contact of the film of a problem; none where no contact is simulated.
     pub fn of(problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
         let grid = problem.deflection().map(|deflection| &deflection.wall.grid);
-        Self::found((problem, system), grid, Accuracy::Full)
+        Self::found((problem, system), grid, ContactTolerance::Full)
     }
 
     /// The points of contact of the film of a problem, for a wall on this grid.
     pub(crate) fn on(grid: &Grid, problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
-        Self::found((problem, system), Some(grid), Accuracy::Full)
+        Self::found((problem, system), Some(grid), ContactTolerance::Full)
     }
 
     /// The points of contact of the film of a problem, for what the journal carries alone.
-    pub(crate) fn of_load_alone(problem: &FilmProblem, system: &FilmSystem, accuracy: Accuracy) -> Option<Self> {
+    pub(crate) fn of_load_alone(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        accuracy: ContactTolerance,
+    ) -> Option<Self> {
         Self::found((problem, system), None, accuracy)
     }
 
-    fn found((problem, system): (&FilmProblem, &FilmSystem), grid: Option<&Grid>, accuracy: Accuracy) -> Option<Self> {
+    fn found(
+        (problem, system): (&FilmProblem, &FilmSystem),
+        grid: Option<&Grid>,
+        accuracy: ContactTolerance,
+    ) -> Option<Self> {
         let Contact { law, fineness, .. } = problem.contact?;
         let deflection = problem.deflection();
-        let touching = Touching {
+        let touching = TouchingFilm {
             problem,
             system,
             law,

@@ -28,7 +28,7 @@ const QUARTERINGS: usize = 3;
 
 /// Oil made beside a node of given pressure.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Beside {
+pub(super) struct EdgeSource {
     /// Volume [m3/s].
     pub made: f64,
     /// The magnitude of what comes from triangles through which the edge of the cavity runs [m3/s].
@@ -36,10 +36,10 @@ pub(super) struct Beside {
 }
 
 /// What the cavity makes beside each dof; zero at dofs whose pressure is not given.
-pub(super) fn made_beside(film: &SolvedFilm) -> Vec<Beside> {
+pub(super) fn made_beside(film: &SolvedFilm) -> Vec<EdgeSource> {
     let SolvedFilm { problem, system, solution } = film;
     let space = system.space();
-    let mut beside = vec![Beside::default(); space.dofs()];
+    let mut beside = vec![EdgeSource::default(); space.dofs()];
     let dropped = problem.cavitation.kink();
     let Some(pressure) = problem.cavitation.obstacle().or(dropped) else {
         return beside;

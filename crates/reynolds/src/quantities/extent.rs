@@ -76,7 +76,7 @@ pub fn extent(film: &SolvedFilm, extremes: &Extremes) -> Option<Extent> {
 }
 
 /// The part of the line that is in one triangle.
-struct Piece {
+struct LinePiece {
     triangle: usize,
     /// Reference coordinates of its ends, and x [m] there, growing.
     ends: [[f64; 2]; 2],
@@ -84,14 +84,14 @@ struct Piece {
 }
 
 /// The line z = 0 across the mesh, in pieces longer than `shortest` [m].
-fn pieces(system: &FilmSystem, shortest: f64) -> Vec<Piece> {
+fn pieces(system: &FilmSystem, shortest: f64) -> Vec<LinePiece> {
     let mesh = system.space().mesh();
     let piece = |triangle: usize| {
         let ends = cut(&mesh.corners(triangle), 1, 0.0)?;
         let mapping = Mapping::of(mesh, triangle);
         let x = ends.map(|end| mapping.at(end).position[0]);
         let is_turned = x[0] > x[1];
-        Some(Piece {
+        Some(LinePiece {
             triangle,
             ends: if is_turned { [ends[1], ends[0]] } else { ends },
             x: [x[0].min(x[1]), x[0].max(x[1])],
@@ -107,7 +107,7 @@ struct MidPlane<'a> {
     film: &'a SolvedFilm,
     /// The unknown [Pa] in the cavity.
     floor: f64,
-    pieces: Vec<Piece>,
+    pieces: Vec<LinePiece>,
     top: f64,
 }
 
@@ -125,12 +125,13 @@ const APART: f64 = 1e-6;
 impl MidPlane<'_> {
     /// The end of the film in the direction `sense` from its greatest pressure.
     fn walk(&self, sense: f64) -> Option<FilmEnd> {
-        let mut pieces: Vec<(f64, &Piece)> = self.pieces.iter().map(|piece| (self.way(piece, sense), piece)).collect();
+        let mut pieces: Vec<(f64, &LinePiece)> =
+            self.pieces.iter().map(|piece| (self.way(piece, sense), piece)).collect();
         pieces.retain(|(way, _)| *way >= 0.0);
         pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let far = |piece: &Piece| if sense > 0.0 { piece.x[1] } else { piece.x[0] };
-        let near = |piece: &Piece| if sense > 0.0 { piece.x[0] } else { piece.x[1] };
-        let mut before: Option<&Piece> = None;
+        let far = |piece: &LinePiece| if sense > 0.0 { piece.x[1] } else { piece.x[0] };
+        let near = |piece: &LinePiece| if sense > 0.0 { piece.x[0] } else { piece.x[1] };
+        let mut before: Option<&LinePiece> = None;
         for &(_, piece) in &pieces {
             if let Some(last) = before {
                 let gap = self.distance(far(last), near(piece), sense);
@@ -149,7 +150,7 @@ impl MidPlane<'_> {
     }
 
     /// How far a piece is from the greatest pressure [m]; below zero behind it.
-    fn way(&self, piece: &Piece, sense: f64) -> f64 {
+    fn way(&self, piece: &LinePiece, sense: f64) -> f64 {
         // A piece that ends at the greatest pressure is behind it.
         let reach = sense * self.apart(if sense > 0.0 { piece.x[1] } else { piece.x[0] }, self.top);
         match self.has_top(piece) && reach > APART * (piece.x[1] - piece.x[0]) {
@@ -159,7 +160,7 @@ impl MidPlane<'_> {
     }
 
     /// True of a piece at the angle of the greatest pressure.
-    fn has_top(&self, piece: &Piece) -> bool {
+    fn has_top(&self, piece: &LinePiece) -> bool {
         let half = 0.5 * (piece.x[1] - piece.x[0]);
         self.apart(self.top, piece.x[0] + half).abs() <= half
     }
@@ -210,7 +211,7 @@ impl MidPlane<'_> {
     }
 
     /// The film ends at a given line. Where it diverges there a cavity may hide in the last triangle.
-    fn at_line(&self, piece: &Piece, x: f64) -> FilmEnd {
+    fn at_line(&self, piece: &LinePiece, x: f64) -> FilmEnd {
         let law = FilmLaw::new(&self.film.problem, 1.0);
         let middle = [0.5 * (piece.x[0] + piece.x[1]), 0.0];
         let flow = law.film_and_flows(piece.triangle, &[middle]).1[0];
@@ -226,7 +227,7 @@ impl MidPlane<'_> {
     }
 
     /// The first place in the cavity in a piece, if there is one.
-    fn front_in(&self, piece: &Piece, sense: f64) -> Option<FilmEnd> {
+    fn front_in(&self, piece: &LinePiece, sense: f64) -> Option<FilmEnd> {
         let along = |s: f64| if sense > 0.0 { s } else { 1.0 - s };
         let x = |s: f64| piece.x[0] + along(s) * (piece.x[1] - piece.x[0]);
         let is_low = |s: f64| {

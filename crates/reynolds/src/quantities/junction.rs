@@ -18,12 +18,12 @@
 
 use oilwedge_fem::integrate::Rule;
 
-use super::edge::Beside;
+use super::edge::EdgeSource;
 use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
 
 /// The two regions of each node that they share, and `|Q_c|` [m3/s] there.
-pub(super) fn unsure(film: &SolvedFilm, beside: &[Beside]) -> Vec<([usize; 2], f64)> {
+pub(super) fn unsure(film: &SolvedFilm, beside: &[EdgeSource]) -> Vec<([usize; 2], f64)> {
     let space = film.system.space();
     let meeting = film.system.supply.meeting(space);
     if meeting.is_empty() || film.solution.film_fraction.is_some() {

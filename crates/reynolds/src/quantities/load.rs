@@ -24,7 +24,7 @@ use oilwedge_fem::{Field, KinkRule, integrate};
 use oilwedge_mesh::Mesh;
 
 use super::contact;
-use super::contact_division::Accuracy;
+use super::contact_division::ContactTolerance;
 use super::contact_points::ContactPoints;
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
@@ -61,7 +61,7 @@ impl Load {
 
 /// Load of a solved film.
 pub fn load(film: &SolvedFilm) -> Load {
-    let contact = ContactPoints::of_load_alone(&film.problem, &film.system, Accuracy::Full);
+    let contact = ContactPoints::of_load_alone(&film.problem, &film.system, ContactTolerance::Full);
     load_touching(film, contact.as_ref())
 }
 

@@ -24,20 +24,20 @@ use crate::SolvedFilm;
 use crate::angles::sines_and_cosines;
 
 /// Force towards x and y, and its moments: for a unit of a change.
-type Parts = [f64; 4];
+type ForceParts = [f64; 4];
 
 /// How force and moment on the journal change with a film and its wall, to first order.
 #[derive(Debug, Clone)]
 pub struct LoadGradient {
     /// Derivatives by the unknown at each dof [m2, m3].
-    by_unknown: Vec<Parts>,
+    by_unknown: Vec<ForceParts>,
     /// Derivatives by the coefficient of each spline of the wall, by contact [N/m, N]; empty where there is none.
-    by_wall: Vec<Parts>,
+    by_wall: Vec<ForceParts>,
 }
 
 /// Derivatives by the unknown at the nodes of some triangles.
 #[derive(Debug, Default)]
-struct ByNodes(Vec<(usize, [Parts; MOST_SHAPES])>);
+struct ByNodes(Vec<(usize, [ForceParts; MOST_SHAPES])>);
 
 impl AddAssign for ByNodes {
     fn add_assign(&mut self, mut other: Self) {
@@ -59,7 +59,7 @@ impl LoadGradient {
 
     /// Where the unknown changes by `unknown` at each dof, and the deflection by coefficients `wall` [m].
     pub fn change(&self, unknown: &[f64], wall: &[f64]) -> Resultant {
-        let mut sum = Parts::default();
+        let mut sum = ForceParts::default();
         for (parts, change) in [(&self.by_unknown, unknown), (&self.by_wall, wall)] {
             for (parts, change) in parts.iter().zip(change) {
                 sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += change * part);
@@ -70,14 +70,14 @@ impl LoadGradient {
     }
 }
 
-fn by_unknown(film: &SolvedFilm) -> Vec<Parts> {
+fn by_unknown(film: &SolvedFilm) -> Vec<ForceParts> {
     let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());
     let rule = KinkRule::for_degree(space.degree());
     let unknown = Field { space, values: &solution.unknown };
     let by_nodes = integrate(mesh, |t| {
         let nodal = unknown.element_values(t);
-        let mut parts = [Parts::default(); MOST_SHAPES];
+        let mut parts = [ForceParts::default(); MOST_SHAPES];
         rule.visit(mesh, t, problem.kink([&nodal]), |points| {
             let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
             for q in 0..points.positions.len() {
@@ -92,7 +92,7 @@ fn by_unknown(film: &SolvedFilm) -> Vec<Parts> {
         });
         ByNodes(vec![(t, parts)])
     });
-    let mut by_unknown = vec![Parts::default(); space.dofs()];
+    let mut by_unknown = vec![ForceParts::default(); space.dofs()];
     for (t, parts) in by_nodes.0 {
         for (dof, parts) in space.element_dofs(t).into_iter().zip(parts).take(space.shapes()) {
             let sums = &mut by_unknown[dof];

@@ -101,7 +101,7 @@ impl Power {
 
 /// Integrals over the film [W].
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Work {
+pub(crate) struct PowerIntegrals {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
@@ -112,7 +112,7 @@ pub(crate) struct Work {
     pub(crate) driven: f64,
 }
 
-impl std::ops::AddAssign for Work {
+impl std::ops::AddAssign for PowerIntegrals {
     fn add_assign(&mut self, other: Self) {
         self.shear += other.shear;
         self.cavity_shear += other.cavity_shear;
@@ -171,7 +171,7 @@ pub fn power(film: &SolvedFilm) -> Power {
             cavity += inflow * excess;
         }
     }
-    let Work { shear, cavity_shear, pressure, dragged, motion, driven } = work;
+    let PowerIntegrals { shear, cavity_shear, pressure, dragged, motion, driven } = work;
     // Shear stands on both sides.
     let parts = [dragged, motion, supplied, cavity, -driven];
     let scale = shear + parts.iter().map(|part| part.abs()).sum::<f64>();
@@ -199,7 +199,7 @@ pub(crate) fn excess(problem: &FilmProblem, u: f64) -> f64 {
     problem.pressure_at(u) - problem.bearing.end_pressure
 }
 
-fn integrated(film: &SolvedFilm, excess: &[f64], carriage: Option<&Carriage>) -> Work {
+fn integrated(film: &SolvedFilm, excess: &[f64], carriage: Option<&Carriage>) -> PowerIntegrals {
     let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());
     let is_film = system.supply.film(mesh);
@@ -217,12 +217,18 @@ fn integrated(film: &SolvedFilm, excess: &[f64], carriage: Option<&Carriage>) ->
             }
             _ => work.shear,
         };
-        Work { shear, cavity_shear: shear * broken_share(film, t), ..work }
+        PowerIntegrals { shear, cavity_shear: shear * broken_share(film, t), ..work }
     })
 }
 
 /// Adds what is worked at points of a full film.
-fn cell_work(problem: &FilmProblem, law: &FilmLaw, points: &Points, [unknown, excess]: &[Nodal; 2], work: &mut Work) {
+fn cell_work(
+    problem: &FilmProblem,
+    law: &FilmLaw,
+    points: &Points,
+    [unknown, excess]: &[Nodal; 2],
+    work: &mut PowerIntegrals,
+) {
     let (film, flows) = law.film_and_flows(points.cell, points.positions);
     let (velocity, along) = (law.velocity(), problem.theory.directions());
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
@@ -232,7 +238,7 @@ fn cell_work(problem: &FilmProblem, law: &FilmLaw, points: &Points, [unknown, ex
         let p = points.value(q, excess);
         let thickness = film[q].thickness;
         let pressure = area * 0.5 * thickness * dot(velocity, of_pressure);
-        *work += Work {
+        *work += PowerIntegrals {
             cavity_shear: 0.0,
             shear: area * viscosity(problem, p) / thickness * dot(velocity, velocity),
             pressure,

@@ -50,7 +50,7 @@ const BLOCK: usize = 1024;
 pub fn streams<'a>(film: &'a SolvedFilm) -> impl Iterator<Item = Option<(f64, [Stream; PICTURED])>> + 'a {
     let mesh = film.system.space().mesh();
     let is_film = film.system.supply.film(mesh);
-    let nodal = Nodal {
+    let nodal = NodalFilm {
         film,
         excess: film.solution.unknown.iter().map(|&u| excess(&film.problem, u)).collect(),
         places: nodes(film.system.space().degree()),
@@ -64,7 +64,7 @@ pub fn streams<'a>(film: &'a SolvedFilm) -> impl Iterator<Item = Option<(f64, [S
 }
 
 /// A film with its values at nodes.
-struct Nodal<'a> {
+struct NodalFilm<'a> {
     film: &'a SolvedFilm,
     /// Pressure above that of the ends [Pa].
     excess: Vec<f64>,
@@ -72,7 +72,7 @@ struct Nodal<'a> {
     places: Vec<[f64; 2]>,
 }
 
-impl Nodal<'_> {
+impl NodalFilm<'_> {
     fn streams(&self, t: usize) -> [Stream; PICTURED] {
         let SolvedFilm { problem, system, solution } = self.film;
         let space = system.space();

@@ -13,11 +13,11 @@
 
 use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::lagrange::MOST_SHAPES;
-use oilwedge_fem::mapping::Place;
+use oilwedge_fem::mapping::MappedPoint;
 use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Matrix, Space};
 
-use super::rays::{Rays, Side};
+use super::rays::{RaySide, Rays};
 use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSystem};
 
@@ -35,7 +35,7 @@ pub(super) struct FrontPoint {
     oil: f64,
     /// `|F| l/k` [Pa].
     rise: f64,
-    place: Place,
+    place: MappedPoint,
 }
 
 /// A triangle with points on the side of reformation.
@@ -49,7 +49,7 @@ pub(super) struct FrontCell {
 }
 
 /// The discrete balance.
-pub(super) struct Balance<'a> {
+pub(super) struct HillBalance<'a> {
     pub(super) space: &'a Space,
     system: &'a FilmSystem,
     /// What pressure drives.
@@ -62,7 +62,7 @@ pub(super) struct Balance<'a> {
     pub(super) along: Vec<f64>,
 }
 
-impl<'a> Balance<'a> {
+impl<'a> HillBalance<'a> {
     /// The balance of `problem` on the elements of `system`, with the fronts that these rays have.
     pub(super) fn new(problem: &FilmProblem, system: &'a FilmSystem, rays: &Rays) -> Self {
         let space = system.space();
@@ -74,7 +74,7 @@ impl<'a> Balance<'a> {
         let rule = Rule::for_degree(space.degree());
         let cells = (0..space.mesh().triangles().len()).filter(|&t| {
             let dofs = &space.element_dofs(t)[..space.shapes()];
-            dofs.iter().any(|&dof| matches!(sides[dof], Side::Reformation(_)))
+            dofs.iter().any(|&dof| matches!(sides[dof], RaySide::Reformation(_)))
         });
         let cells = cells.map(|t| front_cell(&law, space, &rule, rays, t));
         Self {
@@ -235,8 +235,8 @@ fn front_cell(law: &FilmLaw, space: &Space, rule: &Rule, rays: &Rays, t: usize) 
                 drag: flux.map(|flux| flux * points.area(q)),
                 thickness: film[q].thickness,
                 oil: match rays.side(position) {
-                    Side::Reformation(oil) => oil,
-                    Side::Rupture | Side::Bare => f64::INFINITY,
+                    RaySide::Reformation(oil) => oil,
+                    RaySide::Rupture | RaySide::Bare => f64::INFINITY,
                 },
                 rise: flux[0].hypot(flux[1]) / flows[q].conductance,
                 place: points.place(q),

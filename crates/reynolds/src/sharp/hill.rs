@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::newton::{Failure, HistoryStep};
+use oilwedge_fem::newton::{Failure, NewtonStep};
 use oilwedge_fem::{Constraints, Error, Field, Linearisation, Space, UnsymmetricAnalysis};
 
-use super::balance::Balance;
+use super::balance::HillBalance;
 
 /// A step that leaves this part of the residual or more is followed by one with a new factor.
 const SLOW: f64 = 0.1;
@@ -20,7 +20,7 @@ const LEAST_ALONG: f64 = 0.15;
 
 /// Kinds of the nodes.
 #[derive(Debug, Clone)]
-pub(super) struct Nodes {
+pub(super) struct NodeKinds {
     /// Given pressures above that of the cavity [Pa].
     pub(super) given: Constraints,
     /// Nodes in the middle of a cavity: v = 0, and the oil that is let in there.
@@ -46,8 +46,8 @@ pub(super) struct Kept {
 
 /// A hill on its way.
 pub(super) struct Hill<'a> {
-    pub(super) balance: Balance<'a>,
-    pub(super) nodes: Nodes,
+    pub(super) balance: HillBalance<'a>,
+    pub(super) nodes: NodeKinds,
     pub(super) analysis: Arc<UnsymmetricAnalysis>,
     /// Pressure above that of the cavity [Pa].
     pub(super) v: Vec<f64>,
@@ -56,7 +56,7 @@ pub(super) struct Hill<'a> {
     pub(super) linearisation: Option<Linearisation>,
     /// True where that is of no more use.
     pub(super) is_stale: bool,
-    pub(super) history: Vec<HistoryStep>,
+    pub(super) history: Vec<NewtonStep>,
 }
 
 impl Hill<'_> {
@@ -76,7 +76,7 @@ impl Hill<'_> {
             let greatest = residual.iter().fold(0.0f64, |most, r| most.max(r.abs()));
             let wrong = self.wrong_signs(&residual, greatest);
             let before = std::mem::replace(&mut left, fixed.free_norm(&residual) / greatest);
-            self.history.push(HistoryStep::active(left, wrong.len()));
+            self.history.push(NewtonStep::active(left, wrong.len()));
             if wrong.is_empty() && left < enough {
                 return Ok(());
             }
@@ -178,7 +178,7 @@ impl Hill<'_> {
     }
 
     /// What the next hill starts from.
-    pub(super) fn kept(self) -> (Kept, Nodes) {
+    pub(super) fn kept(self) -> (Kept, NodeKinds) {
         let kept = Kept { v: self.v, held: self.held, along: self.balance.along, linearisation: self.linearisation };
         (kept, self.nodes)
     }

@@ -28,12 +28,12 @@ mod numbers;
 mod rays;
 
 use oilwedge_fem::Error;
-use oilwedge_fem::newton::{Failure, HistoryStep};
+use oilwedge_fem::newton::{Failure, NewtonStep};
 
-use self::balance::Balance;
-use self::hill::{Hill, Kept, Nodes};
+use self::balance::HillBalance;
+use self::hill::{Hill, Kept, NodeKinds};
 pub use self::numbers::HillNumbers;
-use self::rays::{Rays, Side};
+use self::rays::{RaySide, Rays};
 use crate::cavitation::oil_carried;
 use crate::{Cavitation, FilmProblem, FilmSystem, Form, SolvedFilm, Theory};
 
@@ -58,9 +58,9 @@ pub struct SharpFilm {
     /// How much oil that is, as a part of that which arrives.
     pub lost: f64,
     /// Steps of both degrees.
-    pub history: Vec<HistoryStep>,
+    pub history: Vec<NewtonStep>,
     kept: Kept,
-    frame: Frame,
+    frame: HillFrame,
 }
 
 /// What a hill starts from.
@@ -78,10 +78,10 @@ pub enum HillStart {
 
 /// What of a hill is found once and does not follow the position smoothly.
 #[derive(Debug)]
-struct Frame {
+struct HillFrame {
     rays: Rays,
     /// Nodes of cubic elements.
-    nodes: Nodes,
+    nodes: NodeKinds,
     /// Dofs of the film that are in a cavity.
     cavity: Vec<bool>,
 }
@@ -118,9 +118,15 @@ impl FilmProblem {
     }
 
     /// A hill on `system` that is to start from another one.
-    fn hill<'a>(&self, system: &'a FilmSystem, rays: &Rays, nodes: Nodes, start: Kept) -> Result<Hill<'a>, Failure> {
+    fn hill<'a>(
+        &self,
+        system: &'a FilmSystem,
+        rays: &Rays,
+        nodes: NodeKinds,
+        start: Kept,
+    ) -> Result<Hill<'a>, Failure> {
         let may_be = |(&held, &may): (&bool, &bool)| held && may;
-        let mut balance = Balance::new(self, system, rays);
+        let mut balance = HillBalance::new(self, system, rays);
         if !start.along.is_empty() {
             balance.along = start.along;
         }
@@ -219,31 +225,31 @@ impl SolvedFilm {
             lost,
             history,
             kept,
-            frame: Frame { rays, nodes, cavity: solution.cavity.clone() },
+            frame: HillFrame { rays, nodes, cavity: solution.cavity.clone() },
         })
     }
 
     /// The hill in cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
     fn hill_near(&self, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
         let (problem, cubic_system) = (&self.problem, &self.system.cubic().system);
-        let Frame { rays, nodes, cavity } = near.frame;
+        let HillFrame { rays, nodes, cavity } = near.frame;
         let mut cubic = problem.hill(cubic_system, &rays, nodes, near.kept)?;
         cubic.solve(enough)?;
         let numbers = problem.measured(cubic_system, &cubic, &cubic.v)?;
         let history = std::mem::take(&mut cubic.history);
         let (kept, nodes) = cubic.kept();
-        Ok(SharpFilm { cubic: numbers, history, kept, frame: Frame { rays, nodes, cavity }, ..near })
+        Ok(SharpFilm { cubic: numbers, history, kept, frame: HillFrame { rays, nodes, cavity }, ..near })
     }
 
     /// What is found once at the position of this film.
-    fn frame(&self, oil: &[f64]) -> Frame {
+    fn frame(&self, oil: &[f64]) -> HillFrame {
         let rays = Rays::new(self, oil);
-        Frame { nodes: self.nodes(&self.system.cubic().system, &rays), cavity: self.solution.cavity.clone(), rays }
+        HillFrame { nodes: self.nodes(&self.system.cubic().system, &rays), cavity: self.solution.cavity.clone(), rays }
     }
 
     /// What the nodes of `system`, that of quadratic or of cubic elements, are on both sides of the rays, over the
     /// cavity of this film.
-    fn nodes(&self, system: &FilmSystem, rays: &Rays) -> Nodes {
+    fn nodes(&self, system: &FilmSystem, rays: &Rays) -> NodeKinds {
         let Self { problem, system: quadratic, solution } = self;
         let (space, floor) = (system.space(), problem.cavity_unknown());
         let sides = rays.sides(space);
@@ -253,7 +259,7 @@ impl SolvedFilm {
                 *value -= floor;
             }
         }
-        let mut nodes = Nodes {
+        let mut nodes = NodeKinds {
             pinned: vec![false; space.dofs()],
             may_touch: vec![false; space.dofs()],
             closed: vec![false; space.dofs()],
@@ -263,9 +269,10 @@ impl SolvedFilm {
             let dofs = &space.element_dofs(t)[..space.shapes()];
             let of_film = &quadratic.space().element_dofs(t)[..quadratic.space().shapes()];
             if of_film.iter().all(|&dof| solution.cavity[dof]) {
-                let any = |wanted: fn(&Side) -> bool| dofs.iter().any(|&dof| wanted(&sides[dof]));
-                let sees_both = any(|side| *side == Side::Rupture) && any(|side| matches!(side, Side::Reformation(_)));
-                if sees_both || any(|side| *side == Side::Bare) {
+                let any = |wanted: fn(&RaySide) -> bool| dofs.iter().any(|&dof| wanted(&sides[dof]));
+                let sees_both =
+                    any(|side| *side == RaySide::Rupture) && any(|side| matches!(side, RaySide::Reformation(_)));
+                if sees_both || any(|side| *side == RaySide::Bare) {
                     dofs.iter().for_each(|&dof| nodes.pinned[dof] = true);
                 }
                 dofs.iter().for_each(|&dof| nodes.closed[dof] = nodes.given.fixed[dof]);
@@ -273,7 +280,8 @@ impl SolvedFilm {
             // Quadratic functions of vertices have no mean, so that contact there has no sign.
             let first = if space.degree() == 2 { 3 } else { 0 };
             for &dof in &dofs[first..] {
-                nodes.may_touch[dof] = !nodes.given.fixed[dof] && matches!(sides[dof], Side::Rupture | Side::Bare);
+                nodes.may_touch[dof] =
+                    !nodes.given.fixed[dof] && matches!(sides[dof], RaySide::Rupture | RaySide::Bare);
             }
         }
         for dof in 0..space.dofs() {

@@ -37,7 +37,7 @@ pub(super) struct Rays {
 
 /// What a place on a ray belongs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Side {
+pub(super) enum RaySide {
     /// The film, or the part of a cavity behind it.
     Rupture,
     /// The part of a cavity before the film forms again, or that film: oil of this thickness [m] arrives.
@@ -85,15 +85,15 @@ struct Holder {
 
 /// A piece of a ray.
 #[derive(Debug, Clone, Copy)]
-struct Piece {
+struct RayPiece {
     from: f64,
     to: f64,
-    kind: Kind,
+    kind: RegionKind,
     holder: Holder,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum RegionKind {
     Full,
     Cavity,
     /// A region where pressure is given, and the film full.
@@ -142,7 +142,7 @@ impl Rays {
     }
 
     /// Pieces of all sub-triangles.
-    fn cut(&self, system: &FilmSystem, pieces: &mut [Vec<Piece>]) {
+    fn cut(&self, system: &FilmSystem, pieces: &mut [Vec<RayPiece>]) {
         let (space, mesh) = (system.space(), system.space().mesh());
         let is_feed = |dof: usize| {
             let owner = system.supply.owner(dof).map(|owner| system.supply.regions()[owner].kind);
@@ -166,11 +166,11 @@ impl Rays {
                     };
                     let has_pressure = |(_, weights): &(f64, [f64; 3])| (0..3).any(|k| full[k] && weights[k] > 0.0);
                     let kind = match ends.iter().any(has_pressure) {
-                        _ if is_fed => Kind::Supply,
-                        true => Kind::Full,
-                        false => Kind::Cavity,
+                        _ if is_fed => RegionKind::Supply,
+                        true => RegionKind::Full,
+                        false => RegionKind::Cavity,
                     };
-                    pieces[ray].push(Piece {
+                    pieces[ray].push(RayPiece {
                         from: ends[0].0,
                         to: ends[1].0,
                         kind,
@@ -218,17 +218,17 @@ impl Rays {
     }
 
     /// Adds the place of a flooded line to all rays.
-    fn add_line(&self, mesh: &Mesh, region: &SupplyRegion, pieces: &mut [Vec<Piece>]) {
+    fn add_line(&self, mesh: &Mesh, region: &SupplyRegion, pieces: &mut [Vec<RayPiece>]) {
         let Some(&edge) = region.edges.first() else { return };
         let x = self.towards * mesh.edge_nodes(edge)[0][0];
         for pieces in pieces {
-            pieces.push(Piece { from: x, to: x, kind: Kind::Supply, holder: Holder::default() });
+            pieces.push(RayPiece { from: x, to: x, kind: RegionKind::Supply, holder: Holder::default() });
         }
     }
 
     /// The ray that these pieces make.
-    fn ray(&self, mesh: &Mesh, ray: usize, mut pieces: Vec<Piece>) -> Ray {
-        let middle = |piece: &Piece| 0.5 * (piece.from + piece.to);
+    fn ray(&self, mesh: &Mesh, ray: usize, mut pieces: Vec<RayPiece>) -> Ray {
+        let middle = |piece: &RayPiece| 0.5 * (piece.from + piece.to);
         if let (Some(period), Some(first)) = (self.period, pieces.first().map(middle)) {
             for piece in &mut pieces {
                 let turns = ((middle(piece) - first) / period).floor();
@@ -242,8 +242,8 @@ impl Rays {
             pieces.pop();
         }
         let mut pieces = self.joined(pieces);
-        let has_film = pieces.iter().any(|piece| piece.kind != Kind::Cavity);
-        if !has_film || pieces.iter().all(|piece| piece.kind != Kind::Cavity) {
+        let has_film = pieces.iter().any(|piece| piece.kind != RegionKind::Cavity);
+        if !has_film || pieces.iter().all(|piece| piece.kind != RegionKind::Cavity) {
             return Ray { has_film, ..Ray::default() };
         }
         if let Some(period) = self.period {
@@ -254,13 +254,13 @@ impl Rays {
     }
 
     /// Pieces with those of supplies cut out of the mesh between them.
-    fn joined(&self, pieces: Vec<Piece>) -> Vec<Piece> {
-        let mut joined: Vec<Piece> = Vec::with_capacity(pieces.len() + 1);
+    fn joined(&self, pieces: Vec<RayPiece>) -> Vec<RayPiece> {
+        let mut joined: Vec<RayPiece> = Vec::with_capacity(pieces.len() + 1);
         let Some(&first) = pieces.first() else { return joined };
         let length = pieces[pieces.len() - 1].to - first.from;
-        let supply = |from: f64, to: f64| Piece { from, to, kind: Kind::Supply, holder: Holder::default() };
+        let supply = |from: f64, to: f64| RayPiece { from, to, kind: RegionKind::Supply, holder: Holder::default() };
         for piece in pieces {
-            let end = joined.last().map_or(piece.from, |last: &Piece| last.to);
+            let end = joined.last().map_or(piece.from, |last: &RayPiece| last.to);
             if piece.from - end > GAP * length {
                 joined.push(supply(end, piece.from));
             }
@@ -274,15 +274,15 @@ impl Rays {
     }
 
     /// The side of reformation of the cavity that begins with piece `k`, if one does.
-    fn reformation(&self, mesh: &Mesh, ray: usize, pieces: &[Piece], k: usize) -> Option<Reformation> {
-        let is_cavity = |k: usize| pieces.get(k).is_some_and(|piece| piece.kind == Kind::Cavity);
+    fn reformation(&self, mesh: &Mesh, ray: usize, pieces: &[RayPiece], k: usize) -> Option<Reformation> {
+        let is_cavity = |k: usize| pieces.get(k).is_some_and(|piece| piece.kind == RegionKind::Cavity);
         // On an arc only a starved edge lets a cavity in.
         let is_starved = k == 0 && self.period.is_none();
         if !is_cavity(k) || (k > 0 && is_cavity(k - 1)) {
             return None;
         }
         let cavity = &pieces[k..];
-        let length = cavity.iter().take_while(|piece| piece.kind == Kind::Cavity).count();
+        let length = cavity.iter().take_while(|piece| piece.kind == RegionKind::Cavity).count();
         let (cavity, film) = cavity.split_at(length);
         let end = film.first()?.from;
         let switch = match is_starved {
@@ -292,9 +292,9 @@ impl Rays {
         let piece = cavity.iter().find(|piece| piece.to >= switch)?;
         let nodes = mesh.nodes(piece.holder.triangle as usize);
         let [(_, weights), _] = self.crossing(ray, piece.holder.corners.map(|k| nodes[usize::from(k)]))?;
-        let full = film.iter().take_while(|piece| piece.kind != Kind::Cavity);
+        let full = film.iter().take_while(|piece| piece.kind != RegionKind::Cavity);
         let full_end = full.clone().last()?.to;
-        let supply = full.clone().find(|piece| piece.kind == Kind::Supply);
+        let supply = full.clone().find(|piece| piece.kind == RegionKind::Supply);
         let middle = 0.5 * (end + full_end);
         Some(Reformation {
             switch,
@@ -305,26 +305,26 @@ impl Rays {
     }
 
     /// What a place [m] belongs to: of the two rays beside it where both agree, else of the nearer one.
-    pub(super) fn side(&self, [x, z]: [f64; 2]) -> Side {
+    pub(super) fn side(&self, [x, z]: [f64; 2]) -> RaySide {
         let place = ((z - self.low) / self.step - 0.5).clamp(0.0, (RAYS - 1) as f64);
         let below = (place as usize).min(RAYS - 2);
         let part = place - below as f64;
         match [below, below + 1].map(|ray| self.side_on(ray, x)) {
-            [Side::Reformation(a), Side::Reformation(b)] => Side::Reformation(a + part * (b - a)),
+            [RaySide::Reformation(a), RaySide::Reformation(b)] => RaySide::Reformation(a + part * (b - a)),
             [_, side] if part > 0.5 => side,
             [side, _] => side,
         }
     }
 
     /// What each dof belongs to.
-    pub(super) fn sides(&self, space: &Space) -> Vec<Side> {
+    pub(super) fn sides(&self, space: &Space) -> Vec<RaySide> {
         space.positions().iter().map(|&position| self.side(position)).collect()
     }
 
-    fn side_on(&self, ray: usize, x: f64) -> Side {
+    fn side_on(&self, ray: usize, x: f64) -> RaySide {
         let ray = &self.rays[ray];
         if !ray.has_film {
-            return Side::Bare;
+            return RaySide::Bare;
         }
         let mut at = self.towards * x;
         if let Some(period) = self.period {
@@ -332,16 +332,16 @@ impl Rays {
         }
         let next = ray.reformations.partition_point(|reformation| reformation.switch < at);
         match next.checked_sub(1).map(|k| ray.reformations[k]) {
-            Some(reformation) if at < reformation.until => Side::Reformation(reformation.oil),
-            _ => Side::Rupture,
+            Some(reformation) if at < reformation.until => RaySide::Reformation(reformation.oil),
+            _ => RaySide::Rupture,
         }
     }
 }
 
 /// Begins with a cavity that has no other before it, after a full film.
-fn turned(pieces: &mut [Piece], period: f64) {
+fn turned(pieces: &mut [RayPiece], period: f64) {
     let count = pieces.len();
-    let is_cavity = |k: usize| pieces[k % count].kind == Kind::Cavity;
+    let is_cavity = |k: usize| pieces[k % count].kind == RegionKind::Cavity;
     let begin = (0..count).find(|&k| is_cavity(k) && !is_cavity(k + count - 1)).unwrap_or(0);
     for piece in &mut pieces[..begin] {
         piece.from += period;

@@ -37,10 +37,10 @@ pub(super) struct Product {
 
 /// What the wall makes of forces.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Compliance(Form);
+pub struct Compliance(ComplianceForm);
 
 #[derive(Debug, Clone, PartialEq)]
-enum Form {
+enum ComplianceForm {
     /// Slices that move by themselves.
     Slices(Product),
     /// A matrix between splines that interpolate: it, and the inverse of their values at the points; transposed along.
@@ -63,7 +63,7 @@ impl Compliance {
             }
             deflected / (radius * mass * mass)
         };
-        Some(Self(Form::Slices(Product {
+        Some(Self(ComplianceForm::Slices(Product {
             around: circulant(around.number, symbol),
             along: along.mass().try_inverse()?,
         })))
@@ -76,7 +76,7 @@ impl Compliance {
             return None;
         }
         let inverse = along.collocation(points).try_inverse()?;
-        Some(Self(Form::Matrix {
+        Some(Self(ComplianceForm::Matrix {
             displacements,
             transposed: Product::interpolation(around, inverse.transpose()),
             interpolation: Product::interpolation(around, inverse),
@@ -85,7 +85,7 @@ impl Compliance {
 
     /// Forces [N] that make a deflection with these coefficients [m], of slices that all waves move; none of others.
     pub fn forces(&self, coefficients: &[f64]) -> Option<Vec<f64>> {
-        let Form::Slices(product) = &self.0 else { return None };
+        let ComplianceForm::Slices(product) = &self.0 else { return None };
         Some(product.inverse()?.times(coefficients))
     }
 
@@ -104,8 +104,8 @@ impl Compliance {
     /// How some splines move [m/N] by a force on one.
     fn by_one(&self, pressed: usize, splines: &[usize]) -> Vec<f64> {
         match &self.0 {
-            Form::Slices(product) => splines.iter().map(|&spline| product.at(spline, pressed)).collect(),
-            Form::Matrix { displacements, .. } => {
+            ComplianceForm::Slices(product) => splines.iter().map(|&spline| product.at(spline, pressed)).collect(),
+            ComplianceForm::Matrix { displacements, .. } => {
                 let mut force = vec![0.0; displacements.nrows()];
                 force[pressed] = 1.0;
                 let moved = self.deflection(&force);
@@ -117,8 +117,8 @@ impl Compliance {
     /// Coefficients [m] of the deflection by forces [N].
     pub fn deflection(&self, forces: &[f64]) -> Vec<f64> {
         match &self.0 {
-            Form::Slices(product) => product.times(forces),
-            Form::Matrix { displacements, interpolation, transposed } => {
+            ComplianceForm::Slices(product) => product.times(forces),
+            ComplianceForm::Matrix { displacements, interpolation, transposed } => {
                 let at_points = transposed.times(forces);
                 let moved = displacements * DVectorView::from_slice(&at_points, at_points.len());
                 interpolation.times(moved.as_slice())

@@ -14,7 +14,7 @@ use oilwedge_fem::integrate::{Nodal, Points, Rule};
 use oilwedge_fem::{Dual, Error, integrate};
 
 use super::blocks::Blocks;
-use super::grid::{Grid, Part};
+use super::grid::{Grid, SplinePart};
 use crate::cavitation::{FilmFraction, PointChanges};
 use crate::film_law::{AtPoints, FilmLaw};
 use crate::film_thickness::{Deflection, FilmContribution};
@@ -25,7 +25,7 @@ use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem, Form, JournalState, 
 /// journal.
 #[derive(Debug)]
 pub struct GapTangent {
-    columns: Columns,
+    columns: SplineColumns,
     /// What pieces of the boundary add: dof, spline, entry.
     on_boundary: Vec<(usize, usize, f64)>,
     /// What pieces of the boundary add with the coordinates of the journal: dof, entries.
@@ -39,17 +39,17 @@ pub struct GapTangent {
 
 /// Columns of splines, and of coordinates.
 #[derive(Debug, Clone, Default)]
-struct Columns {
+struct SplineColumns {
     of_splines: Blocks,
     of_place: Blocks,
 }
 
-impl Columns {
+impl SplineColumns {
     /// Adds, at each of some `positions` [m] of triangle `cell`, what a part of the gap shares out among the first
     /// `shapes` dofs.
     fn add(
         &mut self,
-        (problem, grid, part): (&FilmProblem, &Grid, Part),
+        (problem, grid, part): (&FilmProblem, &Grid, SplinePart),
         (cell, positions): (usize, &[[f64; 2]]),
         shares: &AtPoints<Nodal>,
         shapes: usize,
@@ -71,7 +71,7 @@ impl Columns {
     }
 }
 
-impl AddAssign for Columns {
+impl AddAssign for SplineColumns {
     fn add_assign(&mut self, other: Self) {
         self.of_splines += other.of_splines;
         self.of_place += other.of_place;
@@ -79,7 +79,12 @@ impl AddAssign for Columns {
 }
 
 /// Change of a part of the gap with each coordinate of the journal at some positions.
-fn by_place(problem: &FilmProblem, part: Part, cell: usize, positions: &[[f64; 2]]) -> [AtPoints<f64>; COORDINATES] {
+fn by_place(
+    problem: &FilmProblem,
+    part: SplinePart,
+    cell: usize,
+    positions: &[[f64; 2]],
+) -> [AtPoints<f64>; COORDINATES] {
     std::array::from_fn(|k| {
         let mut film = AtPoints::<FilmPoint>::default();
         let change = JournalChange::of_coordinate(k);
@@ -87,18 +92,18 @@ fn by_place(problem: &FilmProblem, part: Part, cell: usize, positions: &[[f64; 2
             contribution.vary(&change, cell, positions, &mut film[..positions.len()]);
         }
         film.map(|point| match part {
-            Part::Value => point.thickness,
-            Part::SlopeAround => point.slope[0],
-            Part::SlopeAlong => point.slope[1],
+            SplinePart::Value => point.thickness,
+            SplinePart::SlopeAround => point.slope[0],
+            SplinePart::SlopeAlong => point.slope[1],
         })
     })
 }
 
 /// A gap that grows alike everywhere.
 #[derive(Debug, Clone, Copy)]
-struct Unit(FilmPoint);
+struct UniformGap(FilmPoint);
 
-impl Unit {
+impl UniformGap {
     /// A growth of one, in a stage with its rate.
     fn thickness(deflection: &Deflection) -> Self {
         Self(FilmPoint { thickness: 1.0, rate: deflection.per_time(), ..FilmPoint::default() })
@@ -112,7 +117,7 @@ impl Unit {
     }
 }
 
-impl FilmContribution for Unit {
+impl FilmContribution for UniformGap {
     fn add(&self, _journal: &JournalState, _cell: usize, _positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         for point in film {
             point.thickness += self.0.thickness;
@@ -134,7 +139,7 @@ impl GapTangent {
     /// # Errors
     /// A system that does not fit in memory.
     pub fn of(film: &SolvedFilm, deflection: &Deflection) -> Result<Self, Error> {
-        let (grid, unit) = (&deflection.wall.grid, Unit::thickness(deflection));
+        let (grid, unit) = (&deflection.wall.grid, UniformGap::thickness(deflection));
         match &film.solution.film_fraction {
             Some(fraction) => Self::conserving(film, fraction, (grid, unit)),
             None => Ok(Self::integrated(film, (grid, unit))),
@@ -189,38 +194,45 @@ impl GapTangent {
     }
 
     /// The tangent of a mass-conserving film.
-    fn conserving(film: &SolvedFilm, fraction: &FilmFraction, (grid, unit): (&Grid, Unit)) -> Result<Self, Error> {
+    fn conserving(
+        film: &SolvedFilm,
+        fraction: &FilmFraction,
+        (grid, unit): (&Grid, UniformGap),
+    ) -> Result<Self, Error> {
         let changes = PointChanges::new(film, fraction, FilmChange::Gap(&unit))?;
         let space = film.system.space();
         let columns = integrate(space.mesh(), |t| {
-            let (mut columns, at_points) = (Columns::default(), changes.of_triangle(t));
+            let (mut columns, at_points) = (SplineColumns::default(), changes.of_triangle(t));
             let place = (t, at_points.positions());
-            columns.add((&film.problem, grid, Part::Value), place, &at_points.balances, space.shapes());
+            columns.add((&film.problem, grid, SplinePart::Value), place, &at_points.balances, space.shapes());
             columns.ended()
         });
         let (mut on_boundary, mut on_boundary_by_place) = (Vec::new(), Vec::new());
         for (dof, (cell, position), by_gap) in changes.of_boundary() {
             grid.each_at(position, |spline, value| on_boundary.push((dof, spline, by_gap * value)));
-            let moved = by_place(&film.problem, Part::Value, cell, &[position]);
+            let moved = by_place(&film.problem, SplinePart::Value, cell, &[position]);
             on_boundary_by_place.push((dof, moved.map(|gap| by_gap * gap[0])));
         }
         Ok(Self { columns, on_boundary, on_boundary_by_place, splines: grid.number(), per_time: unit.0.rate })
     }
 
     /// The tangent of a film without a film fraction: by the quadrature of its residual.
-    fn integrated(film: &SolvedFilm, (grid, unit): (&Grid, Unit)) -> Self {
+    fn integrated(film: &SolvedFilm, (grid, unit): (&Grid, UniformGap)) -> Self {
         let space = film.system.space();
         let rule = Rule::for_degree(space.degree());
-        let mut units = vec![(Part::Value, unit)];
+        let mut units = vec![(SplinePart::Value, unit)];
         if film.problem.form == Form::AsPrinted {
-            units.extend([(Part::SlopeAround, Unit::slope(0)), (Part::SlopeAlong, Unit::slope(1))]);
+            units.extend([
+                (SplinePart::SlopeAround, UniformGap::slope(0)),
+                (SplinePart::SlopeAlong, UniformGap::slope(1)),
+            ]);
         }
         let columns = integrate(space.mesh(), |t| {
             let mut nodal = Nodal::default();
             for (value, &dof) in nodal.iter_mut().zip(&space.element_dofs(t)[..space.shapes()]) {
                 *value = film.solution.unknown[dof];
             }
-            let columns: Columns = rule.integrate(space.mesh(), t, |points, columns: &mut Columns| {
+            let columns: SplineColumns = rule.integrate(space.mesh(), t, |points, columns: &mut SplineColumns| {
                 for (part, unit) in &units {
                     let law = FilmLaw::changed(&film.problem, FilmChange::Gap(unit));
                     let shares = residuals(&law, points, &nodal, space.shapes());

@@ -6,7 +6,7 @@ use crate::{FilmPoint, FilmProblem, FilmSystem};
 
 /// What of a spline is meant.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Part {
+pub(super) enum SplinePart {
     /// The value of the splines.
     Value,
     /// The slope of the splines around the liner [1/m].
@@ -162,17 +162,17 @@ impl Grid {
     /// Calls `visit` with the number and the value of each spline that is not zero at a position [m].
     #[inline]
     pub(super) fn each_at(&self, position: [f64; 2], visit: impl FnMut(usize, f64)) {
-        self.each_part_at(Part::Value, position, visit);
+        self.each_part_at(SplinePart::Value, position, visit);
     }
 
     /// Visits each spline at a position as [`Self::each_at`] does, with the value or a slope [1/m] of the splines.
     #[inline]
-    pub(super) fn each_part_at(&self, part: Part, position: [f64; 2], mut visit: impl FnMut(usize, f64)) {
+    pub(super) fn each_part_at(&self, part: SplinePart, position: [f64; 2], mut visit: impl FnMut(usize, f64)) {
         let [around, along] = self.at(position);
         let (around_parts, along_parts) = match part {
-            Part::Value => (around.values, along.values),
-            Part::SlopeAround => (around.slopes.map(|slope| slope / self.radius), along.values),
-            Part::SlopeAlong => (around.values, along.slopes),
+            SplinePart::Value => (around.values, along.values),
+            SplinePart::SlopeAround => (around.slopes.map(|slope| slope / self.radius), along.values),
+            SplinePart::SlopeAlong => (around.values, along.slopes),
         };
         for (i, of_around) in around_parts.into_iter().enumerate() {
             let first = self.index(around.first + i, along.first);

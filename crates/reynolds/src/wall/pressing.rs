@@ -65,14 +65,19 @@ impl Pressing {
 }
 
 /// Corners of a part of the reference triangle.
-type Part = [[f64; 2]; 3];
+type PartCorners = [[f64; 2]; 3];
 
 /// All of it.
-const WHOLE: Part = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+const WHOLE: PartCorners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
 /// Calls `visit` with the parts of a part of a triangle, which was halved so often, that are no wider than the cells
 /// that they lie on: each is halved at the edge that is longest, in cells.
-fn each_part(grid: &Grid, mapping: &Mapping, (part, halvings): (Part, usize), visit: &mut impl FnMut(Part)) {
+fn each_part(
+    grid: &Grid,
+    mapping: &Mapping,
+    (part, halvings): (PartCorners, usize),
+    visit: &mut impl FnMut(PartCorners),
+) {
     let corners = part.map(|corner| mapping.at(corner).position);
     if halvings == MOST_HALVINGS || ratio(grid, &corners) <= 1.0 {
         return visit(part);
@@ -137,7 +142,7 @@ mod tests {
     }
 
     /// Parts of a triangle with these corners [m], in cells.
-    fn parts(corners: [[f64; 2]; 3]) -> Vec<Part> {
+    fn parts(corners: [[f64; 2]; 3]) -> Vec<PartCorners> {
         let mesh = Mesh::build(RawMesh { points: corners.to_vec(), triangles: vec![[0, 1, 2]], ..RawMesh::default() })
             .expect("a mesh");
         let mut parts = Vec::new();
@@ -147,7 +152,7 @@ mod tests {
 
     #[test]
     fn parts_fill_a_triangle_and_are_no_wider_than_cells() {
-        let area = |[a, b, c]: &Part| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let area = |[a, b, c]: &PartCorners| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         for corners in [
             [[0.0, 1.0], [7.5, 1.0], [7.5, 1.2]],
             [[0.0, 1.0], [3.0, 1.5], [1.0, 4.5]],

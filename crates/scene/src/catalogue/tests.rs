@@ -4,7 +4,7 @@ use std::path::Path;
 use toml::de::DeTable;
 
 use super::*;
-use crate::keys::Form;
+use crate::keys::KeyForm;
 use crate::reader::TableReader;
 use crate::{Complaint, Complaints};
 
@@ -12,17 +12,19 @@ use crate::{Complaint, Complaints};
 const CHOSEN: [(&str, &str); 2] = [("QUANTITY", "load"), ("KEY", "clearance")];
 
 /// Ways to write a value of a form; `example` is one without quotes.
-fn values(form: &Form<'_>, example: &str) -> Vec<String> {
+fn values(form: &KeyForm<'_>, example: &str) -> Vec<String> {
     match form {
-        Form::Quantity(_) | Form::Text => vec![format!("\"{example}\"")],
+        KeyForm::Quantity(_) | KeyForm::Text => vec![format!("\"{example}\"")],
         // The example of a key may be a text that is read otherwise.
-        Form::Number | Form::Value => vec![example.parse::<f64>().map_or("0.5".to_owned(), |_| example.to_owned())],
-        Form::Numbers => vec![format!("[{example}]")],
-        Form::Texts => vec![format!("[{example}]")],
-        Form::Choice(words) => words.iter().map(|word| format!("\"{word}\"")).collect(),
-        Form::Table => vec!["{}".to_owned()],
-        Form::Tables => vec!["[{}]".to_owned()],
-        Form::Values => vec!["[1, 2]".to_owned()],
+        KeyForm::Number | KeyForm::Value => {
+            vec![example.parse::<f64>().map_or("0.5".to_owned(), |_| example.to_owned())]
+        }
+        KeyForm::Numbers => vec![format!("[{example}]")],
+        KeyForm::Texts => vec![format!("[{example}]")],
+        KeyForm::Choice(words) => words.iter().map(|word| format!("\"{word}\"")).collect(),
+        KeyForm::Table => vec!["{}".to_owned()],
+        KeyForm::Tables => vec!["[{}]".to_owned()],
+        KeyForm::Values => vec!["[1, 2]".to_owned()],
     }
 }
 
@@ -31,7 +33,7 @@ fn text(key: &Key, value: &str) -> String {
     let parts: Vec<&str> = key.path.split('.').collect();
     let whole = (1..parts.len()).rev().fold(value.to_owned(), |inner, depth| {
         let table = format!("{{ {} = {inner} }}", parts[depth]);
-        let is_list = keys().any(|row| row.path == parts[..depth].join(".") && row.forms.contains(&Form::Tables));
+        let is_list = keys().any(|row| row.path == parts[..depth].join(".") && row.forms.contains(&KeyForm::Tables));
         if is_list { format!("[{table}]") } else { table }
     });
     CHOSEN.into_iter().fold(format!("{} = {whole}", parts[0]), |text, (word, name)| text.replace(word, name))

@@ -1,13 +1,13 @@
 //! Header and cells of a table: names with units, and finite numbers.
 
-use super::Row;
+use super::TableRow;
 use super::error::TableFault;
 use crate::spelling::nearest;
 use crate::unit::{self, Dimension};
 
 /// A column that a table may have.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Column {
+pub(crate) struct TableColumn {
     name: &'static str,
     dimension: Dimension,
     presence: Presence,
@@ -19,7 +19,7 @@ enum Presence {
     Optional,
 }
 
-impl Column {
+impl TableColumn {
     pub(crate) const fn needed(name: &'static str, dimension: Dimension) -> Self {
         Self { name, dimension, presence: Presence::Needed }
     }
@@ -53,20 +53,24 @@ pub(crate) enum Others {
 
 /// Where the columns of a table stand, and the size of their units in SI.
 #[derive(Debug)]
-pub(crate) struct Columns<const N: usize> {
+pub(crate) struct ColumnPlaces<const N: usize> {
     /// Place, size of the unit and kind, by wanted column.
     places: [Option<(usize, f64, Dimension)>; N],
     count: usize,
 }
 
-impl<const N: usize> Columns<N> {
+impl<const N: usize> ColumnPlaces<N> {
     /// The rows of a text in SI, which has no other columns; values of optional columns that are not there are zero.
-    pub(crate) fn read(text: &str, wanted: &[Column; N]) -> Result<Vec<Row<N>>, TableFault> {
+    pub(crate) fn read(text: &str, wanted: &[TableColumn; N]) -> Result<Vec<TableRow<N>>, TableFault> {
         Self::read_beside(text, wanted, Others::Refused)
     }
 
     /// The rows of a text in SI; values of optional columns that are not there are zero.
-    pub(crate) fn read_beside(text: &str, wanted: &[Column; N], others: Others) -> Result<Vec<Row<N>>, TableFault> {
+    pub(crate) fn read_beside(
+        text: &str,
+        wanted: &[TableColumn; N],
+        others: Others,
+    ) -> Result<Vec<TableRow<N>>, TableFault> {
         let mut lines = lines(text);
         let Some((line, header)) = lines.next() else {
             return Err(TableFault::of_all("is empty", write(wanted)));
@@ -75,7 +79,7 @@ impl<const N: usize> Columns<N> {
         lines.map(|(line, cells)| columns.row(line, cells)).collect()
     }
 
-    fn of_header(line: usize, header: &str, (wanted, others): (&[Column; N], Others)) -> Result<Self, TableFault> {
+    fn of_header(line: usize, header: &str, (wanted, others): (&[TableColumn; N], Others)) -> Result<Self, TableFault> {
         let fail = |message: String| TableFault::at(line, message, write(wanted));
         let cells: Vec<&str> = header.split(',').map(str::trim).collect();
         let mut places = [None; N];
@@ -110,7 +114,7 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    fn row(&self, line: usize, text: &str) -> Result<Row<N>, TableFault> {
+    fn row(&self, line: usize, text: &str) -> Result<TableRow<N>, TableFault> {
         let cells: Vec<&str> = text.split(',').map(str::trim).collect();
         if cells.len() != self.count {
             let message = format!("there are {} cells, and the header has {}", cells.len(), self.count);
@@ -135,7 +139,7 @@ impl<const N: usize> Columns<N> {
             }
             *value = number;
         }
-        Ok(Row { line, values })
+        Ok(TableRow { line, values })
     }
 }
 
@@ -153,9 +157,10 @@ pub(crate) fn has_column(text: &str, name: &str) -> bool {
 }
 
 /// How the header is written.
-fn write<const N: usize>(wanted: &[Column; N]) -> String {
+fn write<const N: usize>(wanted: &[TableColumn; N]) -> String {
     let (needed, optional): (Vec<_>, Vec<_>) = wanted.iter().partition(|column| column.presence == Presence::Needed);
-    let names = |columns: Vec<&Column>| columns.iter().map(|column| column.example()).collect::<Vec<_>>().join(", ");
+    let names =
+        |columns: Vec<&TableColumn>| columns.iter().map(|column| column.example()).collect::<Vec<_>>().join(", ");
     let rest = match optional.is_empty() {
         true => String::new(),
         false => format!(" and, if wanted, {}", names(optional)),

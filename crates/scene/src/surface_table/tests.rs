@@ -5,9 +5,9 @@ use super::*;
 const RING: Covered = Covered { length: 0.04, arc: None };
 
 /// Points of a grid of degrees and millimetres, as rows in lines.
-fn rows(angles: &[f64], zs: &[f64]) -> Vec<Row<3>> {
+fn rows(angles: &[f64], zs: &[f64]) -> Vec<TableRow<3>> {
     let points = angles.iter().flat_map(|&angle| zs.iter().map(move |&z| (angle, z)));
-    let row = |(line, (angle, z)): (usize, (f64, f64))| Row {
+    let row = |(line, (angle, z)): (usize, (f64, f64))| TableRow {
         line,
         values: [angle.to_radians(), 1e-3 * z, 1e-6 * (angle.to_radians().cos() + z)],
     };
@@ -18,7 +18,7 @@ fn turn(step: usize) -> Vec<f64> {
     (0..360).step_by(step).map(|angle| angle as f64).collect()
 }
 
-fn fault(rows: Vec<Row<3>>, covered: Covered) -> String {
+fn fault(rows: Vec<TableRow<3>>, covered: Covered) -> String {
     grid(rows, covered).expect_err("no grid").in_file(Path::new("a.csv")).to_string()
 }
 

@@ -25,7 +25,7 @@ pub const BEARING: (&str, &str) = ("bearing", "crankshaft.bearing.name");
 
 /// A key of the scene and its values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Axis {
+pub struct SweepAxis {
     /// The key as it is written below `[sweep]`, tables before it: `speed`, `oil.barus.alpha`,
     /// `feed.feed_hole.pressure`.
     pub name: String,
@@ -51,7 +51,7 @@ pub enum AxisValue {
     Word(String),
 }
 
-impl Axis {
+impl SweepAxis {
     /// Heading of its column: `speed [rpm]`; the name alone for plain numbers and words.
     pub fn heading(&self) -> String {
         match self.unit.is_empty() {

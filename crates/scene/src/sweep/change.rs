@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-use super::axis::Axis;
+use super::axis::SweepAxis;
 use super::plan::put;
 use super::{column, read};
 use crate::catalogue;
@@ -65,7 +65,7 @@ pub fn with_axes(text: &str, path: &Path, sweep: &str) -> Result<String, SceneEr
 }
 
 /// The axes that a text has at its top.
-fn axes(text: &str) -> Result<Vec<Axis>, Vec<Complaint>> {
+fn axes(text: &str) -> Result<Vec<SweepAxis>, Vec<Complaint>> {
     let (document, _) = DeTable::parse_recoverable(text);
     let complaints = RefCell::new(Complaints::new(text));
     // A table gets one complaint: it is not read as an axis too.

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::axis::{Axis, AxisValue, BEARING};
+use super::axis::{AxisValue, BEARING, SweepAxis};
 use super::column::WantedColumn;
 use crate::complaint::in_order;
 use crate::mesh::no_file;
@@ -20,7 +20,7 @@ const MOST_COMPLAINTS: usize = 5;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// The axes, in the order of the text.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<SweepAxis>,
     /// The columns of its table that are asked for; `None` for the usual ones.
     pub columns: Option<Vec<WantedColumn>>,
     /// Text of the scene.
@@ -37,7 +37,7 @@ impl Plan {
 
     /// Values that an axis has more than once, as `speed = 3000 rpm`, with how often.
     pub fn repeated(&self) -> Vec<(String, usize)> {
-        let of_axis = |axis: &Axis| {
+        let of_axis = |axis: &SweepAxis| {
             let count = |value: &AxisValue| axis.values.iter().filter(|other| *other == value).count();
             let values = axis.values.iter().enumerate();
             let first = values.filter(|(index, value)| !axis.values[..*index].contains(value));
@@ -80,7 +80,7 @@ impl Plan {
     pub fn with_bearings(&self, names: Vec<String>) -> Self {
         let (name, path) = BEARING;
         let mut plan = self.clone();
-        plan.axes.push(Axis {
+        plan.axes.push(SweepAxis {
             name: name.to_owned(),
             path: path.to_owned(),
             unit: String::new(),
@@ -155,7 +155,7 @@ impl Plan {
     /// alone.
     fn named(&self, complaint: Complaint, indices: &[usize]) -> Complaint {
         let axis = (self.axes.iter().zip(indices)).find(|(axis, _)| Some(&axis.span) == complaint.span.as_ref());
-        let told = |(axis, &index): (&Axis, &usize)| format!("{} = {}", axis.name, axis.told(index));
+        let told = |(axis, &index): (&SweepAxis, &usize)| format!("{} = {}", axis.name, axis.told(index));
         let (key, value) = match axis {
             Some((axis, index)) => (format!("sweep.{}", axis.name), told((axis, index))),
             None => {
@@ -177,7 +177,7 @@ impl Plan {
 ///
 /// # Errors
 /// The axis names a feed or a shape of the bore that the scene does not have.
-pub(super) fn put<'a>(document: &mut DeTable<'a>, axis: &Axis, value: DeValue<'a>) -> Result<(), Complaint> {
+pub(super) fn put<'a>(document: &mut DeTable<'a>, axis: &SweepAxis, value: DeValue<'a>) -> Result<(), Complaint> {
     let value = Spanned::new(axis.span.clone(), value);
     let (table, path) = match axis.path.split_once('.') {
         Some(("feed", rest)) => feed(document, rest).ok_or_else(|| no_feed(axis))?,
@@ -231,7 +231,7 @@ fn bore<'d, 'a>(document: &'d mut DeTable<'a>, path: &str) -> Option<&'d mut DeT
     of_shape.next().is_none().then_some(bore)
 }
 
-fn no_bore(axis: &Axis) -> Complaint {
+fn no_bore(axis: &SweepAxis) -> Complaint {
     Complaint {
         key: format!("sweep.{}", axis.name),
         value: String::new(),
@@ -243,7 +243,7 @@ fn no_bore(axis: &Axis) -> Complaint {
     }
 }
 
-fn no_feed(axis: &Axis) -> Complaint {
+fn no_feed(axis: &SweepAxis) -> Complaint {
     Complaint {
         key: format!("sweep.{}", axis.name),
         value: String::new(),

@@ -5,7 +5,7 @@ use toml::de::DeValue;
 
 use std::path::Path;
 
-use super::{Axis, AxisValue, Plan, SHAFT_SHORT_NAMES, SHORT_NAMES, WantedColumn, column};
+use super::{AxisValue, Plan, SHAFT_SHORT_NAMES, SHORT_NAMES, SweepAxis, WantedColumn, column};
 use crate::reader::{TableReader, kind, plain_number};
 use crate::scene::{SWEPT, SWEPT_OF_SHAFT};
 use crate::spelling::nearest;
@@ -63,7 +63,7 @@ pub(crate) fn plan(table: TableReader<'_>, swept: &Swept, text: &str, path: &Pat
 }
 
 /// Reads the table: its axes in the order of the text, and the columns that it asks for, if any.
-pub(super) fn read(mut table: TableReader<'_>, swept: &Swept) -> (Vec<Axis>, Option<Vec<WantedColumn>>) {
+pub(super) fn read(mut table: TableReader<'_>, swept: &Swept) -> (Vec<SweepAxis>, Option<Vec<WantedColumn>>) {
     let mut axes = Vec::new();
     if table.is_readable() && table.keys().iter().all(|key| *key == column::KEY) {
         table.complain_here("names no axis", format!("write for example {EXAMPLE}"));
@@ -74,7 +74,7 @@ pub(super) fn read(mut table: TableReader<'_>, swept: &Swept) -> (Vec<Axis>, Opt
 }
 
 /// Reads a table of axes whose names begin with `prefix`.
-fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mut Vec<Axis>) {
+fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mut Vec<SweepAxis>) {
     for key in table.keys() {
         let name = format!("{prefix}{key}");
         if name == column::KEY {
@@ -101,19 +101,19 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mu
         };
         if let (Some(path), Some((unit, values))) = (path(&table, key, &name, swept), values) {
             let span = written.span();
-            let axis = Axis { name, path, unit, values, span };
+            let axis = SweepAxis { name, path, unit, values, span };
             add(&table, key, axes, axis);
         }
     }
 }
 
 /// Number of cases of all combinations.
-fn cases(axes: &[Axis]) -> usize {
+fn cases(axes: &[SweepAxis]) -> usize {
     (axes.iter()).fold(1, |cases, axis| cases.saturating_mul(axis.values.len()))
 }
 
 /// Adds an axis, unless its key of the scene has one already; a sweep has limits.
-fn add(table: &TableReader<'_>, key: &str, axes: &mut Vec<Axis>, axis: Axis) {
+fn add(table: &TableReader<'_>, key: &str, axes: &mut Vec<SweepAxis>, axis: SweepAxis) {
     if let Some(other) = axes.iter().find(|other| other.path == axis.path) {
         let message = format!("is the same key of the scene as {}", other.name);
         return table.complain(key, message, "remove one of the two");
@@ -164,10 +164,10 @@ fn path(table: &TableReader<'_>, key: &str, name: &str, swept: &Swept) -> Option
     None
 }
 
-type Values = (String, Vec<AxisValue>);
+type ReadValues = (String, Vec<AxisValue>);
 
 /// Values that are listed; all in one unit.
-fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) -> Option<Values> {
+fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) -> Option<ReadValues> {
     let mut unit: Option<String> = None;
     let mut values = Vec::new();
     for item in list {
@@ -218,7 +218,7 @@ enum Spacing {
 }
 
 /// `steps` values from one to the other, both included.
-fn read_range(mut range: TableReader<'_>, name: &str) -> Option<Values> {
+fn read_range(mut range: TableReader<'_>, name: &str) -> Option<ReadValues> {
     ["from", "to", "steps"].into_iter().for_each(|key| range.require(key));
     let [from, to] = ["from", "to"].map(|end| {
         let written = range.written(end)?;
@@ -243,7 +243,7 @@ fn values(
     to: Option<(String, f64)>,
     steps: Option<f64>,
     spacing: Spacing,
-) -> Option<Values> {
+) -> Option<ReadValues> {
     let ((unit, from), (other, to), steps) = (from?, to?, steps.filter(|steps| steps.is_finite())?);
     if unit != other {
         let message = format!("is in {}, but from in {}", of_unit(Some(&other)), of_unit(Some(&unit)));

@@ -1,6 +1,6 @@
 //! The meshes that a scene may have.
 
-use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::developed::LinerDomain;
 use oilwedge_reynolds::Bearing;
 use oilwedge_scene::Scene;
 
@@ -39,7 +39,7 @@ impl LinerOutline {
         let bearing = &scene.bearing;
         let arc = bearing.arc.map(|arc| (arc.from, arc.to));
         Self {
-            liner: Liner { radius: bearing.radius(), length: bearing.length, arc },
+            liner: LinerDomain { radius: bearing.radius(), length: bearing.length, arc },
             feeds: scene.feeds.clone(),
             film_start: bearing.film_start,
             is_drawn: scene.mesh.is_graded(),

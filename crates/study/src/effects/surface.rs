@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use oilwedge_reynolds::Bearing;
-use oilwedge_reynolds::film_thickness::{Crown, Envelope, Measured, Oval, Points, Profile, Wearing, Worn};
+use oilwedge_reynolds::film_thickness::{Crown, Envelope, Measured, Oval, Profile, SurfaceGrid, Wearing, Worn};
 use oilwedge_scene::periodic_table::TableError;
 use oilwedge_scene::surface_table::{Covered, SurfacePoints, WearingPosition, read_bore, read_positions, read_shaft};
 use oilwedge_scene::{Bore, Shaft};
@@ -19,7 +19,7 @@ impl ShapedSurface {
         let radius = bearing.radius;
         let crown = |depth: f64| Crown { depth, half_length: 0.5 * bearing.length };
         let measured = |SurfacePoints { angles, zs, depths }: SurfacePoints| {
-            let points = Points { angles, zs, depths };
+            let points = SurfaceGrid { angles, zs, depths };
             Measured::new(&points, radius, bearing.length, covered.arc.is_none())
         };
         Ok(match self {

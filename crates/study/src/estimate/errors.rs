@@ -9,7 +9,7 @@ use oilwedge_bearing::deflection::following_wall;
 use oilwedge_bearing::dynamics::edge_parts;
 use oilwedge_bearing::{Coefficients, Dynamics, Vector};
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, ErrorDirection};
-use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
+use oilwedge_reynolds::error_bar::sharp::{ReportedFilm, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
 use oilwedge_reynolds::sharp::SharpFilm;
 use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
@@ -161,12 +161,12 @@ fn by_coarse(
 }
 
 /// The film that is reported where there is a hill.
-fn reported(solved: &Solved) -> Reported {
+fn reported(solved: &Solved) -> ReportedFilm {
     match solved.balance {
-        _ if solved.temperature.is_some() => Reported::FiniteVolumes,
-        None => Reported::Narrower,
-        Some(Balance { is_of_hill: true, .. }) => Reported::LoadOfHill,
-        Some(Balance { is_of_hill: false, .. }) => Reported::FiniteVolumes,
+        _ if solved.temperature.is_some() => ReportedFilm::FiniteVolumes,
+        None => ReportedFilm::Narrower,
+        Some(Balance { is_of_hill: true, .. }) => ReportedFilm::LoadOfHill,
+        Some(Balance { is_of_hill: false, .. }) => ReportedFilm::FiniteVolumes,
     }
 }
 

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::developed::LinerDomain;
+use oilwedge_mesh::generate::{Blueprint, Feature, RoundedRectangle, generate};
 use oilwedge_mesh::{Mesh, gmsh};
 use oilwedge_scene::Scene;
 use tempfile::TempDir;
@@ -190,11 +190,14 @@ fn ring(unknowns: usize) -> Mesh {
     let (radius, angle) = HOLE;
     let hole = Feature {
         name: "feed_hole".into(),
-        shape: Shape::disc([RADIUS * angle.to_radians(), 0.0], radius),
+        shape: RoundedRectangle::disc([RADIUS * angle.to_radians(), 0.0], radius),
         meshed: false,
     };
-    let blueprint =
-        Blueprint { liner: Liner { radius: RADIUS, length: LENGTH, arc: None }, features: vec![hole], line: None };
+    let blueprint = Blueprint {
+        liner: LinerDomain { radius: RADIUS, length: LENGTH, arc: None },
+        features: vec![hole],
+        line: None,
+    };
     let uniform = |size: f64| generate(&blueprint, &|_| size).expect("a ring with a hole");
     uniform(size_for(unknowns, |size| uniform(size).quadratic_nodes() as f64))
 }

@@ -1,6 +1,6 @@
 //! The picture of the map: what became of each case of a grid, by colour and a word.
 
-use oilwedge_drawing::{Cell, CellGrid, Colour, ColourMap, Figure, Label, PAGE_WIDTH};
+use oilwedge_drawing::{CellGrid, Colour, ColourMap, ColouredCell, Figure, Label, PAGE_WIDTH};
 
 /// What became of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +69,7 @@ fn grid(map: &CellMap) -> CellGrid {
 }
 
 /// Colour of a cell and its word.
-fn painted(cell: &Outcome) -> Cell {
+fn painted(cell: &Outcome) -> ColouredCell {
     let (fill, word) = match cell {
         Outcome::Answer(iterations) => {
             let share = *iterations as f64 / MANY;
@@ -78,5 +78,5 @@ fn painted(cell: &Outcome) -> Cell {
         Outcome::Absent(word) => (SAND, word.clone()),
         Outcome::Unexplained(word) => (UNKNOWN, word.clone()),
     };
-    Cell { fill, word: Label::plain(&word) }
+    ColouredCell { fill, word: Label::plain(&word) }
 }

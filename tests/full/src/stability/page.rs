@@ -7,11 +7,11 @@ use super::map_picture::{CellMap, Outcome};
 
 use super::map::unexplained;
 use oilwedge_study::quantities::{LOAD, Quantity};
-use oilwedge_verification::Verdict;
+use oilwedge_verification::CaseVerdict;
 use oilwedge_verification::family::Expect;
 
 /// The page: what was asked, how each case ended, and the maps. `picture` is the file that shows them.
-pub fn page(verdicts: &[Verdict], maps: &[CellMap], picture: &str) -> String {
+pub fn page(verdicts: &[CaseVerdict], maps: &[CellMap], picture: &str) -> String {
     let mut text = String::from(
         "# Hard cases: where the solver is stable\n\nWritten by `cargo run --release -p oilwedge-full -- stability`; the cases are in `tests/hard_cases`, one file a family, each with its reason. \
          A case is explained if it ends as it must, its balances close, its signs hold, it fits the other cases of its series, and a second method \
@@ -35,12 +35,12 @@ pub fn page(verdicts: &[Verdict], maps: &[CellMap], picture: &str) -> String {
     text
 }
 
-fn summary(text: &mut String, verdicts: &[Verdict]) -> std::fmt::Result {
+fn summary(text: &mut String, verdicts: &[CaseVerdict]) -> std::fmt::Result {
     let mut ends: BTreeMap<&str, usize> = BTreeMap::new();
     for verdict in verdicts {
         *ends.entry(verdict.end.name()).or_default() += 1;
     }
-    let faulty: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).collect();
+    let faulty: Vec<&CaseVerdict> = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).collect();
     let slowest = verdicts.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
     writeln!(text, "{} cases:", verdicts.len())?;
     for (end, count) in ends {
@@ -81,7 +81,7 @@ fn drawn(text: &mut String, maps: &[CellMap], picture: &str) -> std::fmt::Result
     Ok(())
 }
 
-fn row(text: &mut String, verdict: &Verdict) -> std::fmt::Result {
+fn row(text: &mut String, verdict: &CaseVerdict) -> std::fmt::Result {
     let result = verdict.result.as_ref();
     let load = result.and_then(|result| result.quantity(&LOAD));
     let bar = load.and_then(Quantity::error).map_or("-".to_owned(), |bar| format!("{bar:.1e}"));

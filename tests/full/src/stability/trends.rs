@@ -1,9 +1,9 @@
 //! What must hold from case to case of a series of hard cases.
 
 use oilwedge_study::quantities::Quantity;
-use oilwedge_verification::Verdict;
+use oilwedge_verification::CaseVerdict;
 use oilwedge_verification::cases::families;
-use oilwedge_verification::family::{Series, Trend, Vary};
+use oilwedge_verification::family::{CaseSeries, Trend, Vary};
 
 /// Values this part of their error bars apart are the same: a trend that has come to its end.
 const SAME: f64 = 0.01;
@@ -12,12 +12,12 @@ const SAME: f64 = 0.01;
 ///
 /// # Panics
 /// If a family cannot be read.
-pub fn judge_trends(verdicts: &mut [Verdict]) {
+pub fn judge_trends(verdicts: &mut [CaseVerdict]) {
     for (name, family) in families().expect("the families") {
         for series in &family.series {
-            let is_of = |verdict: &Verdict| verdict.case.family == name && verdict.case.series == series.name;
+            let is_of = |verdict: &CaseVerdict| verdict.case.family == name && verdict.case.series == series.name;
             let places: Vec<usize> = (0..verdicts.len()).filter(|&place| is_of(&verdicts[place])).collect();
-            let answers: Vec<&Verdict> = places.iter().map(|&place| &verdicts[place]).collect();
+            let answers: Vec<&CaseVerdict> = places.iter().map(|&place| &verdicts[place]).collect();
             for (place, faults) in places.into_iter().zip(across(series, &answers)) {
                 verdicts[place].faults.extend(faults);
             }
@@ -26,7 +26,7 @@ pub fn judge_trends(verdicts: &mut [Verdict]) {
 }
 
 /// What does not hold, case by case. Where values and variants are given, the values of one variant are compared.
-fn across(series: &Series, answers: &[&Verdict]) -> Vec<Vec<String>> {
+fn across(series: &CaseSeries, answers: &[&CaseVerdict]) -> Vec<Vec<String>> {
     let together = match &series.vary {
         Some(Vary::Key { values, .. }) => values.len(),
         Some(Vary::OfLimit { of_limit, .. }) => of_limit.len(),
@@ -35,11 +35,11 @@ fn across(series: &Series, answers: &[&Verdict]) -> Vec<Vec<String>> {
     answers.chunks(together.max(1)).flat_map(|answers| compared(series, answers)).collect()
 }
 
-fn quantity<'a>(verdict: &'a Verdict, name: &str) -> Option<&'a Quantity> {
+fn quantity<'a>(verdict: &'a CaseVerdict, name: &str) -> Option<&'a Quantity> {
     verdict.result.as_ref()?.by_name(name)
 }
 
-fn compared(series: &Series, answers: &[&Verdict]) -> Vec<Vec<String>> {
+fn compared(series: &CaseSeries, answers: &[&CaseVerdict]) -> Vec<Vec<String>> {
     let mut faults = vec![Vec::new(); answers.len()];
     for (name, trend) in &series.trend {
         for (place, pair) in answers.windows(2).enumerate() {

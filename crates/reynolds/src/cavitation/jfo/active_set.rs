@@ -4,13 +4,13 @@ use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Instant;
 
-use oilwedge_fem::complementarity::InitialGuess;
-use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
+use oilwedge_fem::complementarity::WarmStart;
+use oilwedge_fem::newton::{Failure, NewtonStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
-use super::balance::{Balance, add};
+use super::balance::{CellBalance, add};
 use super::loops;
-use super::relaxation::State;
+use super::relaxation::NodeStates;
 use super::rows::Condition;
 use super::{Film, History, volumes_of};
 use crate::Fallback;
@@ -25,31 +25,31 @@ const TIME_GROWTH: f64 = 3.0;
 const TIME_STEPS: usize = 24;
 
 /// Which nodes are in the cavity, and how the film got there.
-pub(super) struct Search<'a> {
+pub(super) struct ActiveSetSearch<'a> {
     film: &'a Film<'a>,
-    state: State,
+    state: NodeStates,
     first: Option<f64>,
-    balance: Balance,
+    balance: CellBalance,
     /// True while the transport without pseudo-time is in the balance.
     is_carried: bool,
     /// Nodes that leak in the balance, with the diagonals of their transport without the leak.
     leaks: Vec<(usize, f64)>,
     /// Tangent and factor of the step before, to be renewed.
     renewed: Option<(Matrix, UnsymmetricFactorization)>,
-    history: Vec<HistoryStep>,
+    history: Vec<NewtonStep>,
     pub(super) seconds: Seconds,
     fallbacks: Vec<Fallback>,
 }
 
 /// A film whose signs are all right.
 pub(super) struct Found {
-    pub(super) state: State,
+    pub(super) state: NodeStates,
     /// Inflow near each node where pressure is given; rounding elsewhere.
     pub(super) residual: Vec<f64>,
     pub(super) linearisation: Linearisation,
     /// Nodes on the wrong side after one step; none of a film that is settled.
     pub(super) wrong: Vec<usize>,
-    pub(super) history: Vec<HistoryStep>,
+    pub(super) history: Vec<NewtonStep>,
     pub(super) seconds: Seconds,
     pub(super) fallbacks: Vec<Fallback>,
 }
@@ -64,22 +64,22 @@ struct TimeStep {
 }
 
 /// How an iteration over sets ended.
-enum End {
+enum SetEnd {
     Settled(Box<Linearisation>),
     Repeated,
 }
 
-impl<'a> Search<'a> {
-    pub(super) fn new(film: &'a Film<'a>, start: InitialGuess) -> Self {
-        let InitialGuess { u: p, mut held } = start;
+impl<'a> ActiveSetSearch<'a> {
+    pub(super) fn new(film: &'a Film<'a>, start: WarmStart) -> Self {
+        let WarmStart { u: p, mut held } = start;
         for (dof, held) in held.iter_mut().enumerate() {
             *held &= film.may_cavitate(dof);
         }
         Self {
             film,
-            state: State::new(p, held),
+            state: NodeStates::new(p, held),
             first: None,
-            balance: Balance::of_pressure(film),
+            balance: CellBalance::of_pressure(film),
             is_carried: false,
             leaks: Vec::new(),
             renewed: None,
@@ -92,7 +92,7 @@ impl<'a> Search<'a> {
     /// Sets of nodes until every sign is right, and pseudo-time where one comes back.
     pub(super) fn run(mut self) -> Result<Found, Failure> {
         let mut end = self.iterate(None)?;
-        if let End::Repeated = end {
+        if let SetEnd::Repeated = end {
             self.fallbacks.push(Fallback::PseudoTime);
             end = self.after_pseudo_time()?;
         }
@@ -105,11 +105,11 @@ impl<'a> Search<'a> {
         let wrong = self.wrong_signs(&residual);
         self.record(&wrong);
         let turned = wrong.into_iter().map(|(dof, _)| dof).collect();
-        Ok(Found { wrong: turned, ..self.found(End::Settled(Box::new(linearisation)))? })
+        Ok(Found { wrong: turned, ..self.found(SetEnd::Settled(Box::new(linearisation)))? })
     }
 
     /// The search from the film at which pseudo-time arrives.
-    fn after_pseudo_time(&mut self) -> Result<End, Failure> {
+    fn after_pseudo_time(&mut self) -> Result<SetEnd, Failure> {
         self.pseudo_time()?;
         self.iterate(None)
     }
@@ -121,8 +121,8 @@ impl<'a> Search<'a> {
         self.found(end)
     }
 
-    fn found(mut self, end: End) -> Result<Found, Failure> {
-        let End::Settled(solved) = end else {
+    fn found(mut self, end: SetEnd) -> Result<Found, Failure> {
+        let SetEnd::Settled(solved) = end else {
             return Err(Failure::Cycling { history: self.history });
         };
         // What rounding has left in the balances is solved for once more: their sum is the balance of the oil.
@@ -154,19 +154,19 @@ impl<'a> Search<'a> {
     }
 
     /// Solves and exchanges until every sign is right.
-    fn iterate(&mut self, time: Option<&TimeStep>) -> Result<End, Failure> {
+    fn iterate(&mut self, time: Option<&TimeStep>) -> Result<SetEnd, Failure> {
         let mut seen = HashSet::new();
         while self.history.len() < MOST_STEPS {
             let (linearisation, residual) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
             self.record(&wrong);
             if wrong.is_empty() {
-                return Ok(End::Settled(Box::new(linearisation)));
+                return Ok(SetEnd::Settled(Box::new(linearisation)));
             }
             let mut hasher = DefaultHasher::new();
             self.state.cavity.hash(&mut hasher);
             if !seen.insert(hasher.finish()) {
-                return Ok(End::Repeated);
+                return Ok(SetEnd::Repeated);
             }
             self.renewed = linearisation.into_unsymmetric();
             let turned: Vec<usize> = wrong.into_iter().map(|(dof, _)| dof).collect();
@@ -181,7 +181,7 @@ impl<'a> Search<'a> {
         let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
         let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
         let active = self.state.cavity.iter().filter(|cavity| **cavity).count();
-        self.history.push(HistoryStep { residual: violation / first, damping: 1.0, active });
+        self.history.push(NewtonStep { residual: violation / first, damping: 1.0, active });
     }
 
     /// The balance of all nodes for the present cavity: it is linear.
@@ -237,7 +237,7 @@ impl<'a> Search<'a> {
 
     fn assemble_transport(&mut self, time: Option<&TimeStep>) {
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
-        let Balance { transport, constant, .. } = &mut self.balance;
+        let CellBalance { transport, constant, .. } = &mut self.balance;
         self.leaks.clear();
         transport.values.fill(0.0);
         for (block, addresses) in self.film.blocks.iter().zip(&volumes.addresses) {

@@ -4,13 +4,13 @@ use oilwedge_fem::{Matrix, in_order};
 use rayon::prelude::*;
 
 use super::Film;
-use super::blocks::Square;
+use super::blocks::CellMatrix;
 
 /// Least nodes whose balances are one task.
 const NODES_A_TASK: usize = 4096;
 
 /// `K p + B theta + constant`: outflow of every cell.
-pub(super) struct Balance {
+pub(super) struct CellBalance {
     /// K.
     pub(super) pressure: Matrix,
     /// B.
@@ -19,7 +19,7 @@ pub(super) struct Balance {
     pub(super) constant: Vec<f64>,
 }
 
-impl Balance {
+impl CellBalance {
     /// What pressure drives; the rest is zero.
     pub(super) fn of_pressure(film: &Film<'_>) -> Self {
         let mut pressure = Matrix::zero(film.volumes.pattern.clone());
@@ -60,7 +60,7 @@ impl Balance {
 }
 
 /// Adds what a sub-triangle contributes.
-pub(super) fn add(matrix: &mut Matrix, addresses: &[[u32; 3]; 3], square: &Square) {
+pub(super) fn add(matrix: &mut Matrix, addresses: &[[u32; 3]; 3], square: &CellMatrix) {
     for (addresses, row) in addresses.iter().zip(square) {
         for (&address, value) in addresses.iter().zip(row) {
             matrix.values[address as usize] += value;

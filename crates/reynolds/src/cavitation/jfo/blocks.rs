@@ -44,7 +44,7 @@ pub(super) struct Block {
 }
 
 /// `K`, row by row.
-pub(super) type Square = [[f64; 3]; 3];
+pub(super) type CellMatrix = [[f64; 3]; 3];
 
 /// The coefficients of all sub-triangles under `law`.
 pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> Vec<Block> {
@@ -53,7 +53,7 @@ pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> 
     tasks.for_each(|(task, chunk)| {
         for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
             let cell = task * CELLS_A_TASK + k;
-            let points = Points::new(space, cell);
+            let points = EvaluationPoints::new(space, cell);
             let at = law.oil_and_flows(cell, points.positions());
             for (t, block) in blocks.iter_mut().enumerate() {
                 *block = points.block(t, &at, None);
@@ -76,7 +76,7 @@ pub(super) fn balance_changes(
     balances.par_chunks_mut(of_cell * CELLS_A_TASK).enumerate().for_each(|(task, chunk)| {
         for (k, balances) in chunk.chunks_mut(of_cell).enumerate() {
             let cell = task * CELLS_A_TASK + k;
-            let points = Points::new(space, cell);
+            let points = EvaluationPoints::new(space, cell);
             let mut upwind: [Option<Block>; 4] = [None; 4];
             let place = (cell, points.positions());
             law.oil_and_flows_with_changes(changes, place, |number, at, change| {
@@ -92,7 +92,7 @@ pub(super) fn balance_changes(
 }
 
 /// Where the film of a triangle is evaluated: at its nodes, and in the middle of every side of its sub-triangles.
-pub(super) struct Points {
+pub(super) struct EvaluationPoints {
     positions: AtPoints<[f64; 2]>,
     number: usize,
     /// Nodes at the corners of each sub-triangle: the first points.
@@ -101,7 +101,7 @@ pub(super) struct Points {
     pub(super) middles: [[usize; 3]; 4],
 }
 
-impl Points {
+impl EvaluationPoints {
     pub(super) fn new(space: &Space, cell: usize) -> Self {
         let nodes = space.mesh().nodes(cell);
         let mut points = Self {
@@ -203,7 +203,7 @@ impl Block {
     }
 
     /// `K`.
-    pub(super) fn pressure(&self) -> Square {
+    pub(super) fn pressure(&self) -> CellMatrix {
         let mut square = [[0.0; 3]; 3];
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
             let coupling = self.stiffness[k];
@@ -216,7 +216,7 @@ impl Block {
     }
 
     /// `B`.
-    pub(super) fn transport(&self) -> Square {
+    pub(super) fn transport(&self) -> CellMatrix {
         let (k, s) = (self.carried, self.inflow());
         let mut square = self.taken_up();
         for j in (0..3).filter(|&j| k[j] < 0.0) {
@@ -229,7 +229,7 @@ impl Block {
     }
 
     /// Change of the `B` of the block `of`, where this is the change of that block; the corners upstream stay.
-    pub(super) fn transport_change(&self, of: &Self) -> Square {
+    pub(super) fn transport_change(&self, of: &Self) -> CellMatrix {
         let (k, s, change) = (of.carried, of.inflow(), self.carried);
         let change_of_s: f64 = (0..3).filter(|&j| k[j] < 0.0).map(|j| change[j]).sum();
         let mut square = self.taken_up();
@@ -243,7 +243,7 @@ impl Block {
     }
 
     /// What the cells take up for their own film fraction.
-    fn taken_up(&self) -> Square {
+    fn taken_up(&self) -> CellMatrix {
         let mut square = [[0.0; 3]; 3];
         for i in 0..3 {
             square[i][i] = self.storage[i];

@@ -3,8 +3,8 @@
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::{ControlVolumes, Error};
 
-use super::blocks::{Block, Points, balance_changes};
-use super::rows::Rows;
+use super::blocks::{Block, EvaluationPoints, balance_changes};
+use super::rows::NodeConditions;
 use super::{FilmFraction, cavity_floor};
 use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
 use crate::{FilmChange, FilmPoint, SolvedFilm};
@@ -53,7 +53,7 @@ pub(crate) struct PointChanges<'a> {
 
 /// What the changes at the points of one triangle do to the balances of its nodes.
 pub(crate) struct AtPointsOf {
-    points: Points,
+    points: EvaluationPoints,
     /// For each point the changes of all nodes [m3/s].
     pub(crate) balances: AtPoints<Nodal>,
 }
@@ -74,7 +74,7 @@ impl<'a> PointChanges<'a> {
 
     /// What each point of a triangle does to the balances, the others unchanged.
     pub(crate) fn of_triangle(&self, cell: usize) -> AtPointsOf {
-        let points = Points::new(self.film.system.space(), cell);
+        let points = EvaluationPoints::new(self.film.system.space(), cell);
         let [mut at, mut change] = <[FilmAndFlows; 2]>::default();
         let place = (cell, points.positions());
         self.law.oil_and_flows_with_changes(&[self.change], place, |_, film, moved| (at, change) = (*film, *moved));
@@ -99,7 +99,7 @@ impl<'a> PointChanges<'a> {
     /// piece and where it is [m], and the change [m3/s].
     pub(crate) fn of_boundary(&self) -> Vec<(usize, (usize, [f64; 2]), f64)> {
         let (SolvedFilm { problem, system, .. }, volumes) = (self.film, self.volumes);
-        let rows = Rows::new(problem, system, volumes, &self.law, cavity_floor(problem));
+        let rows = NodeConditions::new(problem, system, volumes, &self.law, cavity_floor(problem));
         let changed = FilmLaw::changed(problem, self.change);
         let mut changes = Vec::new();
         for face in &volumes.faces {

@@ -7,10 +7,10 @@
 use std::sync::Arc;
 
 use oilwedge_fem::Space;
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 
 use super::solve;
-use crate::film_start::Steps;
+use crate::film_start::StepBudget;
 use crate::{FilmSystem, NoFilm, SolvedFilm};
 
 impl FilmSystem {
@@ -44,11 +44,11 @@ impl SolvedFilm {
         let Self { problem, system, solution } = self;
         let vertices = system.vertices_only();
         let dofs = vertex_dofs(system.space());
-        let start = InitialGuess {
+        let start = WarmStart {
             u: dofs.iter().map(|&dof| solution.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| solution.cavity[dof]).collect(),
         };
-        Ok(Self::new(problem.clone(), vertices, solve((problem, vertices, 1.0), start, Steps::UntilSettled)?))
+        Ok(Self::new(problem.clone(), vertices, solve((problem, vertices, 1.0), start, StepBudget::UntilSettled)?))
     }
 }
 

@@ -37,19 +37,19 @@ mod tests;
 mod work;
 
 use oilwedge_fem::ControlVolumes;
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 
-use self::active_set::Search;
-use self::balance::Balance;
+use self::active_set::ActiveSetSearch;
+use self::balance::CellBalance;
 use self::blocks::{Block, blocks};
 pub(crate) use self::changes::{PointChanges, residual_changes};
-use self::relaxation::{Downstream, State};
-use self::rows::{Condition, Rows};
+use self::relaxation::{Downstream, NodeStates};
+use self::rows::{Condition, NodeConditions};
 pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, oil_carried, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::film_start::Steps;
+use crate::film_start::StepBudget;
 use crate::{FilmProblem, FilmSolution, FilmSystem, SolvedFilm, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
@@ -68,7 +68,7 @@ pub struct FilmFraction {
 struct Film<'a> {
     volumes: &'a ControlVolumes,
     blocks: Vec<Block>,
-    rows: Rows,
+    rows: NodeConditions,
     downstream: Downstream,
     /// Reduced pressure of the cavity [Pa].
     floor: f64,
@@ -92,18 +92,18 @@ struct History<'a> {
 /// Solves the film from the cavity of `start`: until it is settled, or with one `step` alone.
 pub(crate) fn solve(
     (problem, system, motion): (&FilmProblem, &FilmSystem, f64),
-    start: InitialGuess,
-    steps: Steps,
+    start: WarmStart,
+    steps: StepBudget,
 ) -> Result<FilmSolution, NoFilm> {
     let clock = std::time::Instant::now();
     let film = Film::new(problem, system, motion)?;
-    let mut search = Search::new(&film, start);
+    let mut search = ActiveSetSearch::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
     let found = match steps {
-        Steps::UntilSettled => search.run()?,
-        Steps::One => search.step()?,
+        StepBudget::UntilSettled => search.run()?,
+        StepBudget::One => search.step()?,
     };
-    let State { p, theta, cavity } = found.state;
+    let NodeStates { p, theta, cavity } = found.state;
     let least = (0..theta.len()).min_by(|&a, &b| theta[a].total_cmp(&theta[b]));
     if let Some(least) = least.filter(|&dof| found.wrong.is_empty() && theta[dof] < -ROUNDING) {
         let [x, z] = system.space().positions()[least];
@@ -136,7 +136,7 @@ pub(crate) fn solve(
 pub(crate) fn check_supply(problem: &FilmProblem, system: &FilmSystem) -> Result<(), NoFilm> {
     let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
     let law = FilmLaw::new(problem, 1.0);
-    Rows::new(problem, system, volumes, &law, cavity_floor(problem)).check_supply(problem, system, volumes)
+    NodeConditions::new(problem, system, volumes, &law, cavity_floor(problem)).check_supply(problem, system, volumes)
 }
 
 /// Reduced pressure [Pa] of the cavity.
@@ -179,7 +179,7 @@ impl<'a> Film<'a> {
         let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
         let law = FilmLaw::new(problem, motion);
         let floor = cavity_floor(problem);
-        let rows = Rows::new(problem, system, volumes, &law, floor);
+        let rows = NodeConditions::new(problem, system, volumes, &law, floor);
         let mut blocks = blocks(&law, system.space(), volumes);
         let history = problem.storage.as_deref().map(|before| {
             let volume = volumes_of(volumes, &blocks, system.space().dofs());
@@ -213,7 +213,7 @@ impl<'a> Film<'a> {
 
     /// Couplings of neighbours that are positive: the scheme is monotone without them.
     fn wrong_couplings(&self) -> usize {
-        let oilwedge_fem::Matrix { pattern, values: couplings } = Balance::of_pressure(self).pressure;
+        let oilwedge_fem::Matrix { pattern, values: couplings } = CellBalance::of_pressure(self).pressure;
         let wrong = |i: usize| {
             let row = pattern.row(i);
             let largest = couplings[row.clone()].iter().fold(0.0f64, |m, k| m.max(k.abs()));

@@ -11,7 +11,7 @@
 use oilwedge_fem::Space;
 
 use super::Film;
-use super::balance::Balance;
+use super::balance::CellBalance;
 use super::rows::Condition;
 
 /// Most visits of one node.
@@ -21,7 +21,7 @@ const STILL: f64 = 1e-6;
 
 /// Pressure, film fraction and side of every node.
 #[derive(Debug, Clone)]
-pub(super) struct State {
+pub(super) struct NodeStates {
     /// Reduced pressure [Pa].
     pub(super) p: Vec<f64>,
     pub(super) theta: Vec<f64>,
@@ -29,7 +29,7 @@ pub(super) struct State {
     pub(super) cavity: Vec<bool>,
 }
 
-impl State {
+impl NodeStates {
     /// A film that is full but for the nodes of `cavity`.
     pub(super) fn new(p: Vec<f64>, cavity: Vec<bool>) -> Self {
         let theta = vec![1.0; p.len()];
@@ -46,8 +46,8 @@ impl State {
     }
 
     /// Relaxes the surroundings of nodes that have turned.
-    pub(super) fn relax(&mut self, film: &Film<'_>, balance: &Balance, turned: &[usize]) {
-        let mut front = Front::new(film, self.p.len());
+    pub(super) fn relax(&mut self, film: &Film<'_>, balance: &CellBalance, turned: &[usize]) {
+        let mut front = VisitFront::new(film, self.p.len());
         turned.iter().for_each(|&dof| front.reach(dof));
         for _ in 0..SWEEPS {
             for dof in front.advance() {
@@ -62,7 +62,7 @@ impl State {
     }
 
     /// The state of one node that balances it while its neighbours stay.
-    fn balanced(&self, film: &Film<'_>, balance: &Balance, dof: usize) -> (f64, f64, bool) {
+    fn balanced(&self, film: &Film<'_>, balance: &CellBalance, dof: usize) -> (f64, f64, bool) {
         let floor = film.rows.value[dof];
         let pattern = &balance.pressure.pattern;
         let (mut left, mut driven, mut carried) = (balance.constant[dof], 0.0, 0.0);
@@ -128,14 +128,14 @@ impl Downstream {
 }
 
 /// Nodes to be visited next.
-struct Front<'a> {
+struct VisitFront<'a> {
     film: &'a Film<'a>,
     /// By their places downstream.
     next: Vec<u32>,
     waits: Vec<bool>,
 }
 
-impl<'a> Front<'a> {
+impl<'a> VisitFront<'a> {
     fn new(film: &'a Film<'a>, nodes: usize) -> Self {
         let (next, waits) = (Vec::new(), vec![false; nodes]);
         Self { film, next, waits }

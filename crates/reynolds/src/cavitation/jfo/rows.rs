@@ -26,7 +26,7 @@ pub(super) enum Condition {
 
 /// Conditions of all nodes.
 #[derive(Debug)]
-pub(super) struct Rows {
+pub(super) struct NodeConditions {
     pub(super) condition: Vec<Condition>,
     /// Given unknown (reduced pressure) [Pa]; that of the cavity elsewhere.
     pub(super) value: Vec<f64>,
@@ -37,7 +37,7 @@ pub(super) struct Rows {
     pub(super) outflow: Vec<f64>,
 }
 
-impl Rows {
+impl NodeConditions {
     /// Conditions of `problem` where the cavity has the reduced pressure `floor`.
     pub(super) fn new(
         problem: &FilmProblem,
@@ -120,7 +120,7 @@ impl Rows {
         volumes: &ControlVolumes,
     ) -> Result<(), NoFilm> {
         let given = |node: u32| self.condition[node as usize] == Condition::Given;
-        let mut parts = Parts::new(self.condition.len());
+        let mut parts = DisjointSets::new(self.condition.len());
         let mut supplied: Vec<bool> = self.inflow.iter().map(|&inflow| inflow > 0.0).collect();
         for nodes in &volumes.triangles {
             let mut open = nodes.iter().copied().filter(|&node| !given(node));
@@ -148,9 +148,9 @@ impl Rows {
 }
 
 /// Disjoint sets of nodes.
-pub(super) struct Parts(Vec<u32>);
+pub(super) struct DisjointSets(Vec<u32>);
 
-impl Parts {
+impl DisjointSets {
     pub(super) fn new(nodes: usize) -> Self {
         Self((0..nodes as u32).collect())
     }

@@ -16,7 +16,7 @@
 
 use super::FilmFraction;
 use super::blocks::{Block, blocks};
-use super::rows::Parts;
+use super::rows::DisjointSets;
 use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
 
@@ -100,14 +100,14 @@ fn width(block: &Block, speed: f64) -> f64 {
 
 /// Patches of sub-triangles that share nodes.
 struct Patches {
-    parts: Parts,
+    parts: DisjointSets,
     /// Of each patch, by its root: area [m2], sum of widths [m], number.
     sums: Vec<[f64; 3]>,
 }
 
 impl Patches {
     fn new(nodes: usize) -> Self {
-        let (parts, sums) = (Parts::new(nodes), vec![[0.0; 3]; nodes]);
+        let (parts, sums) = (DisjointSets::new(nodes), vec![[0.0; 3]; nodes]);
         Self { parts, sums }
     }
 

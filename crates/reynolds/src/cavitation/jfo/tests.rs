@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use oilwedge_fem::complementarity::InitialGuess;
+use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_mesh::{Mesh, RawMesh};
 
-use super::{Film, Search};
+use super::{ActiveSetSearch, Film};
 use crate::film_thickness::Eccentricity;
 use crate::lubricant::{Lubricant, PressureLaw};
 use crate::supply::{BoundaryKind, SupplyRegion};
@@ -76,14 +76,12 @@ fn pseudo_time_arrives_at_the_film_of_the_active_set() {
     for eccentricity in [0.6, 0.9] {
         let problem = problem(eccentricity);
         let film = Film::new(&problem, &system, 1.0).expect("a supply");
-        let start = |broken: bool| InitialGuess {
-            u: vec![0.0; system.space().dofs()],
-            held: vec![broken; system.space().dofs()],
-        };
-        let expected = Search::new(&film, start(false)).run().expect("a film");
+        let start =
+            |broken: bool| WarmStart { u: vec![0.0; system.space().dofs()], held: vec![broken; system.space().dofs()] };
+        let expected = ActiveSetSearch::new(&film, start(false)).run().expect("a film");
         assert!(expected.state.cavity.contains(&true) && expected.fallbacks.is_empty());
         for broken in [false, true] {
-            let found = Search::new(&film, start(broken));
+            let found = ActiveSetSearch::new(&film, start(broken));
             let found = found.run_in_time().expect("a film");
             assert_eq!(found.state.cavity, expected.state.cavity);
             let off = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));

@@ -16,7 +16,7 @@ use super::blocks::{Block, SIDES, blocks};
 use super::volumes_of;
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
-use crate::quantities::power::Work;
+use crate::quantities::power::PowerIntegrals;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// The discrete film whose power is asked for.
@@ -110,8 +110,8 @@ fn oil_of(volumes: &ControlVolumes, blocks: &[Block], fraction: &FilmFraction) -
 
 /// Powers [W] of a mass-conserving film with the pressures `excess` [Pa] above that of the ends; that of shear,
 /// `shear`, is given.
-pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], shear: f64) -> Work {
-    let mut sum = Work { shear, ..Work::default() };
+pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], shear: f64) -> PowerIntegrals {
+    let mut sum = PowerIntegrals { shear, ..PowerIntegrals::default() };
     for (excess, taken_up) in excess.iter().zip(&carriage.taken_up) {
         sum.motion -= excess * taken_up;
     }
@@ -120,7 +120,14 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
         let (p, q, theta) = (at(excess), at(&film.unknown), at(&carriage.fraction.values));
         let block = &carriage.blocks[t];
         let (pressure, motion) = carried(block, p, theta);
-        sum += Work { cavity_shear: 0.0, shear: 0.0, pressure, dragged: pressure, motion, driven: driven(block, p, q) };
+        sum += PowerIntegrals {
+            cavity_shear: 0.0,
+            shear: 0.0,
+            pressure,
+            dragged: pressure,
+            motion,
+            driven: driven(block, p, q),
+        };
     }
     sum
 }

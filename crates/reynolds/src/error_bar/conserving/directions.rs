@@ -11,7 +11,7 @@
 
 use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 
-use super::{Pair, Weights};
+use super::{FilmPair, Weights};
 use crate::error_bar::Bar;
 
 /// A direction of force and moment, and how far the film errs there.
@@ -25,7 +25,7 @@ pub struct ErrorDirection {
 
 /// The four directions of a pair, `arm` [m] half of the bearing's length; `bar` sums up the shares of triangles. Those
 /// of the forces and moments themselves where differences are not finite.
-pub(super) fn directions(pair: &Pair, arm: f64, bar: impl Fn(&[Bar]) -> Bar) -> Vec<ErrorDirection> {
+pub(super) fn directions(pair: &FilmPair, arm: f64, bar: impl Fn(&[Bar]) -> Bar) -> Vec<ErrorDirection> {
     let forces = |at: Weights| Vector4::new(at.force[0], at.force[1], at.moment[0] / arm, at.moment[1] / arm);
     let mesh = pair.film.system.space().mesh();
     let mut sum = Matrix4::zeros();
