@@ -137,14 +137,14 @@ fn both_read_files_of_gmsh_alike() {
     }
 }
 
-fn feature(dice: &mut Dice, liner: &Liner, number: u32) -> Feature {
+fn feature(dice: &mut Dice, liner: &LinerDomain, number: u32) -> Feature {
     let (from, to) = liner.arc.unwrap_or((0.0, TAU));
     let centre = [liner.radius * dice.between(from, to), liner.length * dice.between(-0.35, 0.35)];
     let small = liner.radius.min(liner.length);
     let shape = match dice.chance(0.6) {
-        true => Shape::disc(centre, small * dice.between(0.05, 0.2)),
+        true => RoundedRectangle::disc(centre, small * dice.between(0.05, 0.2)),
         false => {
-            Shape { centre, half: [small * dice.between(0.05, 0.3), small * dice.between(0.05, 0.3)], corner: 0.0 }
+            RoundedRectangle { centre, half: [small * dice.between(0.05, 0.3), small * dice.between(0.05, 0.3)], corner: 0.0 }
         }
     };
     Feature { name: format!("hole number {number}"), shape, meshed: dice.chance(0.5) }
@@ -154,7 +154,7 @@ fn feature(dice: &mut Dice, liner: &Liner, number: u32) -> Feature {
 fn liner(dice: &mut Dice) -> Mesh {
     loop {
         let radius = dice.decades(-3.0, 0.5);
-        let liner = Liner {
+        let liner = LinerDomain {
             radius,
             length: radius * dice.between(0.3, 2.0),
             arc: dice.chance(0.4).then(|| (0.3, dice.between(1.0, 5.5))),
