@@ -15,7 +15,7 @@ pub const EFFECTS: [(&str, usize); 12] = [
     ("jfo", 8),
     ("heat", 8),
     ("iso7902", 4),
-    ("roughness", 14),
+    ("roughness", 15),
     ("contact", 66),
     ("deflection", 71),
     ("liner", 48),

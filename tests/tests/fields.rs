@@ -126,7 +126,7 @@ fn no_stress_under_a_feed() {
 fn arrays_of_the_file_have_units() {
     let bench = Bench::new();
     bench.scene("09_drawn_ring", &[]);
-    let told = bench.run(&["solve", "scene.toml", "--out", "out"]);
+    let told = bench.run(&["solve", "scene.toml", "--out", "out", "--fields", "all"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let file = std::fs::read(bench.path().join("out/film.vtu")).expect("a picture");
     let text = String::from_utf8(file).expect("text");

@@ -282,7 +282,7 @@ fn stretched_meshes_are_flipped() {
 /// Film fractions in the file, and no pressure below that of the cavity.
 #[test]
 fn fields_of_broken_films() {
-    for (model, fields) in [("reynolds", 8), ("jfo", 9)] {
+    for (model, fields) in [("reynolds", 5), ("jfo", 6)] {
         let film = solved(&LINERS[2].scene(model, 3000.0, ""));
         let indicator = vec![0.5; film.study.system.space().mesh().triangles().len()];
         let drawn = picture(

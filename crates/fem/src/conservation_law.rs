@@ -18,8 +18,8 @@ pub trait ConservationLaw: Sync {
     /// `cell`.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]);
 
-    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind [`TangentKind::Conduction`]
-    /// drops a direction.
+    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind
+    /// [`TangentKind::Conduction`] drops a direction.
     fn directions(&self) -> [f64; 2] {
         [1.0; 2]
     }

@@ -1,7 +1,8 @@
 //! Fields for inspection: one VTU file of quadratic triangles that ParaView and PyVista open.
 //!
-//! The numbers of all arrays stand at the end of the file as they are in memory (VTK: appended, raw). PyVista, ParaView
-//! and VTK read every [`Compression`]; meshio does not know LZ4. Each array of a field has its unit as VTK's information key `UNITS_LABEL`.
+//! Arrays stand in the file as base64 text: meshio mistakes some arrays of equal length for each other where they are
+//! appended raw. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know LZ4. Each array of a field
+//! has its unit as VTK's information key `UNITS_LABEL`.
 
 use quick_xml::events::BytesText;
 use quick_xml::{Error as Xml, Writer};
@@ -65,7 +66,7 @@ pub enum Precision {
 pub struct VtuForm {
     /// How they are compressed.
     pub compression: Compression,
-    /// Their bits.
+    /// Bits of each.
     pub precision: Precision,
 }
 
@@ -80,73 +81,66 @@ impl VtuForm {
 ///
 /// # Errors
 /// [`Error`]: lengths that do not fit, a node that is not there, a value that is not finite.
-pub fn to_vtu(picture: &FilmPicture, VtuForm { compression, precision }: VtuForm) -> Result<Vec<u8>, Error> {
+pub fn to_vtu(picture: &FilmPicture, form: VtuForm) -> Result<Vec<u8>, Error> {
     check(picture)?;
-    let connectivity = picture.cells.as_flattened();
-    let offsets: Vec<u32> = (1..=picture.cells.len() as u32).map(|cell| 6 * cell).collect();
-    let types = vec![QUADRATIC_TRIANGLE; picture.cells.len()];
-    let parts: [(&str, Vec<Array>); 4] = [
-        ("PointData", picture.point_data.iter().map(|field| array(field, precision)).collect()),
-        ("CellData", picture.cell_data.iter().map(|field| array(field, precision)).collect()),
-        ("Points", vec![Array::plain("Points", 3, ArrayNumbers::Float64(picture.points.as_flattened()))]),
-        (
-            "Cells",
-            vec![
-                Array::plain("connectivity", 1, ArrayNumbers::UInt32(connectivity)),
-                Array::plain("offsets", 1, ArrayNumbers::UInt32(&offsets)),
-                Array::plain("types", 1, ArrayNumbers::UInt8(&types)),
-            ],
-        ),
-    ];
-    let arrays: Vec<&Array> = parts.iter().flat_map(|(_, arrays)| arrays).collect();
-    let bytes: Vec<Vec<u8>> = arrays.par_iter().map(|array| array.bytes(compression)).collect();
     let mut file = Writer::new(Vec::new());
     let head =
         [("type", "UnstructuredGrid"), ("version", "1.0"), ("byte_order", "LittleEndian"), ("header_type", "UInt64")];
-    let head = head.into_iter().chain(compression.compressor().map(|name| ("compressor", name)));
+    let head = head.into_iter().chain(form.compression.compressor().map(|name| ("compressor", name)));
+    let grid = |file: &mut Writer<Vec<u8>>| {
+        write_lines(file, &picture.lines)?;
+        write_piece(file, picture, form)
+    };
     file.create_element("VTKFile")
         .with_attributes(head)
         .write_inner_content(|file| {
-            file.create_element("UnstructuredGrid").write_inner_content(|file| {
-                write_lines(file, &picture.lines)?;
-                write_piece(file, picture, (&parts, &bytes))
-            })?;
-            file.create_element("AppendedData").with_attributes([("encoding", "raw")]).write_inner_content(|file| {
-                let into = file.get_mut();
-                into.push(b'_');
-                bytes.iter().for_each(|bytes| into.extend_from_slice(bytes));
-                // meshio looks for the end of the numbers there.
-                into.push(b'\n');
-                Ok::<(), Xml>(())
-            })?;
+            file.create_element("UnstructuredGrid").write_inner_content(grid)?;
             Ok::<(), Xml>(())
         })
         .map_err(Error::format("VTU file"))?;
     Ok(file.into_inner())
 }
 
-/// The film by the elements of its arrays: fields at the nodes and of the triangles, places of the nodes, triangles.
-/// The first scalar and the first vector of the fields are those that a viewer shows.
-fn write_piece(
-    file: &mut Writer<Vec<u8>>,
-    picture: &FilmPicture,
-    (parts, bytes): (&[(&str, Vec<Array>)], &[Vec<u8>]),
-) -> Result<(), Xml> {
+/// The film: fields at the nodes and of the triangles, places of the nodes, triangles.
+fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, form: VtuForm) -> Result<(), Xml> {
+    let offsets: Vec<u32> = (1..=picture.cells.len() as u32).map(|cell| 6 * cell).collect();
+    let types = vec![QUADRATIC_TRIANGLE; picture.cells.len()];
+    let points = ArrayNumbers::Float64(picture.points.as_flattened());
+    let parts = [
+        ("PointData", picture.point_data.iter().map(|field| array(field, form.precision)).collect()),
+        ("CellData", picture.cell_data.iter().map(|field| array(field, form.precision)).collect()),
+        ("Points", vec![Array::plain("Points", 3, points)]),
+        (
+            "Cells",
+            vec![
+                Array::plain("connectivity", 1, ArrayNumbers::UInt32(picture.cells.as_flattened())),
+                Array::plain("offsets", 1, ArrayNumbers::UInt32(&offsets)),
+                Array::plain("types", 1, ArrayNumbers::UInt8(&types)),
+            ],
+        ),
+    ];
     let sizes = [picture.points.len(), picture.cells.len()].map(|size| size.to_string());
     let sizes = [("NumberOfPoints", sizes[0].as_str()), ("NumberOfCells", sizes[1].as_str())];
-    let (mut offset, mut sizes_of_arrays) = (0, bytes.iter().map(Vec::len));
-    file.create_element("Piece").with_attributes(sizes).write_inner_content(|file| {
-        for (name, arrays) in parts {
-            let first = |components| arrays.iter().find(|array| array.components == components && array.unit.is_some());
-            let shown = [("Scalars", first(1)), ("Vectors", first(3))];
-            let shown = shown.iter().filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
-            file.create_element(*name).with_attributes(shown).write_inner_content(|file| {
-                for array in arrays {
-                    array.write(file, offset)?;
-                    offset += sizes_of_arrays.next().unwrap_or_default();
-                }
-                Ok::<(), Xml>(())
-            })?;
+    let piece = file.create_element("Piece").with_attributes(sizes);
+    piece.write_inner_content(|file| {
+        for (name, arrays) in &parts {
+            write_part(file, name, arrays, form.compression)?;
+        }
+        Ok::<(), Xml>(())
+    })?;
+    Ok(())
+}
+
+/// An element of a piece with its arrays. The first scalar and the first vector are those that a viewer shows.
+fn write_part(file: &mut Writer<Vec<u8>>, name: &str, arrays: &[Array], compression: Compression) -> Result<(), Xml> {
+    let first = |components| arrays.iter().find(|array| array.components == components && array.unit.is_some());
+    let shown = [("Scalars", first(1)), ("Vectors", first(3))];
+    let shown = shown.iter().filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
+    let texts: Vec<_> = arrays.par_iter().map(|array| array.text(compression)).collect();
+    let part = file.create_element(name).with_attributes(shown);
+    part.write_inner_content(|file| {
+        for (array, text) in arrays.iter().zip(texts) {
+            array.write(file, text)?;
         }
         Ok::<(), Xml>(())
     })?;

@@ -117,9 +117,9 @@ pub struct PictureOptions {
 
 /// The fields of a solved film at its nodes, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`,
 /// where nodes on the cut of a ring are on both sides of it: pressure (nowhere below that of a cavity), film thickness,
-/// viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place and, where
-/// all are chosen, flow per width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is
-/// thicker on one. The indicator [N], a value for each triangle, is what each adds to the error of the load.
+/// viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place and,
+/// where all are chosen, flow per width and shear stress on the walls. Nodes on the edge of a pocket are on both sides
+/// of it too, for the film is thicker on one. The indicator [N], a value for each triangle, is what each adds to the error of the load.
 pub fn picture(
     film: &Film,
     solved: &SolvedFilm,

@@ -1,14 +1,15 @@
 //! Hard cases of the oil film: that the solver converges, or gives the reason why there is no answer.
 //!
 //! A case is a scene at the edge of what can be computed, with the reason why it is there and how it must end. Each
-//! answer is judged twice: by itself (balances, signs, bars: `faults.rs`), and by a second method (a finer mesh, another
-//! scene, known values: `reference_film.rs`).
+//! answer is judged twice: by itself (balances, signs, bars: `faults.rs`), and by a second method (a finer mesh,
+//! another scene, known values: `reference_film.rs`).
 //!
 //! ```text
 //! tests/hard_cases/*.toml -> family -> cases -> answer (made_mesh) -> faults, reference_film -> Verdict
 //! ```
 //!
-//! Reading order: [`family`] (the form of the files), [`cases`], [`answer`], `faults.rs`, `reference_film.rs`, [`suite`].
+//! Reading order: [`family`] (the form of the files), [`cases`], [`answer`], `faults.rs`, `reference_film.rs`,
+//! [`suite`].
 //! The full tier of tests judges each answer beside the others of its series, and draws the map of stability.
 
 pub mod answer;

@@ -143,9 +143,11 @@ fn feature(dice: &mut Dice, liner: &LinerDomain, number: u32) -> Feature {
     let small = liner.radius.min(liner.length);
     let shape = match dice.chance(0.6) {
         true => RoundedRectangle::disc(centre, small * dice.between(0.05, 0.2)),
-        false => {
-            RoundedRectangle { centre, half: [small * dice.between(0.05, 0.3), small * dice.between(0.05, 0.3)], corner: 0.0 }
-        }
+        false => RoundedRectangle {
+            centre,
+            half: [small * dice.between(0.05, 0.3), small * dice.between(0.05, 0.3)],
+            corner: 0.0,
+        },
     };
     Feature { name: format!("hole number {number}"), shape, meshed: dice.chance(0.5) }
 }

@@ -1,8 +1,9 @@
-//! One array of a VTU file: its element, and its bytes among those that the file ends with, in blocks where they are
-//! compressed.
+//! One array of a VTU file: its element, and its numbers as base64 text, in blocks where they are compressed.
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
-use quick_xml::events::BytesText;
+use quick_xml::events::{BytesText, Event};
 use quick_xml::{Error as Xml, Writer};
 
 use super::Compression;
@@ -34,15 +35,24 @@ impl ArrayNumbers<'_> {
         }
     }
 
-    /// Puts the bytes after these, the least significant of each number first.
-    fn append_to(self, bytes: &mut Vec<u8>) {
-        bytes.reserve_exact(self.size());
+    /// The bytes after these first ones, the least significant of each number first.
+    fn bytes(self, mut first: Vec<u8>) -> Vec<u8> {
         match self {
-            Self::Float64(numbers) => numbers.iter().for_each(|number| bytes.extend(number.to_le_bytes())),
-            Self::Float32(numbers) => numbers.iter().for_each(|&number| bytes.extend((number as f32).to_le_bytes())),
-            Self::UInt32(numbers) => numbers.iter().for_each(|number| bytes.extend(number.to_le_bytes())),
-            Self::UInt8(numbers) => bytes.extend_from_slice(numbers),
+            Self::Float64(numbers) => {
+                first.reserve_exact(8 * numbers.len());
+                first.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+            }
+            Self::Float32(numbers) => {
+                first.reserve_exact(4 * numbers.len());
+                first.extend(numbers.iter().flat_map(|&number| (number as f32).to_le_bytes()));
+            }
+            Self::UInt32(numbers) => {
+                first.reserve_exact(4 * numbers.len());
+                first.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+            }
+            Self::UInt8(numbers) => first.extend_from_slice(numbers),
         }
+        first
     }
 
     /// Number of bytes.
@@ -71,43 +81,44 @@ impl<'a> Array<'a> {
         Self { name, unit: None, components, numbers }
     }
 
-    /// The number of bytes and the bytes, or the sizes of the compressed blocks and the blocks.
-    pub(super) fn bytes(&self, compression: Compression) -> Vec<u8> {
+    /// The numbers of the array as text: the number of bytes and the bytes in one, or the sizes of the compressed
+    /// blocks before the blocks.
+    pub(super) fn text(&self, compression: Compression) -> String {
         let encoder: fn(&[u8]) -> Vec<u8> = match compression {
             Compression::None => {
-                let mut bytes = (self.numbers.size() as u64).to_le_bytes().to_vec();
-                self.numbers.append_to(&mut bytes);
-                return bytes;
+                let size = (self.numbers.size() as u64).to_le_bytes();
+                return BASE64.encode(self.numbers.bytes(size.to_vec()));
             }
             Compression::Lz4 => lz4_flex::block::compress,
             Compression::Zlib => |block| compress_to_vec_zlib(block, ZLIB_LEVEL),
         };
-        let mut bytes = Vec::new();
-        self.numbers.append_to(&mut bytes);
+        let bytes = self.numbers.bytes(Vec::new());
         let blocks: Vec<_> = bytes.chunks(BLOCK).map(encoder).collect();
         // The size of the last block also where it is whole: VTK takes zero for that too, vtkio does not.
         let last = bytes.chunks(BLOCK).last().map_or(0, <[u8]>::len);
         let sizes = [blocks.len(), BLOCK, last];
         let sizes = sizes.into_iter().chain(blocks.iter().map(Vec::len));
-        sizes.flat_map(|size| (size as u64).to_le_bytes()).chain(blocks.concat()).collect()
+        let header: Vec<u8> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
+        BASE64.encode(header) + &BASE64.encode(blocks.concat())
     }
 
-    /// Writes its element, whose bytes begin at this place.
-    pub(super) fn write(&self, file: &mut Writer<Vec<u8>>, offset: usize) -> Result<(), Xml> {
-        let (components, offset) = (self.components.to_string(), offset.to_string());
+    /// Writes its element with this text.
+    pub(super) fn write(&self, file: &mut Writer<Vec<u8>>, text: String) -> Result<(), Xml> {
+        let components = self.components.to_string();
         let components = (self.components > 1).then_some(("NumberOfComponents", components.as_str()));
         let kind = [("type", self.numbers.kind()), ("Name", self.name)];
-        let place = [("format", "appended"), ("offset", offset.as_str())];
-        let element = file.create_element("DataArray").with_attributes(kind.into_iter().chain(components).chain(place));
-        match self.unit {
-            None => element.write_empty()?,
-            Some(unit) => element.write_inner_content(|file| {
-                file.create_element("InformationKey")
-                    .with_attributes([("name", "UNITS_LABEL"), ("location", "vtkDataArray")])
-                    .write_text_content(BytesText::new(unit))?;
+        let form = [("format", "binary")];
+        file.create_element("DataArray")
+            .with_attributes(kind.into_iter().chain(components).chain(form))
+            .write_inner_content(|file| {
+                file.write_event(Event::Text(BytesText::from_escaped(text)))?;
+                if let Some(unit) = self.unit {
+                    file.create_element("InformationKey")
+                        .with_attributes([("name", "UNITS_LABEL"), ("location", "vtkDataArray")])
+                        .write_text_content(BytesText::new(unit))?;
+                }
                 Ok::<(), Xml>(())
-            })?,
-        };
+            })?;
         Ok(())
     }
 }

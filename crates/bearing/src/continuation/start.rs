@@ -1,0 +1,105 @@
+//! Where a branch begins: the balance of the force alone, that of a lighter load, or a point that a coarser mesh has
+//! shown.
+
+use oilwedge_reynolds::FilmProblem;
+
+use super::Branch;
+use crate::balance::Balance;
+use crate::equilibrium::ROUGHLY_BALANCED;
+use crate::no_equilibrium::{SearchEnd, Waypoint};
+use crate::search::{Search, Trial};
+use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
+
+/// A branch of a growing load begins at this part of the load at most, and is sought at parts this much smaller.
+const LIGHTER: f64 = 0.5;
+/// Parts of a load at which such a beginning is sought, at most.
+const MOST_LIGHTER: usize = 6;
+/// The film of a journal halfway to its start shows which part of the load that may be.
+const HALFWAY: f64 = 0.5;
+
+impl Search<'_> {
+    /// Balances what grows along a branch from its beginning: the moment where the tilt is free, else the load.
+    pub(crate) fn along_branch(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        match self.load.tilting {
+            Some(_) => self.by_growing_moment(problem),
+            None => self.by_growing_load(problem),
+        }
+    }
+
+    /// How balances that a branch begins with are searched.
+    fn roughly(&self) -> SearchOptions<'_> {
+        SearchOptions {
+            guess: InitialGuess::Cold,
+            carrier: Carrier::Quadratic,
+            accuracy: Some(ROUGHLY_BALANCED),
+            ..self.options
+        }
+    }
+
+    /// Balances the force alone, and from there the moment. Where that leads nowhere, the branch of a growing moment is
+    /// followed.
+    fn by_growing_moment(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        let straight = Load { tilting: None, ..self.load };
+        let straightened = |problem: &FilmProblem, purpose: Purpose| {
+            let options = SearchOptions { purpose, ..self.roughly() };
+            Search::new(problem, self.system, straight, options).found(problem)
+        };
+        let mut parallel = problem.clone();
+        parallel.journal.tilt = [0.0; 2];
+        let found = match problem.journal.tilt {
+            [0.0, 0.0] => straightened(problem, self.options.purpose),
+            // What the film carries at one tilt is no limit where the tilt is free: a parallel journal carries more.
+            _ => straightened(problem, Purpose::Branch).or_else(|_| straightened(&parallel, self.options.purpose)),
+        }?;
+        let FilmProblem { journal, .. } = found.trial.film.problem;
+        let trial = self.recorded(found.trial);
+        // Of several balances the one that a growing moment leads to is nearest to this start.
+        match self.run(&trial.film.problem, journal) {
+            Ok(found) if !self.is_in_contact(&found.trial) => Ok(found),
+            _ => self.from_trial(trial),
+        }
+    }
+
+    /// Balances a part of the load, and follows the branch of a growing load from there.
+    fn by_growing_load(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        let half = self.coordinates.at(&problem.journal).map(|x| HALFWAY * x);
+        let start = FilmProblem { journal: self.coordinates.placed(&problem.journal, half), ..problem.clone() };
+        let here = self.first(&start, start.journal)?;
+        let [x, y] = here.carried.force;
+        let largest = LIGHTER.min(x.hypot(y) / self.load.magnitude());
+        let balance = |share: f64| {
+            let lighter = Load::from(self.load.force.map(|force| share * force));
+            let search = Search::new(&start, self.system, lighter, self.roughly());
+            search.run(&start, start.journal).ok().filter(|found| !self.is_in_contact(&found.trial))
+        };
+        let mut shares = std::iter::successors(Some(largest), |share| Some(LIGHTER * share)).take(MOST_LIGHTER);
+        match shares.find_map(balance) {
+            Some(found) => self.from_trial(self.recorded(found.trial)),
+            None => Err(self.unreachable(&here, SearchEnd::NoProgress)),
+        }
+    }
+
+    /// Follows the branch that begins with this trial.
+    fn from_trial(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
+        let branch =
+            Branch { search: self, first: self.excess(&trial), clearance: trial.film.problem.bearing.clearance };
+        branch.followed(branch.point(trial, 0.0)?)
+    }
+
+    /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that
+    /// point.
+    pub(crate) fn continued(&self, problem: &FilmProblem, way: &Waypoint) -> Option<Result<Balance, NoEquilibrium>> {
+        let load = self.load.with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
+        let search = Search::new(problem, self.system, load, self.roughly());
+        let bent = problem.clone().deflected(way.deflection.as_ref());
+        let found = search.run(&bent, way.journal).ok()?;
+        let branch = Branch { search: self, first: way.first, clearance: problem.bearing.clearance };
+        Some(branch.followed(branch.point(self.recorded(found.trial), way.part).ok()?))
+    }
+
+    /// As [`Self::continued`]; where there is no balance near that point the branch is followed from its beginning.
+    pub(crate) fn taken_up(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Balance, NoEquilibrium> {
+        let outcome = self.continued(problem, way);
+        outcome.unwrap_or_else(|| self.along_branch(problem))
+    }
+}
