@@ -197,6 +197,33 @@ fn imports_make_no_circles_above_the_mesh() {
     }
 }
 
+/// Names of types that stand in two files of the workspace, at most; their number may shrink.
+const NAMED_TWICE: usize = 68;
+
+/// The type of a line of code; associated types, which a trait asks for, and errors of crates are none.
+fn type_name(line: &str) -> Option<&str> {
+    let words = line.strip_prefix("pub").map_or(line, |rest| {
+        let rest = rest.strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or(rest, |(_, rest)| rest);
+        rest.trim_start()
+    });
+    let name = ["struct ", "enum ", "trait ", "type "].iter().find_map(|kind| words.strip_prefix(kind))?;
+    let name = name.split(|letter: char| !letter.is_alphanumeric()).next()?;
+    (name != "Error").then_some(name)
+}
+
+#[test]
+fn few_names_of_types_stand_twice() {
+    let sources = sources_of_house();
+    let mut places: std::collections::BTreeMap<&str, Vec<&str>> = std::collections::BTreeMap::new();
+    for source in &sources {
+        for name in source.code.iter().filter_map(|line| type_name(line)) {
+            places.entry(name).or_default().push(&source.path);
+        }
+    }
+    let twice: Vec<_> = places.into_iter().filter(|(_, paths)| paths.len() > 1).collect();
+    assert!(twice.len() <= NAMED_TWICE, "{}: {twice:#?}", twice.len());
+}
+
 #[test]
 fn no_source_file_is_long() {
     for path in sources() {

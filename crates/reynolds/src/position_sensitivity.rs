@@ -1,4 +1,4 @@
-//! How a solved film changes, to first order, where the journal moves: with the factors that are there.
+//! First-order changes of a solved film with the position of the journal, by the factors of its tangent.
 
 use std::sync::OnceLock;
 
@@ -18,7 +18,7 @@ use crate::{FilmChange, FilmProblem, FilmSolution, JournalChange, NoFilm, Solved
 pub struct MixedChange(Vec<f64>);
 
 impl MixedChange {
-    /// The sum of some changes, each times a factor.
+    /// Sum of several changes, each times a factor.
     pub fn sum<'a>(changes: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {
         let mut sum = Vec::new();
         for (factor, Self(change)) in changes {

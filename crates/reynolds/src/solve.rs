@@ -1,4 +1,4 @@
-//! How a film is solved: cold, from coarser meshes, from a neighbouring film, and by continuation in the speed.
+//! Solution of a film: from rest, from coarser meshes, from a neighbouring film, and by continuation in the speed.
 
 use std::sync::Arc;
 
@@ -10,17 +10,17 @@ use crate::film_law::FilmLaw;
 use crate::film_start::{FilmStart, StepBudget};
 use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm, SolvedFilm};
 
-/// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
+/// Part of the given speed to which the greatest speed of an as-printed film is bisected.
 const FOLD_RESOLUTION: f64 = 1e-4;
 
-/// A film of the same system to start from.
+/// The film from which a solve starts.
 #[derive(Debug, Clone, Copy)]
 pub enum Neighbour<'a> {
-    /// None: the film is solved on coarser meshes first, if there are any.
+    /// No film: coarser meshes are solved first, if there are any.
     None,
-    /// This one.
+    /// A film of the same system.
     Start(&'a SolvedFilm),
-    /// This one, as it was stored.
+    /// A film of the same system, as it was stored.
     Found(&'a FilmTrace),
     /// The film of a coarser mesh.
     Coarser(&'a FilmStart),
@@ -88,7 +88,7 @@ impl FilmProblem {
         }
     }
 
-    /// True if the film is found by iteration, and quicker from that of a coarser mesh.
+    /// True if the film is found by iteration, and faster from the film of a coarser mesh.
     pub fn needs_start(&self) -> bool {
         self.cavitation.has_free_boundary() || self.form == Form::AsPrinted
     }
@@ -190,7 +190,7 @@ impl FilmProblem {
         }
     }
 
-    /// What the least step that fails shows, between two parts of the speed: the fold of the stable branch, or else the
+    /// Outcome of the least step that fails, between two parts of the speed: the fold of the stable branch, or else the
     /// failure itself.
     fn fold_between(&self, [reached, next]: [f64; 2], failure: NoFilm) -> NoFilm {
         let asked = self.journal.speed.abs();
@@ -201,7 +201,7 @@ impl FilmProblem {
                 | Failure::TooManySteps { .. }
                 | Failure::Linear { error: Error::NotPositiveDefinite, .. },
             ) if reached > 0.0 => reached,
-            // At rest it is there, and after the least step it is not: the fold lies between.
+            // There is a film at rest, and none after the least step: the fold lies between.
             NoFilm::NotConverged(Failure::Linear { error: Error::NotPositiveDefinite, .. }) => next,
             _ => return failure,
         };

@@ -5,7 +5,7 @@
 //! another scene, known values: `reference_film.rs`).
 //!
 //! ```text
-//! tests/hard_cases/*.toml -> family -> cases -> answer (made_mesh) -> faults, reference_film -> Verdict
+//! tests/hard_cases/*.toml -> family -> cases -> answer (made_mesh) -> faults, reference_film -> CaseVerdict
 //! ```
 //!
 //! Reading order: [`family`] (the form of the files), [`cases`], [`answer`], `faults.rs`, `reference_film.rs`,

@@ -6,7 +6,7 @@
 //! beta    = [b_0 + b_1 eps + b_2 eps^2 + b_3 eps^3 + b_4 eps^4] arctan(pi sqrt(1 - eps^2)/(2 eps))
 //! f/psi   = pi/(So sqrt(1 - eps^2)) + eps/2 sin(beta)                   full film, on the journal
 //! Q_3     = D^3 psi omega Q_3*,       Q_3* = (b - 0.223 b^3) eps/4      leaves at the ends
-//! Q_p     = D^3 psi^3 p_en/eta Q_p*                                     pressed through by the feed: [`StandardFeed`]
+//! Q_p     = D^3 psi^3 p_en/eta Q_p*                                     pressed through by a [`StandardFeed`]
 //! ```
 //! with polynomials a_1, a_2, b_0 to b_4 in b.
 //!

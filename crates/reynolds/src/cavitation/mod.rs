@@ -1,11 +1,11 @@
-//! What closes the law where the film breaks: exactly one model.
+//! The cavitation model, which closes the law where the film breaks: each film has exactly one.
 //!
 //! | model | what it does | what it gets wrong |
 //! |---|---|---|
 //! | none (full Sommerfeld) | nothing: pressures may fall below zero | tension that oil does not bear |
-//! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil appears and vanishes at the edge of the film |
+//! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil is not balanced at the edge |
 //! | Reynolds (Swift-Stieber) | an obstacle problem, p >= p_cav | oil appears where the film schemes again |
-//! | JFO (mass conserving) | carries a film fraction through the cavity, `cavitation::jfo` | streaks are a mixture without inertia |
+//! | JFO (mass conserving) | carries a film fraction through the cavity | streaks are a mixture without inertia |
 //!
 //! `docs/theory/cavitation.md` has the equations and how well each is solved.
 
@@ -23,12 +23,12 @@ use crate::film_start::StepBudget;
 use crate::lubricant::PressureLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
-/// The closure.
+/// The cavitation model of a film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cavitation {
     /// Full Sommerfeld film.
     None,
-    /// Pressure below `pressure` [Pa gauge] is raised to it after the solve.
+    /// Guembel's half film: pressures below `pressure` [Pa gauge] are raised to it after the solve.
     Guembel {
         /// Cavitation pressure [Pa gauge].
         pressure: f64,

@@ -1,4 +1,4 @@
-//! The search for the cavity: which nodes are full, which are not.
+//! The search for the cavity, the set of nodes that are not full.
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -15,16 +15,17 @@ use super::rows::Condition;
 use super::{Film, History, volumes_of};
 use crate::Fallback;
 
-/// Most steps of one search.
+/// Greatest number of steps of one search.
 const MOST_STEPS: usize = 300;
 /// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
 const SIGN_TOLERANCE: f64 = 1e-12;
-/// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
+/// Steps of pseudo-time: the first one over the time in which the journal moves by a radius, their growth, their
+/// number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
 const TIME_STEPS: usize = 24;
 
-/// Which nodes are in the cavity, and how the film got there.
+/// The nodes in the cavity, and the steps that led there.
 pub(super) struct ActiveSetSearch<'a> {
     film: &'a Film<'a>,
     state: NodeStates,
@@ -34,14 +35,14 @@ pub(super) struct ActiveSetSearch<'a> {
     is_carried: bool,
     /// Nodes that leak in the balance, with the diagonals of their transport without the leak.
     leaks: Vec<(usize, f64)>,
-    /// Tangent and factor of the step before, to be renewed.
+    /// Tangent and factor of the previous step, which the next one renews.
     renewed: Option<(Matrix, UnsymmetricFactorization)>,
     history: Vec<NewtonStep>,
     pub(super) seconds: Seconds,
     fallbacks: Vec<Fallback>,
 }
 
-/// A film whose signs are all right.
+/// A film in which the signs of all nodes are right.
 pub(super) struct Found {
     pub(super) state: NodeStates,
     /// Inflow near each node where pressure is given; rounding elsewhere.
@@ -56,7 +57,7 @@ pub(super) struct Found {
 
 /// A step of pseudo-time: what the cells take up as they fill.
 struct TimeStep {
-    /// One over its length [1/s].
+    /// Reciprocal of the length of the step [1/s].
     rate: f64,
     before: Vec<f64>,
     /// Volume of each cell [m3].
@@ -89,7 +90,7 @@ impl<'a> ActiveSetSearch<'a> {
         }
     }
 
-    /// Sets of nodes until every sign is right, and pseudo-time where one comes back.
+    /// Iterates over sets of nodes until every sign is right, and goes over to pseudo-time where a set comes back.
     pub(super) fn run(mut self) -> Result<Found, Failure> {
         let mut end = self.iterate(None)?;
         if let SetEnd::Repeated = end {
@@ -108,13 +109,13 @@ impl<'a> ActiveSetSearch<'a> {
         Ok(Found { wrong: turned, ..self.found(SetEnd::Settled(Box::new(linearisation)))? })
     }
 
-    /// The search from the film at which pseudo-time arrives.
+    /// Searches from the film at which pseudo-time arrives.
     fn after_pseudo_time(&mut self) -> Result<SetEnd, Failure> {
         self.pseudo_time()?;
         self.iterate(None)
     }
 
-    /// In pseudo-time from the start.
+    /// Goes in pseudo-time from the start.
     #[cfg(test)]
     pub(super) fn run_in_time(mut self) -> Result<Found, Failure> {
         let end = self.after_pseudo_time()?;
@@ -140,7 +141,7 @@ impl<'a> ActiveSetSearch<'a> {
         })
     }
 
-    /// The step that takes away the residual `before`, made.
+    /// Makes the step that removes the residual `before`.
     fn advance(&mut self, linearisation: &Linearisation, before: &[f64]) -> Result<Vec<f64>, Failure> {
         let minus: Vec<f64> = before.iter().map(|r| -r).collect();
         let step = linearisation.solve(&minus)?;
@@ -153,7 +154,7 @@ impl<'a> ActiveSetSearch<'a> {
         Ok(step)
     }
 
-    /// Solves and exchanges until every sign is right.
+    /// Solves the balances and exchanges nodes until every sign is right.
     fn iterate(&mut self, time: Option<&TimeStep>) -> Result<SetEnd, Failure> {
         let mut seen = HashSet::new();
         while self.history.len() < MOST_STEPS {
@@ -176,7 +177,7 @@ impl<'a> ActiveSetSearch<'a> {
         Err(Failure::TooManySteps { history: std::mem::take(&mut self.history) })
     }
 
-    /// A step's entry in the history.
+    /// Entry of a step in the history.
     fn record(&mut self, wrong: &[(usize, f64)]) {
         let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
         let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
@@ -184,7 +185,7 @@ impl<'a> ActiveSetSearch<'a> {
         self.history.push(NewtonStep { residual: violation / first, damping: 1.0, active });
     }
 
-    /// The balance of all nodes for the present cavity: it is linear.
+    /// The balance of all nodes for the present cavity, which is linear.
     fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), Failure> {
         let clock = Instant::now();
         let (film, rows) = (self.film, &self.film.rows);
@@ -215,7 +216,7 @@ impl<'a> ActiveSetSearch<'a> {
         Ok((linearisation, residual))
     }
 
-    /// What is carried, with what the boundary brings and takes; and the leaks of the present cavity.
+    /// Adds the transport of oil with the flows through the boundary, and the leaks of the present cavity.
     fn carry(&mut self, time: Option<&TimeStep>) {
         if !self.is_carried || time.is_some() {
             self.assemble_transport(time);
@@ -264,8 +265,8 @@ impl<'a> ActiveSetSearch<'a> {
         }
     }
 
-    /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which
-    /// pressure would drive oil in; those of the cavity with more oil than there is room for.
+    /// Nodes on the wrong side, and their distance from the right one in natural units: full nodes with tension or at
+    /// an edge through which pressure would drive oil in, and nodes of the cavity with more oil than there is room for.
     fn wrong_signs(&self, residual: &[f64]) -> Vec<(usize, f64)> {
         let largest = residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
         let size = |dof: usize| match (self.state.cavity[dof], self.film.rows.condition[dof]) {
@@ -280,7 +281,7 @@ impl<'a> ActiveSetSearch<'a> {
         sizes.filter(|(_, size)| *size > SIGN_TOLERANCE || size.is_nan()).collect()
     }
 
-    /// Backward Euler in the film fraction with growing steps, towards the steady film.
+    /// Goes towards the steady film by the backward Euler method in the film fraction, with growing steps.
     fn pseudo_time(&mut self) -> Result<(), Failure> {
         let volume = volumes_of(self.film.volumes, &self.film.blocks, self.state.p.len());
         let mut time = TimeStep {

@@ -6,21 +6,21 @@ use rayon::prelude::*;
 use super::Film;
 use super::blocks::CellMatrix;
 
-/// Least nodes whose balances are one task.
+/// Least number of nodes whose balances are computed as one task.
 const NODES_A_TASK: usize = 4096;
 
-/// `K p + B theta + constant`: outflow of every cell.
+/// Outflow of every cell, `K p + B theta + constant`.
 pub(super) struct CellBalance {
-    /// K.
+    /// Matrix K of the flow that pressure drives.
     pub(super) pressure: Matrix,
-    /// B.
+    /// Matrix B of the oil that the journal carries.
     pub(super) transport: Matrix,
-    /// What neither changes [m3/s].
+    /// Flow that depends on neither pressure nor film fraction [m3/s].
     pub(super) constant: Vec<f64>,
 }
 
 impl CellBalance {
-    /// What pressure drives; the rest is zero.
+    /// The balance of the flow that pressure drives, without transport.
     pub(super) fn of_pressure(film: &Film<'_>) -> Self {
         let mut pressure = Matrix::zero(film.volumes.pattern.clone());
         for (block, addresses) in film.blocks.iter().zip(&film.volumes.addresses) {
@@ -33,8 +33,9 @@ impl CellBalance {
         }
     }
 
-    /// The balance of every node. What pressure drives between two nodes is their coupling times the difference of
-    /// their pressures, the same for both to the last bit: no oil is lost by rounding where pressures are high.
+    /// The balance of every node. The flow that pressure drives between two nodes is their coupling times the
+    /// difference of their pressures, and is the same for both to the last bit: no oil is lost by rounding at high
+    /// pressures.
     pub(super) fn residual(&self, p: &[f64], theta: &[f64]) -> Vec<f64> {
         let carried = self.transport.multiply(theta);
         let pattern = &self.pressure.pattern;
@@ -46,8 +47,8 @@ impl CellBalance {
         in_order(rows.enumerate().map(balance))
     }
 
-    /// Its change with the unknown of each node: the film fraction in the cavity, the pressure elsewhere. Into `spare`
-    /// memory, if there is any.
+    /// Tangent of the balance: its change with the unknown of each node, the film fraction in the cavity and the
+    /// pressure elsewhere. It is written into `spare` memory, if there is any.
     pub(super) fn tangent(&self, cavity: &[bool], spare: Option<Matrix>) -> Matrix {
         let mut matrix = spare.unwrap_or_else(|| Matrix::zero(self.pressure.pattern.clone()));
         let entries = self.pressure.values.iter().zip(&self.transport.values);

@@ -1,4 +1,4 @@
-//! What one sub-triangle contributes to the balance of its three cells.
+//! The contribution of one sub-triangle to the balances of its three cells.
 //!
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
@@ -31,9 +31,9 @@ const CELLS_A_TASK: usize = 1024;
 /// Coefficients of one sub-triangle.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Block {
-    /// `K_ab` of each side.
+    /// Coupling `K_ab` of each side.
     pub(super) stiffness: [f64; 3],
-    /// `k_i` [m3/s].
+    /// Inflow parameters `k_i` of the corners [m3/s].
     pub(super) carried: [f64; 3],
     /// Volume taken up by each cell's piece while full [m3/s].
     pub(super) storage: [f64; 3],
@@ -43,7 +43,7 @@ pub(super) struct Block {
     pub(super) dragged: f64,
 }
 
-/// `K`, row by row.
+/// Matrix of a sub-triangle, row by row.
 pub(super) type CellMatrix = [[f64; 3]; 3];
 
 /// The coefficients of all sub-triangles under `law`.
@@ -91,7 +91,8 @@ pub(super) fn balance_changes(
     balances
 }
 
-/// Where the film of a triangle is evaluated: at its nodes, and in the middle of every side of its sub-triangles.
+/// Points at which the film of a triangle is evaluated: at its nodes, and in the middle of every side of its
+/// sub-triangles.
 pub(super) struct EvaluationPoints {
     positions: AtPoints<[f64; 2]>,
     number: usize,
@@ -146,8 +147,8 @@ impl EvaluationPoints {
     }
 }
 
-/// What flows in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however
-/// its thickness does: `J = F - k grad p` with `1/k` and `F/k` the means of those at the points.
+/// Flow in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however the
+/// thickness varies: `J = F - k grad p` with `1/k` and `F/k` the means of those at the points.
 #[derive(Debug, Clone, Copy, Default)]
 struct Flow {
     conductance: f64,
@@ -178,7 +179,7 @@ impl Flow {
 }
 
 impl Block {
-    /// From what is at the corners `x`, and what flows on the whole.
+    /// The coefficients for corners at `x` and this flow.
     fn new(velocity: [f64; 2], x: [[f64; 2]; 3], film: [FilmPoint; 3], flows: [FilmFlow; 3], flow: Flow) -> Self {
         let doubled = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[1][1] - x[0][1]) * (x[2][0] - x[0][0]);
         let area = 0.5 * doubled;
@@ -202,7 +203,7 @@ impl Block {
         block
     }
 
-    /// `K`.
+    /// Matrix `K` of the block.
     pub(super) fn pressure(&self) -> CellMatrix {
         let mut square = [[0.0; 3]; 3];
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
@@ -215,7 +216,7 @@ impl Block {
         square
     }
 
-    /// `B`.
+    /// Matrix `B` of the block.
     pub(super) fn transport(&self) -> CellMatrix {
         let (k, s) = (self.carried, self.inflow());
         let mut square = self.taken_up();
@@ -242,7 +243,7 @@ impl Block {
         square
     }
 
-    /// What the cells take up for their own film fraction.
+    /// Volume that the cells take up for their own film fraction.
     fn taken_up(&self) -> CellMatrix {
         let mut square = [[0.0; 3]; 3];
         for i in 0..3 {
@@ -251,7 +252,7 @@ impl Block {
         square
     }
 
-    /// `sum k_j^-`.
+    /// Sum of the inflow parameters of the corners upstream, `sum k_j^-`.
     pub(super) fn inflow(&self) -> f64 {
         self.carried.iter().map(|k| k.min(0.0)).sum()
     }

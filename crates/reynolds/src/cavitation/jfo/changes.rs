@@ -1,4 +1,4 @@
-//! How the balances of a solved film change, to first order, with its law: cavity and film fraction stay.
+//! First-order changes of the balances of a solved film with its law, while cavity and film fraction stay.
 
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::{ControlVolumes, Error};
@@ -51,15 +51,15 @@ pub(crate) struct PointChanges<'a> {
     change: FilmChange<'a>,
 }
 
-/// What the changes at the points of one triangle do to the balances of its nodes.
+/// Changes of the balances of the nodes of one triangle with changes at its points.
 pub(crate) struct AtPointsOf {
     points: EvaluationPoints,
-    /// For each point the changes of all nodes [m3/s].
+    /// Changes of all nodes for each point [m3/s].
     pub(crate) balances: AtPoints<Nodal>,
 }
 
 impl AtPointsOf {
-    /// Where the points are [m].
+    /// Places of the points [m].
     pub(crate) fn positions(&self) -> &[[f64; 2]] {
         self.points.positions()
     }
@@ -72,7 +72,7 @@ impl<'a> PointChanges<'a> {
         Ok(Self { film, fraction, volumes: film.system.volumes()?, law: FilmLaw::new(&film.problem, 1.0), change })
     }
 
-    /// What each point of a triangle does to the balances, the others unchanged.
+    /// Changes of the balances with each point of a triangle, while the other points stay.
     pub(crate) fn of_triangle(&self, cell: usize) -> AtPointsOf {
         let points = EvaluationPoints::new(self.film.system.space(), cell);
         let [mut at, mut change] = <[FilmAndFlows; 2]>::default();

@@ -129,7 +129,7 @@ pub(crate) fn solve(
     })
 }
 
-/// That oil is supplied to every part of the film.
+/// Checks that oil is supplied to every part of the film.
 ///
 /// # Errors
 /// [`NoFilm::NoSupply`]: a place that none reaches; or the sub-mesh does not fit in memory.

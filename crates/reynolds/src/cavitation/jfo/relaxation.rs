@@ -14,9 +14,9 @@ use super::Film;
 use super::balance::CellBalance;
 use super::rows::Condition;
 
-/// Most visits of one node.
+/// Greatest number of visits of one node.
 const SWEEPS: usize = 40;
-/// Changes below this, in natural units, end at their node.
+/// Changes below this value, in natural units, do not spread from their node.
 const STILL: f64 = 1e-6;
 
 /// Pressure, film fraction and side of every node.
@@ -36,7 +36,7 @@ impl NodeStates {
         Self { p, theta, cavity }
     }
 
-    /// Takes nodes to the other side.
+    /// Moves nodes to the other side.
     pub(super) fn turn(&mut self, film: &Film<'_>, nodes: &[usize]) {
         for &dof in nodes {
             self.cavity[dof] = !self.cavity[dof];
@@ -61,7 +61,7 @@ impl NodeStates {
         }
     }
 
-    /// The state of one node that balances it while its neighbours stay.
+    /// State of one node that balances it while its neighbours stay.
     fn balanced(&self, film: &Film<'_>, balance: &CellBalance, dof: usize) -> (f64, f64, bool) {
         let floor = film.rows.value[dof];
         let pattern = &balance.pressure.pattern;
@@ -74,11 +74,11 @@ impl NodeStates {
             }
         }
         left += driven * floor;
-        // What it loses while it is full and without pressure.
+        // Flow that the node loses while it is full and without pressure.
         let loss = left + carried;
         match film.rows.condition[dof] {
             Condition::Given => (self.p[dof], 1.0, false),
-            // At least none: overdrawn nodes of the LDA scheme would draw on each other without end.
+            // The fraction is not negative: overdrawn nodes of the LDA scheme would draw on each other without end.
             _ if loss > 0.0 && carried > 0.0 => (floor, (-left / carried).max(0.0), true),
             Condition::Interior if driven > 0.0 => (floor + (-loss / driven).max(0.0), 1.0, false),
             _ => (floor, 1.0, false),
@@ -90,7 +90,7 @@ impl NodeStates {
 #[derive(Debug)]
 pub(super) struct Downstream {
     order: Vec<u32>,
-    /// The place of each node in it.
+    /// Place of each node in the order.
     places: Vec<u32>,
 }
 
@@ -130,7 +130,7 @@ impl Downstream {
 /// Nodes to be visited next.
 struct VisitFront<'a> {
     film: &'a Film<'a>,
-    /// By their places downstream.
+    /// The nodes by their places downstream.
     next: Vec<u32>,
     waits: Vec<bool>,
 }
@@ -152,7 +152,7 @@ impl<'a> VisitFront<'a> {
         }
     }
 
-    /// Takes the nodes that wait, downstream.
+    /// Visits the nodes that wait, from upstream to downstream.
     fn advance(&mut self) -> Vec<usize> {
         let mut now = std::mem::take(&mut self.next);
         now.sort_unstable();

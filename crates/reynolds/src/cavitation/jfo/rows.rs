@@ -3,8 +3,12 @@
 //! | node | pressure | film fraction | its balance gives |
 //! |---|---|---|---|
 //! | interior | unknown while full | unknown in the cavity | the unknown |
-//! | given: feeds, flooded lines, ends above the cavitation pressure | given | one | its inflow |
-//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while pressure drives oil out | what pressure drives out, or the unknown |
+//! | given | given | one | its inflow |
+//! | edge, full | given | one | what pressure drives out |
+//! | edge, in the cavity | given | unknown | the unknown |
+//!
+//! Given nodes are those of feeds, of flooded lines, and of ends above the cavitation pressure. Edges are ends at the
+//! cavitation pressure, where no oil comes in, and lines by which oil leaves.
 
 use oilwedge_fem::ControlVolumes;
 
@@ -13,14 +17,14 @@ use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSystem};
 
-/// What is known at a node.
+/// Condition of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Condition {
-    /// Nothing.
+    /// Neither pressure nor film fraction is given.
     Interior,
-    /// The pressure, and that the film is full.
+    /// The pressure is given, and the film is full.
     Given,
-    /// The pressure, which is that of the cavity; no oil comes in.
+    /// The pressure is that of the cavity, and no oil comes in.
     Edge,
 }
 
@@ -30,10 +34,10 @@ pub(super) struct NodeConditions {
     pub(super) condition: Vec<Condition>,
     /// Given unknown (reduced pressure) [Pa]; that of the cavity elsewhere.
     pub(super) value: Vec<f64>,
-    /// What a starved inlet brings in [m3/s].
+    /// Flow that a starved inlet brings in [m3/s].
     pub(super) inflow: Vec<f64>,
-    /// What the journal carries out through the boundary at an edge node while the film is full [m3/s]; pressure may
-    /// drive out more.
+    /// Flow that the journal carries out through the boundary at an edge node while the film is full [m3/s]; pressure
+    /// may drive out more.
     pub(super) outflow: Vec<f64>,
 }
 

@@ -28,7 +28,7 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct Spread {
     /// Shares of the triangles in sigma [1].
     pub(crate) shares: Vec<f64>,
-    /// n: how often the oil of a strip as wide as a sub-triangle is spread [1].
+    /// Number n of times that the oil of a strip as wide as a sub-triangle is spread [1].
     pub(crate) times: f64,
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn spread(film: &SolvedFilm, fraction: &FilmFraction) -> Result<Sprea
     let law = FilmLaw::new(problem, 1.0);
     let velocity = law.velocity();
     let speed = velocity[0].hypot(velocity[1]);
-    // Dragged through the clearance in a strip of unit width [m2/s].
+    // Flow dragged through the clearance in a strip of unit width [m2/s].
     let drag = 0.5 * speed * problem.bearing.clearance;
     let blocks = blocks(&law, system.space(), volumes);
     let of = |(block, corners): (&Block, &[u32; 3])| {
@@ -101,7 +101,7 @@ fn width(block: &Block, speed: f64) -> f64 {
 /// Patches of sub-triangles that share nodes.
 struct Patches {
     parts: DisjointSets,
-    /// Of each patch, by its root: area [m2], sum of widths [m], number.
+    /// Area [m2], sum of widths [m] and number of sub-triangles of each patch, by its root.
     sums: Vec<[f64; 3]>,
 }
 
