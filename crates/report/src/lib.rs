@@ -3,6 +3,7 @@
 //! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`shaft`] (that of a crankshaft),
 //! [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`tables`], [`mod@check`].
 
+mod balances;
 pub mod catalogue;
 pub mod characteristics;
 pub mod check;

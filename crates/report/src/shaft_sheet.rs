@@ -11,7 +11,7 @@ use oilwedge_study::shaft::{BearingReport, CounterweightReport, ShaftResult};
 
 use crate::criteria;
 use crate::readable::readable_unit;
-use crate::sheet::{Cell, Sheet, none, number_as, sized, text, with_bar};
+use crate::sheet::{Cell, Sheet, WHOLE_LINE, none, number_as, sized, text, with_bar};
 
 /// Columns of the bearings: heading, and the quantity at rest or over a cycle.
 const COLUMNS: [(&str, [&Row; 2]); 8] = [
@@ -66,7 +66,7 @@ pub(crate) fn bearings(result: &ShaftResult) -> Sheet {
             text(bearing.name.as_str()),
             criteria::worst(&bearing.criteria),
             sized(bearing.at, 1e-3, "mm"),
-            Cell { kind: "whole", ..text(shape) },
+            Cell { kind: WHOLE_LINE, ..text(shape) },
             sized(clearance, 1e-6, "um"),
         ];
         cells.extend(columns.iter().map(|(_, row, size)| match bearing.quantity(row) {

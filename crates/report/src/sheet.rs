@@ -16,6 +16,8 @@ pub(crate) const DIGITS: usize = 4;
 const ALL_DIGITS: usize = 6;
 /// Whole numbers below this are counts, and are written out.
 const WHOLE: f64 = 1e9;
+/// Style of a cell whose words, numbers and units among them, stay in one line.
+pub(crate) const WHOLE_LINE: &str = "whole";
 /// Stands where there is no number.
 const NONE: &str = "-";
 
@@ -104,7 +106,7 @@ impl Serialize for Cell {
             is_number: bool,
             kind: &'a str,
         }
-        let text = match self.is_number || self.text == NONE {
+        let text = match self.is_number || self.kind == WHOLE_LINE || self.text == NONE {
             true => typeset(&self.text),
             false => self.text.clone(),
         };

@@ -43,6 +43,7 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::Error;
+use crate::balances;
 use crate::comparison::sheet;
 use crate::criteria::criteria_sheet;
 use crate::orbit_course::OrbitCourse;
@@ -184,7 +185,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
         criteria: criteria_sheet(&result.criteria),
         film_title: "The film".to_owned(),
         warnings: texts(&result.warnings),
-        balances: tables::balances(result),
+        balances: balances::of_film(result),
         assumptions: tables::assumptions(result),
         mesh: mesh_in_words(&result.mesh),
         work: [tables::levels(&result.levels), Some(tables::work(&result.counts)), tables::history(&result.history)]

@@ -7,12 +7,13 @@ use oilwedge_scene::wording::millimetres;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::orbit::CycleFacts;
 use oilwedge_study::quantities::Row;
-use oilwedge_study::shaft::{BearingReport, ShaftBalances, ShaftResult};
+use oilwedge_study::shaft::{BearingReport, ShaftResult};
 
 use super::quantities::ShownQuantity;
 use super::verdict::Outcome;
 use super::{Lead, Page, SceneFile, command, drawn, head, render, tables, texts};
 use crate::Error;
+use crate::balances;
 use crate::comparison::sheet;
 use crate::criteria::{criteria_sheet, of_shaft};
 use crate::plot::{BENT, SHAFT, shaft_figures};
@@ -37,7 +38,7 @@ pub fn shaft_page(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Err
         criteria: criteria_sheet(&criteria),
         lead: Lead { title: "The shaft", words: words(own), table: bearings(result).if_any(), ..Lead::default() },
         warnings: texts(&result.warnings),
-        balances: balances(result),
+        balances: balances::of_shaft(result),
         tables: [result.counterweights.as_ref().map(counterweights), cycles(&result.cycles)]
             .into_iter()
             .flatten()
@@ -113,29 +114,6 @@ fn words(view: &ShaftView) -> Vec<String> {
         words.push("x to the cylinders, y a quarter turn later in the sense of rotation; forces are those on the shells' films, and crank angle 0 is that of a throw that fires at 0".to_owned());
     }
     words
-}
-
-/// What must vanish, and what was left of it.
-fn balances(result: &ShaftResult) -> Sheet {
-    let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
-    let ShaftBalances { force, moment, journals, power, thermal } = result.balances;
-    let left = [
-        (Some(force), "loads less forces of all films, over the loads, at the worst step"),
-        (Some(moment), "their moments, over those of the loads, at the worst step"),
-        (Some(journals), "what is left of the equations of all journals, over the loads"),
-        (
-            power,
-            "power of the loads and of what turns the shaft, less what films dissipate and the shaft stores, over the dissipation, at the worst step",
-        ),
-        (Some(thermal), "power of a film that neither its oil nor its housing takes, over that power"),
-    ];
-    let known = left.into_iter().filter_map(|(left, what)| Some(vec![text(what), number(left?)]));
-    let mut rows: Vec<_> = known.collect();
-    rows.extend(energies.reduce(f64::max).map(|energy| {
-        let what = "energy of a bearing over the cycle, over its dissipation: the error of the steps";
-        vec![text(what), number(energy)]
-    }));
-    Sheet::new("", ["balance", "left over"], rows)
 }
 
 /// The cycles that were followed.

@@ -3,27 +3,10 @@
 use oilwedge_campaign::Records;
 use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
-use oilwedge_study::result::{Balances, Counts, HistoryStep, LevelFacts, RunResult};
+use oilwedge_study::result::{Counts, HistoryStep, LevelFacts, RunResult};
 
 use crate::digits::significant;
 use crate::sheet::{Cell, DIGITS, Sheet, count, number, sized, text, without_zeros};
-
-/// What must vanish, and what was left of it.
-pub(super) fn balances(result: &RunResult) -> Sheet {
-    let Balances { mass, power, moment, force, tilt, deflection, thermal, energy } = result.balances;
-    let rows = [
-        (Some(mass), "oil that enters less oil that leaves, over the oil that passes"),
-        (Some(power), "power put in less dissipation, over all powers"),
-        (Some(moment), "moments of friction less that of the load, over the friction"),
-        (Some(force), "load less force of the film, over the load"),
-        (Some(tilt), "moment of load and support less that of the film, over the load times half of the length"),
-        (deflection, "deflection less that by the pressure, over the deflection"),
-        (energy, "energy put in over the cycle less what is dissipated, over the latter"),
-        (result.temperature.as_ref().map(|_| thermal), "power of friction less what is carried off, over the friction"),
-    ];
-    let rows = rows.into_iter().filter_map(|(left, what)| Some(vec![text(what), number(left?)]));
-    Sheet::new("", ["balance", "left over"], rows.collect())
-}
 
 /// The table of the assumptions that the film meets.
 pub(super) fn assumptions(result: &RunResult) -> Sheet {

@@ -7,13 +7,14 @@ use super::quantities::{bars, quantities};
 use super::shown::Shown;
 use super::temperature;
 use super::verdict::verdict;
+use crate::balances;
 use crate::comparison::sheet;
 use crate::digits::significant;
 use crate::readable::readable_unit;
 use oilwedge_campaign::{Records, comparisons};
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
-use oilwedge_study::result::{Balances, Counts, LinearRoute, LinearSolver, RunResult, headlines};
+use oilwedge_study::result::{Counts, LinearRoute, LinearSolver, RunResult, headlines};
 use std::path::Path;
 
 /// What a run has written.
@@ -56,7 +57,7 @@ pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: 
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
-        lines.push(balances(result.balances));
+        lines.extend(balances::lines(&balances::of_film(result)));
     }
     lines.extend(cavity(result));
     lines.extend(result.orbit.as_ref().map(orbit));
@@ -98,32 +99,6 @@ fn left_out(result: &RunResult, shown: Shown) -> Option<String> {
         let count = result.quantities.len();
         format!("more      --all shows all {count} quantities; result.json has them too")
     })
-}
-
-/// Relative imbalances; those of force and temperature only where they are solved for.
-fn balances(balances: Balances) -> String {
-    let part = |value: f64| significant(value, 2);
-    let mut line = format!(
-        "balance   oil in and oil out differ by {} of the oil that passes, power and dissipation by {} of the power",
-        part(balances.mass),
-        part(balances.power)
-    );
-    if balances.moment != 0.0 {
-        line += &format!(", moments of friction and load by {} of the friction", part(balances.moment));
-    }
-    if balances.force != 0.0 {
-        line += &format!(", load and film force by {} of the load", part(balances.force));
-    }
-    if balances.tilt != 0.0 {
-        line += &format!(", moments of load and film by {} of the load at an end", part(balances.tilt));
-    }
-    if let Some(deflection) = balances.deflection {
-        line += &format!(", deflection and pressure by {} of the deflection", part(deflection));
-    }
-    if let Some(energy) = balances.energy {
-        line += &format!(", energy over the cycle by {} of the dissipation", part(energy));
-    }
-    line + &temperature::imbalance(balances)
 }
 
 /// How the orbit closed, and the steps of its last cycle.
@@ -218,7 +193,7 @@ pub(crate) mod tests {
     use super::*;
     use oilwedge_study::effects::{EFFECTS, Effects};
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, LOAD_X, Quantity, SIDE_FLOW};
-    use oilwedge_study::result::{MeshFacts, RESULT_FORMAT, ResultHead, Status};
+    use oilwedge_study::result::{Balances, MeshFacts, RESULT_FORMAT, ResultHead, Status};
 
     pub(crate) fn written() -> Written<'static> {
         Written { folder: Path::new("out/shell"), has_fields: true, pictures: "" }

@@ -3,6 +3,7 @@
 use super::criteria::judged;
 use super::pieces::{heading, status, time};
 use super::verdict;
+use crate::balances;
 use crate::comparison::sheet;
 use crate::criteria::of_shaft;
 use crate::digits::significant;
@@ -29,7 +30,7 @@ pub fn shaft_report(
         parts.extend(judged(&of_shaft(result), 0));
         parts.extend(beside.iter().map(|(variant, other)| sheet(&shafts(result, *variant, &other.result)).terminal()));
         parts.extend(result.counterweights.iter().map(|it| counterweights(it).terminal()));
-        lines.push(balance(result));
+        lines.extend(balances::lines(&balances::of_shaft(result)));
     }
     lines.extend(result.cycles.last().map(|last| {
         format!(
@@ -47,22 +48,4 @@ pub fn shaft_report(
     lines.push(verdict::of_shaft(result));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
-}
-
-fn balance(result: &ShaftResult) -> String {
-    let part = |value: f64| significant(value, 2);
-    let balances = result.balances;
-    let mut line = format!(
-        "balance   loads and film forces differ by {} of the loads, their moments by {}",
-        part(balances.force),
-        part(balances.moment)
-    );
-    if let Some(power) = balances.power {
-        line += &format!(", powers by {} of the dissipation", part(power));
-    }
-    let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
-    if let Some(worst) = energies.reduce(f64::max) {
-        line += &format!(", energy over the cycle of a bearing by {} of the dissipation", part(worst));
-    }
-    line
 }

@@ -6,7 +6,7 @@ use super::shown::Shown;
 use crate::digits::significant;
 use crate::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
-use oilwedge_study::result::{Balances, RunResult, TemperatureReport};
+use oilwedge_study::result::{RunResult, TemperatureReport};
 
 /// Temperatures, heats and curves where all is shown and the film is one; nothing where no temperature was sought.
 pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
@@ -19,14 +19,6 @@ pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
         |quantity: &&Quantity| quantity.row.table == Table::Temperature || quantity.row == &TEMPERATURE_EFFECTIVE;
     let list = quantities(result.quantities.iter().filter(is_shown), result.bars);
     Some(format!("balance of heat\n{list}\n{}", curve(report)))
-}
-
-/// How far the balance of heat is open, where it is solved for.
-pub(crate) fn imbalance(balances: Balances) -> String {
-    match balances.thermal {
-        0.0 => String::new(),
-        open => format!(", friction and heat carried off by {} of the friction", significant(open, 2)),
-    }
 }
 
 /// The files of the curves.
