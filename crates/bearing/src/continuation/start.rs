@@ -56,7 +56,7 @@ impl Search<'_> {
         // Of several balances the one that a growing moment leads to is nearest to this start.
         match self.run(&trial.film.problem, journal) {
             Ok(found) if !self.is_in_contact(&found.trial) => Ok(found),
-            _ => self.from_trial(trial),
+            _ => self.followed_from(trial),
         }
     }
 
@@ -74,13 +74,13 @@ impl Search<'_> {
         };
         let mut shares = std::iter::successors(Some(largest), |share| Some(LIGHTER * share)).take(MOST_LIGHTER);
         match shares.find_map(balance) {
-            Some(found) => self.from_trial(self.recorded(found.trial)),
+            Some(found) => self.followed_from(self.recorded(found.trial)),
             None => Err(self.unreachable(&here, SearchEnd::NoProgress)),
         }
     }
 
     /// Follows the branch that begins with this trial.
-    fn from_trial(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
+    fn followed_from(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
         let branch =
             Branch { search: self, first: self.excess(&trial), clearance: trial.film.problem.bearing.clearance };
         branch.followed(branch.point(trial, 0.0)?)

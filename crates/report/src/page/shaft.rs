@@ -7,7 +7,7 @@ use oilwedge_scene::wording::millimetres;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::orbit::CycleFacts;
 use oilwedge_study::quantities::Row;
-use oilwedge_study::shaft::{BearingReport, ShaftResult};
+use oilwedge_study::shaft::BearingReport;
 
 use super::quantities::ShownQuantity;
 use super::verdict::Outcome;
@@ -21,7 +21,7 @@ use crate::shaft_sheet::{
     GREATEST_LOAD, GREATEST_PRESSURE, LEAST_FILM, MEAN_POWER, OIL, bearings, counterweights, row_of,
 };
 use crate::shaft_view::{ShaftView, ShaftViews};
-use crate::sheet::{Sheet, count, number, text};
+use crate::sheet::{Sheet, count, number};
 
 /// The page of a crankshaft and of those beside it with the files that the scene names.
 ///
