@@ -16,11 +16,11 @@ pub const EFFECTS: [(&str, usize); 12] = [
     ("heat", 8),
     ("iso7902", 4),
     ("roughness", 15),
-    ("contact", 66),
-    ("deflection", 71),
-    ("liner", 48),
-    ("tilt", 77),
-    ("orbit", 87),
+    ("contact", 67),
+    ("deflection", 73),
+    ("liner", 56),
+    ("tilt", 79),
+    ("orbit", 94),
     ("crankshaft", 28),
 ];
 

@@ -119,7 +119,8 @@ pub struct PictureOptions {
 /// where nodes on the cut of a ring are on both sides of it: pressure (nowhere below that of a cavity), film thickness,
 /// viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place and,
 /// where all are chosen, flow per width and shear stress on the walls. Nodes on the edge of a pocket are on both sides
-/// of it too, for the film is thicker on one. The indicator [N], a value for each triangle, is what each adds to the error of the load.
+/// of it too, for the film is thicker on one. The indicator [N], a value for each triangle, is what each adds to the
+/// error of the load.
 pub fn picture(
     film: &Film,
     solved: &SolvedFilm,

@@ -11,6 +11,8 @@ pub const DRAWING: &str = "docs/images/crates.svg";
 /// Width and height of a crate, and distances between crates [px].
 const BOX: [f64; 2] = [128.0, 44.0];
 const STEP: [f64; 2] = [168.0, 88.0];
+/// Size of a unit of the drawing on paper [mm].
+const MILLIMETRES: f64 = 0.3;
 /// Lines of code are shown in steps of this many, so that not every commit changes the drawing.
 const LINES: usize = 500;
 
@@ -75,9 +77,11 @@ pub fn drawing() -> String {
         [x, ((highest - level) as f64 + 0.5) * STEP[1]]
     };
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" text-anchor=\"middle\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" text-anchor=\"middle\">\n\
          <title>The crates, their lines of code, and what each uses</title>\n\
-         <marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#667\"/></marker>\n"
+         <desc>An arrow leads from a crate to one that it uses; those that follow from others are left out.</desc>\n\
+         <marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#667\"/></marker>\n",
+        MILLIMETRES * width
     );
     for (from, to) in drawn(&arrows) {
         let ([x, y], [to_x, to_y]) = (centre(from), centre(to));
