@@ -68,7 +68,7 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::film_thickness::Growth;
 
-use super::{BLANK, Effect, Socket, changed};
+use super::{BLANK, Contribution, Effect, Socket, changed};
 
 pub(super) const ROW: Effect = Effect {
     name: "growth",
@@ -77,7 +77,7 @@ pub(super) const ROW: Effect = Effect {
     is_in: |scene| scene.growth.is_some(),
     install: |scene, sockets| {
         if let Some(growth) = scene.growth {
-            sockets.film_thickness.push(Box::new(move |_| Arc::new(Growth { depth: growth.depth })));
+            sockets.film_thickness.push(Contribution::Given(Arc::new(Growth { depth: growth.depth })));
         }
     },
     instead: "the gap of the clearance",

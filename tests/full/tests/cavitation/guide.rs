@@ -60,7 +60,7 @@ fn a_load_beyond_contact_is_refused() {
     let refused = answer(scene("60 kN", tilt));
     assert_eq!(refused.head.status, Status::NoSolution, "{:?}", refused.head.reason);
     let reason = refused.head.reason.unwrap_or_default();
-    assert!(reason.contains("in contact anywhere") && reason.contains("; change the load"), "{reason}");
+    assert!(reason.contains("times as much; lower the load"), "{reason}");
     // A load that it carries is balanced by the film that conserves oil itself.
     let balanced = answer(scene("1 kN", r#", tilt = { x = "-0.2 mrad", y = "-0.5 mrad" }"#));
     assert_eq!(balanced.head.status, Status::Converged, "{:?}", balanced.head.reason);
