@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use oilwedge_bearing::{CapBolts, Shell, ThermalBalance};
 use oilwedge_campaign::{Compare, Records};
 use oilwedge_study::result::RunResult;
-use oilwedge_study::{RunOptions, run};
+use oilwedge_study::{RunOptions, compile, run_telling};
 
 use crate::scenes::{table, variant};
 
@@ -29,9 +29,10 @@ pub fn car(turns: f64, force: f64) -> (RunResult, Vec<f64>) {
         table(scene, "load").insert("force".into(), format!("{force} N").into());
     });
     let options = RunOptions { bars: false, ..RunOptions::default() };
-    let found = run(&scene, &options).expect("a film");
+    let model = compile(&scene).expect("a model");
+    let found = run_telling(&model, &options, None).expect("a film");
     let mut records = Records::default();
-    Compare::Standard.solve(&scene, &options, &found, &mut records).expect("the standard");
+    Compare::Standard.solve((&scene, &model), &options, &found, &mut records).expect("the standard");
     let balance = records.standard.and_then(|record| record.balance).expect("a balance of the standard");
     (found.result, balance.0.into_iter().map(|(_, value)| value).collect())
 }

@@ -13,9 +13,6 @@ const CONTINUING: [&str; 22] = [
     "the same", "their", "then", "these", "they", "those", "under",
 ];
 
-/// Places whose comments are still to be written anew.
-const TO_BE_WRITTEN: [&str; 1] = ["crates/bearing/"];
-
 /// A text of the repository.
 struct File {
     /// Path from the root of the repository.
@@ -37,10 +34,7 @@ fn files(endings: &[&str]) -> Vec<File> {
                 folders.push(path);
             } else if path.is_file() && endings.contains(&ending) {
                 let below = path.strip_prefix(&root).unwrap_or(&path).to_string_lossy().into_owned();
-                let is_left = TO_BE_WRITTEN.iter().any(|place| below.starts_with(place));
-                if !is_left {
-                    files.push(File { path: below, text: text(&path) });
-                }
+                files.push(File { path: below, text: text(&path) });
             }
         }
     }

@@ -185,7 +185,12 @@ fn any_scene_has_three_theories_or_their_reasons() {
             let Ok(scene) = parse(&text) else { continue };
             let solved = run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{text}"));
             let mut records = Records::default();
-            let compared = Compare::Theories.solve(&scene, &options, &solved, &mut records);
+            let compared = Compare::Theories.solve(
+                (&scene, &oilwedge_study::compile(&scene).expect("a model")),
+                &options,
+                &solved,
+                &mut records,
+            );
             compared.unwrap_or_else(|error| panic!("{error}\n{text}"));
             let found = &comparisons(&records, &solved.result)[0];
             for answer in &found.alternatives {

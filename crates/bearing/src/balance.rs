@@ -7,7 +7,7 @@ use crate::search::{Search, Trial};
 
 /// A journal in balance.
 pub(crate) struct Balance {
-    /// Its film.
+    /// Film of the journal.
     pub(crate) trial: Trial,
     /// Positions tried.
     pub(crate) tried: usize,

@@ -71,7 +71,7 @@ pub struct Shell {
 pub struct BoltForces {
     /// Pull P [N] at the cap.
     pub cap_force: f64,
-    /// Its part on one bolt [N].
+    /// Part of the force on one bolt [N].
     pub bolt_force: f64,
     /// Force R [N] that presses one side of the shell to the length of its seat.
     pub shell_force: f64,
@@ -141,7 +141,7 @@ mod tests {
         }
     }
 
-    /// Of a pull the bolts take the share chi, and the rest relieves the faces that they clamp: those of the joint bear
+    /// The bolts take the share chi of a pull, and the rest relieves the faces that they clamp: those of the joint bear
     /// what the shell leaves of the preload.
     #[test]
     fn the_joint_opens_where_its_clamping_is_used_up() {

@@ -34,9 +34,9 @@ const GROWTH: f64 = 1.6;
 const CORRECTIONS: [usize; 2] = [3, 5];
 /// The two numbers of corrections under a wall that gives way, where each film is a correction.
 const CORRECTIONS_WITH_WALL: [usize; 2] = [6, 9];
-/// Under a wall that gives way a film that leaves no more than this part of what the branch balances, or of the load,
+/// Part of what the branch balances, or of the load, that a point of the branch may leave in a wall that gives way.
 const ON_BRANCH: f64 = 1e-3;
-/// and this one of the deflection, is a point of the branch.
+/// Part of the deflection that a point of the branch may leave.
 const CLOSED_ON_BRANCH: f64 = 1e-2;
 /// Accuracy of the linear systems of film and wall.
 const FOLLOWED: f64 = 1e-3;
@@ -55,7 +55,7 @@ const NEAR_CONTACT: f64 = 0.05;
 const WAYPOINT: f64 = 0.02;
 /// A finer mesh begins where the part that is balanced still grew by so much of its first growth.
 const AHEAD: f64 = 0.3;
-/// Under a wall that gives way a film thinner than this part of the clearance is left to that mesh.
+/// In a wall that gives way a film thinner than this part of the clearance is left to a finer mesh.
 const LEFT_TO_FINER: f64 = 0.01;
 
 /// A point of the branch.
@@ -312,7 +312,7 @@ impl Branch<'_, '_> {
         let left = moved(search.excess(trial), -(1.0 - part), self.first);
         // Under a rigid wall a correction costs little.
         let near = match trial.film.problem.deflection() {
-            None => ROUGHLY_BALANCED * search.scale,
+            None => ROUGHLY_BALANCED * search.scale.min(length(search.response(trial))),
             Some(_) => ON_BRANCH * length(self.first).min(search.scale),
         };
         if length(left) < near && wall.residual < CLOSED_ON_BRANCH {

@@ -28,7 +28,7 @@ pub struct Coordinates {
 }
 
 impl Coordinates {
-    /// Those that are free under a load.
+    /// The coordinates that are free under a load.
     pub fn of(load: &Load, bearing: &Bearing) -> Self {
         Self { order: if load.tilting.is_some() { 4 } else { 2 }, arm: 0.5 * bearing.length }
     }

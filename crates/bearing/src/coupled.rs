@@ -32,9 +32,9 @@ pub(crate) enum FilmSolve<'a> {
 pub(crate) enum Tangents<'a> {
     /// The wall is rigid.
     Rigid(Rigid<'a>),
-    /// It gives way.
+    /// The wall gives way.
     Yielding(Box<Joint<'a>>),
-    /// It gives way, and the film in cubic elements carries the load.
+    /// The wall gives way, and the film in cubic elements carries the load.
     OfCubic(Box<Bordered<'a>>),
 }
 

@@ -11,7 +11,7 @@ use crate::processor;
 pub struct Interrupt(Option<&'static AtomicBool>);
 
 impl Interrupt {
-    /// It never comes.
+    /// A deadline that never comes.
     pub const NEVER: Self = Self(None);
 
     /// The request has come as soon as `asked` is true.

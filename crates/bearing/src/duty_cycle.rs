@@ -5,8 +5,8 @@
 //! | frame | axes | to the shell |
 //! |---|---|---|
 //! | [`Frame::Shell`] | of the bearing, x at angle 0 | - |
-//! | [`Frame::Cylinder`] | x from the centre of the crank to the cylinder, y a right angle from it | turned by beta in a rod, else the same |
-//! | [`Frame::Pin`] | of the journal: x along the throw, from the centre of the crank to the pin | turned by the crank angle theta, then as the cylinder's |
+//! | [`Frame::Cylinder`] | x from the crank's centre to the cylinder | turned by beta in a rod, else the same |
+//! | [`Frame::Pin`] | x from the crank's centre to the pin | by the crank angle, then as the cylinder's |
 //!
 //! Angles grow from x to y in all of them. A shell in a rod turns with it: x lies along the rod from the big end to the
 //! small end, and the journal turns against it with `omega (1 + d beta/d theta)`. The film has no inertia, so nothing
@@ -71,7 +71,7 @@ pub struct DutyCycle {
 /// Where a load comes from.
 #[derive(Debug, Clone, PartialEq)]
 enum Source {
-    /// It does not change.
+    /// The duty does not change.
     Constant(Duty),
     /// A curve through the points of a table and within them, in the frame of the shell.
     Table(Turning, PeriodicSpline<4>),

@@ -10,11 +10,8 @@
 //! | W | N | `force` |
 //! | M, k, g_0 | N m, N m/rad, rad | `Tilting` |
 //! | dW/de | N/m | `stiffness` |
-//! | s | - | `log_eccentricity` |
 //!
-//! Far from the balance steps are taken in `ln |W|` against `s = ln eps - 3/2 ln(1 - eps)` and in the angles: the load
-//! grows like eps for a centred journal and like (1 - eps)^(-3/2) near contact, so both are nearly linear over the
-//! whole range, and the film thickness stays positive by itself. Near the balance they are those in `e`.
+//! [`crate::newton`] finds it, in rigid walls and in walls that give way.
 //!
 //! **Source.** Definition; Hamrock, Schmid, Jacobson (2004), ch. 10, for the limits of the load. **Range.** Steady
 //! positions; the velocity of a moving centre turns with the line of centres. **Verified by**
@@ -28,8 +25,7 @@ use crate::{Coordinates, FoundWarmth, Stiffness, WallByPlace, Work};
 pub(crate) const BALANCED: f64 = 1e-12;
 /// On coarser meshes, which only give a start, this part is enough.
 pub const ROUGHLY_BALANCED: f64 = 1e-4;
-/// Where force and load differ by less than this part of the load the tangent predicts the distance to the balance, and
-/// steps are taken in `e`.
+/// Where force and load differ by less than this part of the load the tangent predicts the distance to the balance.
 pub const NEAR: f64 = 0.1;
 
 /// A journal in balance.
@@ -43,7 +39,7 @@ pub struct Equilibrium {
     pub residual: f64,
     /// Load less force of the film [N].
     pub unbalanced: f64,
-    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both
+    /// Load less force of the forces alone, and of the moments alone as forces at half of the bearing's length, both
     /// relative to the load.
     pub parts: [f64; 2],
     /// What is free.

@@ -22,7 +22,7 @@ pub fn is_contact(gap: &Gap, journal: &JournalState) -> bool {
     is_film_of_contact(gap.least(journal), gap.bearing().clearance)
 }
 
-/// As [`is_contact`], by the least film and the clearance [m].
+/// Whether a film is one of contact ([`is_contact`]), by the least film and the clearance [m].
 pub(crate) fn is_film_of_contact(least: f64, clearance: f64) -> bool {
     const ROUNDING: f64 = 1e-9;
     least < (1.0 - ROUNDING) * (1.0 - GREATEST_ECCENTRICITY) * clearance

@@ -70,7 +70,7 @@ pub struct BranchEnd {
     pub asked: [f64; 2],
     /// Part of the load, or of what tilts the journal, that is balanced there [1].
     pub carried: f64,
-    /// Its error at most [1]. None where it is not known: the branch may lead on, on this mesh or another.
+    /// Error of `carried` at most [1]. None where it is not known: the branch may lead on, on this mesh or another.
     pub error: Option<f64>,
     /// Axial position of the thinnest film [m].
     pub z: f64,
@@ -101,11 +101,11 @@ pub enum NoEquilibrium {
     Unreachable {
         /// The load [N].
         asked: f64,
-        /// Its direction [deg].
+        /// Direction of the load [deg].
         towards: f64,
         /// Nearest force found [N].
         nearest: f64,
-        /// Its direction [deg].
+        /// Direction of that force [deg].
         nearest_towards: f64,
         /// Eccentricity there.
         eccentricity: f64,
@@ -289,7 +289,7 @@ mod tests {
     use super::{BranchEnd, BranchLimit, NoEquilibrium, SearchEnd, percent, told};
     use oilwedge_reynolds::JournalState;
 
-    /// That the film in contact carries this part of a moment, with its error.
+    /// The reason that the film in contact carries this part of a moment, with its error.
     fn edge_contact((carried, error): (f64, Option<f64>)) -> NoEquilibrium {
         NoEquilibrium::Branch(Box::new(BranchEnd {
             limit: BranchLimit::Contact,
@@ -306,7 +306,7 @@ mod tests {
         }))
     }
 
-    /// That a search found no better position than one that carries `nearest` of 1000 N.
+    /// The reason that a search found no better position than one that carries `nearest` of 1000 N.
     fn unreachable(nearest: f64, why: SearchEnd) -> NoEquilibrium {
         NoEquilibrium::Unreachable {
             asked: 1e3,

@@ -30,7 +30,7 @@ impl Threads {
         TOGETHER.with(|together| drop(together.set(self)));
     }
 
-    /// Their time [s], where the system keeps it.
+    /// Time of the threads [s], where the system keeps it.
     fn seconds(&self) -> Option<f64> {
         let files = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let of_thread = |file: &PathBuf| {
@@ -42,7 +42,7 @@ impl Threads {
     }
 }
 
-/// So many threads that count their time together, apart from all others of the process.
+/// A pool of so many threads that count their time together, apart from all others of the process.
 ///
 /// # Errors
 /// They cannot be started.

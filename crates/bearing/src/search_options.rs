@@ -71,12 +71,12 @@ pub enum Purpose {
     /// A start on a finer mesh, which shows what a thin film carries: it is not followed into contact under a wall that
     /// gives way.
     Start,
-    /// The beginning of a branch of balances, where another one is at hand: it is not sought all over the bearing.
+    /// The beginning of a branch of balances, where another one is at hand: the load is not raised to it in parts.
     Branch,
 }
 
 impl Purpose {
-    /// That of a search on a coarser mesh.
+    /// Purpose of a search on a coarser mesh.
     pub(crate) fn on_coarser(self) -> Self {
         match self {
             Self::Answer | Self::Start => Self::Start,

@@ -15,7 +15,7 @@ pub struct Stiffness {
 }
 
 impl Stiffness {
-    /// Of this many coordinates, from the change of the forces by each.
+    /// The stiffness by this many coordinates, from the change of the forces by each.
     ///
     /// # Errors
     /// Those of the columns.

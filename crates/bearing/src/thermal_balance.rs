@@ -172,7 +172,7 @@ pub enum NoBalance<E> {
     },
     /// The heat is not carried off at the greatest temperature.
     TooHot {
-        /// That temperature [K].
+        /// Greatest temperature [K].
         temperature: f64,
         /// What heats and cools the film there.
         film: ThermalFlows,

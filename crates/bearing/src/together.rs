@@ -54,7 +54,7 @@ impl Coupled<'_, '_> {
         }
     }
 
-    /// Those forces over the load [1].
+    /// Forces that are left of the balance, over the load [1].
     pub(crate) fn residual(&self, trials: &[Trial]) -> f64 {
         magnitude(&self.excess(trials)) / self.searches[0].scale
     }

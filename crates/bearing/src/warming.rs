@@ -45,7 +45,7 @@ pub trait Heated: Debug + Sync {
     /// What heats it, and what takes the heat off.
     fn balance(&self) -> ThermalBalance;
 
-    /// Its oil at a temperature [K].
+    /// Oil of the film at a temperature [K].
     fn lubricant(&self, temperature: f64) -> Lubricant;
 
     /// What heats and what cools it where it is solved so.

@@ -1,7 +1,11 @@
 //! What can be compared with a film on request, each by a name: the film without each effect, the standard, other
 //! theories, maps of the film.
 
+use std::sync::Arc;
+
 use oilwedge_scene::Scene;
+use oilwedge_study::CompileError;
+use oilwedge_study::model::Model;
 use oilwedge_study::quantities::{
     CYCLE_FILM_THICKNESS_MIN, CYCLE_LOAD_MAX, CYCLE_PRESSURE_MAX, FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Row,
 };
@@ -9,7 +13,6 @@ use oilwedge_study::result::RunResult;
 use oilwedge_study::run::Run;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::shaft::{BearingReport, ShaftResult, Variant};
-use oilwedge_study::{CompileError, compile};
 
 use crate::comparison::{Alternative, Comparison, QuantityPair, pairs};
 use crate::records::Records;
@@ -52,13 +55,13 @@ impl Compare {
         }
     }
 
-    /// Solves what is compared with the `run` of a scene with these options, and adds it to the records.
+    /// Solves what is compared with the `run` of a scene and its model with these options, and adds it to the records.
     ///
     /// # Errors
     /// The scene does not become a film. That there is no film to compare with is no error.
     pub fn solve(
         self,
-        scene: &Scene,
+        (scene, model): (&Scene, &Arc<Model>),
         options: &RunOptions,
         run: &Run,
         records: &mut Records,
@@ -70,7 +73,7 @@ impl Compare {
             Self::Theories => records.theories = Some(theories::record(scene, options, result)),
             Self::Mobility => {
                 if let Some(path) = &run.orbit {
-                    let (maps, missing) = mobility::records(&compile(scene)?, result, path)?;
+                    let (maps, missing) = mobility::records(model, result, path)?;
                     (records.mobility, records.missing_maps) = (Some(maps), missing);
                 }
             }

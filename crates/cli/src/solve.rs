@@ -199,7 +199,7 @@ impl Solve {
         let mut records = Records::default();
         for kind in self.compared() {
             working.turns_to(kind.task());
-            kind.solve(&scene, &options, &run, &mut records)?;
+            kind.solve((&scene, &model), &options, &run, &mut records)?;
         }
         drop(working);
         let json = result_json(&run.result, &records)?;

@@ -72,7 +72,7 @@ pub(crate) fn solve<'py>(
         let run = oilwedge_study::run_telling(&model, &options, None).map_err(PythonFailure::of(&path))?;
         let mut records = Records::default();
         for kind in Compare::ALL.into_iter().filter(|kind| add_ons.iter().any(|name| name == kind.name())) {
-            kind.solve(&own, &options, &run, &mut records).map_err(PythonFailure::of(&path))?;
+            kind.solve((&own, &model), &options, &run, &mut records).map_err(PythonFailure::of(&path))?;
         }
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let json = result_json(&run.result, &records)?;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{BranchEnd, Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
+use oilwedge_bearing::{BranchEnd, BranchLimit, Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
 use oilwedge_reynolds::levels::Layout;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
@@ -158,6 +158,26 @@ fn refused(problem: &FilmProblem, system: &Arc<FilmSystem>) -> (f64, f64, bool) 
     match reason {
         NoEquilibrium::Branch(end) => (end.carried, end.error.expect("a film to compare with"), is_last),
         other => panic!("{other}"),
+    }
+}
+
+/// A load beyond what a journal held at a tilt carries is refused with the force of the film in contact: that force is
+/// towards the load, and what the reason says it is.
+#[test]
+fn a_growing_load_ends_in_contact_with_the_force_of_the_film_there() {
+    let system = ring_system(48, 8, LENGTH, None);
+    for cavitation in [Cavitation::Guembel { pressure: 0.0 }, Cavitation::Reynolds { pressure: 0.0 }] {
+        let mut problem = tilted(plain_film(LENGTH, 0.3, 0.0, SPEED), [0.4 * CLEARANCE / LENGTH, 0.0]);
+        problem.cavitation = cavitation;
+        let load = carried(&problem, &system).force.map(|part| 1e3 * part);
+        let reason = find(&problem, &system, load, &SearchOptions::default()).expect_err("a load beyond contact");
+        assert!(reason.is_far_beyond() && !reason.is_unreached(), "{reason}");
+        let end = reason.branch_end().expect("the end of a branch");
+        assert_eq!((end.limit, end.is_tilting), (BranchLimit::Contact, false));
+        assert!(end.thickness < 1e-4 * CLEARANCE && end.carried < 0.5, "{end:?}");
+        let [x, y] = carried(&FilmProblem { journal: end.journal, ..problem.clone() }, &system).force;
+        let apart = (x - end.carried * load[0]).hypot(y - end.carried * load[1]);
+        assert!(apart < 2e-4 * x.hypot(y), "{apart:e} of {:e} N", x.hypot(y));
     }
 }
 

@@ -42,8 +42,9 @@ impl Branch<'_, '_> {
         if asked > 0.0 { 1.0 - left / asked } else { part }
     }
 
-    /// The part of what grows that is balanced at a point, and its error at most, by another film under the same wall; no error where there is none, of a mass-conserving film before contact, and in a search whose reason
-    /// is a start at most.
+    /// The part of what grows that is balanced at a point, and its error at most, by another film under the same wall.
+    /// The error is not known where there is no other film, of a mass-conserving film before contact, and in a search
+    /// whose reason is a start at most.
     pub(super) fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
         let (search, Trial { film, .. }) = (self.search, &at.trial);
         let carried = self.carried(at.part);

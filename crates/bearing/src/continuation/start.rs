@@ -6,15 +6,13 @@ use oilwedge_reynolds::FilmProblem;
 use super::Branch;
 use crate::balance::Balance;
 use crate::equilibrium::ROUGHLY_BALANCED;
-use crate::no_equilibrium::{SearchEnd, Waypoint};
+use crate::no_equilibrium::Waypoint;
 use crate::search::{Search, Trial};
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
 
-/// A branch of a growing load begins at this part of the load at most, and is sought at parts this much smaller.
+/// A branch of a growing load begins at this part of the load at most.
 const LIGHTER: f64 = 0.5;
-/// Parts of a load at which such a beginning is sought, at most.
-const MOST_LIGHTER: usize = 6;
-/// The film of a journal halfway to its start shows which part of the load that may be.
+/// The force of the film at this part of the journal's offset shows which part of the load is carried there.
 const HALFWAY: f64 = 0.5;
 
 impl Search<'_> {
@@ -64,19 +62,11 @@ impl Search<'_> {
     fn by_growing_load(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         let half = self.coordinates.at(&problem.journal).map(|x| HALFWAY * x);
         let start = FilmProblem { journal: self.coordinates.placed(&problem.journal, half), ..problem.clone() };
-        let here = self.first(&start, start.journal)?;
-        let [x, y] = here.carried.force;
-        let largest = LIGHTER.min(x.hypot(y) / self.load.magnitude());
-        let balance = |share: f64| {
-            let lighter = Load::from(self.load.force.map(|force| share * force));
-            let search = Search::new(&start, self.system, lighter, self.roughly());
-            search.run(&start, start.journal).ok().filter(|found| !self.is_in_contact(&found.trial))
-        };
-        let mut shares = std::iter::successors(Some(largest), |share| Some(LIGHTER * share)).take(MOST_LIGHTER);
-        match shares.find_map(balance) {
-            Some(found) => self.followed_from(self.recorded(found.trial)),
-            None => Err(self.unreachable(&here, SearchEnd::NoProgress)),
-        }
+        let [x, y] = self.first(&start, start.journal)?.carried.force;
+        let share = LIGHTER.min(x.hypot(y) / self.load.magnitude());
+        let lighter = Load::from(self.load.force.map(|force| share * force));
+        let found = Search::new(&start, self.system, lighter, self.roughly()).run(&start, start.journal)?;
+        self.followed_from(self.recorded(found.trial))
     }
 
     /// Follows the branch that begins with this trial.
@@ -97,7 +87,8 @@ impl Search<'_> {
         Some(branch.followed(branch.point(self.recorded(found.trial), way.part).ok()?))
     }
 
-    /// As [`Self::continued`]; where there is no balance near that point the branch is followed from its beginning.
+    /// Follows the branch from a point that a coarser mesh has shown or, where there is no balance near it, from its
+    /// beginning.
     pub(crate) fn taken_up(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Balance, NoEquilibrium> {
         let outcome = self.continued(problem, way);
         outcome.unwrap_or_else(|| self.along_branch(problem))

@@ -34,15 +34,16 @@ pub(crate) struct Bordered<'a> {
     weight: f64,
     /// To which its linear systems are solved: norm of the residual over that of the right-hand side [1].
     accuracy: f64,
-    /// That of the film much like it.
+    /// Tangent of the quadratic film, which is much like this one.
     near: Joint<'a>,
     /// What systems solved have shown.
     known: RefCell<Known>,
 }
 
 impl<'a> Bordered<'a> {
-    /// Of a journal with these `coordinates`, on which `held` [N/m] acts too, and whose centre moves so. One newton
-    /// counts as much as `weight` [m/N]; linear systems are solved to an `accuracy`, nearly by those of another film.
+    /// The tangent for a journal with these `coordinates`, on which `held` [N/m] acts too, and whose centre moves so.
+    /// One newton counts as much as `weight` [m/N]; linear systems are solved to an `accuracy`, nearly by those of
+    /// another film.
     pub(crate) fn of(
         follower: Follower<'a>,
         (coordinates, velocity, held): (Coordinates, CentreVelocity, Vector),

@@ -19,7 +19,7 @@ const EXACT: f64 = 1e-9;
 pub(crate) struct Response {
     /// Change of the unknown at each dof with the motion as place and as rate [1/s].
     pub(crate) unknown: [Vec<f64>; 2],
-    /// That of the deflection.
+    /// Change of the deflection.
     pub(crate) deflection: [Deflection; 2],
 }
 

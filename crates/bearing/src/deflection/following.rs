@@ -43,8 +43,8 @@ pub fn following_wall(film: &SolvedFilm) -> Result<Option<FollowingWall>, Error>
 }
 
 impl Follower<'_> {
-    /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much;
-    /// `known` is what those of other numbers have shown.
+    /// Weight mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so
+    /// much; `known` is what the systems of other numbers have shown.
     fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut Known) -> Result<Vec<f64>, Error> {
         let SolvedFilm { problem, system, solution } = self.film;
         let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);

@@ -35,7 +35,7 @@ impl Solved {
 #[derive(Debug, Default)]
 pub(super) struct Known {
     moves: Vec<Vec<f64>>,
-    /// Of the moves, orthonormal.
+    /// Images of the moves, orthonormal.
     images: Vec<Vec<f64>>,
     /// Accuracy of the systems that the products serve; zero before the first one.
     accuracy: f64,
@@ -56,7 +56,7 @@ pub(super) fn gmres<E>(
 }
 
 impl Known {
-    /// As [`gmres`], with the operator of the systems before.
+    /// Solves a system as [`gmres`] does, with the operator of the systems before.
     ///
     /// # Errors
     /// Those of the operator, and of the system much like it.

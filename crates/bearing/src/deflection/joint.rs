@@ -58,7 +58,7 @@ pub(crate) struct Moves {
 }
 
 impl Moves {
-    /// They over a number.
+    /// The moves divided by a number.
     pub(crate) fn over(&self, number: f64) -> Self {
         Self {
             place: self.place.map(|x| x / number),
@@ -70,7 +70,7 @@ impl Moves {
         }
     }
 
-    /// These and a part of others.
+    /// The sum of these moves and a part of others.
     pub(crate) fn plus(&self, part: f64, more: &Self) -> Self {
         let both = |here: &[f64], more: &[f64]| here.iter().zip(more).map(|(here, more)| here + part * more).collect();
         Self {
@@ -83,7 +83,7 @@ impl Moves {
         }
     }
 
-    /// These, by which the film changes by so much more.
+    /// The moves with so much more change of the film.
     pub(crate) fn with_film(mut self, more: &MixedChange) -> Self {
         self.film = MixedChange::sum([(1.0, &self.film), (1.0, more)]);
         self
@@ -98,8 +98,8 @@ impl Moves {
 }
 
 impl<'a> Joint<'a> {
-    /// Of a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts too; its
-    /// linear systems are solved to an `accuracy`.
+    /// The tangent for a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts
+    /// too; its linear systems are solved to an `accuracy`.
     ///
     /// # Errors
     /// The linear systems could not be solved.

@@ -70,7 +70,8 @@ pub fn carried_changes(film: &SolvedFilm, changes: &[JournalChange], accuracy: f
     carried_touching(film, contact, changes, accuracy)
 }
 
-/// As [`carried_changes`], of a film with these points of contact.
+/// What each of some changes of the journal changes, of a film with these points of contact; see
+/// [`carried_changes`].
 ///
 /// # Errors
 /// The linear systems could not be solved.
@@ -111,7 +112,7 @@ pub fn displaced(film: &SolvedFilm, change: &JournalChange) -> Result<SolvedFilm
     displaced_with_wall(film, change, &wall)
 }
 
-/// As [`displaced`], where it is known by which coefficients [m] the wall follows; none of a rigid one.
+/// The film of [`displaced`], where it is known by which coefficients [m] the wall follows; none of a rigid one.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.

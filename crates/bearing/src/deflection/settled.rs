@@ -28,11 +28,11 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem};
 
 use super::gmres::{gmres, norm};
 
-/// Contact is settled where law and tangent bend the wall by this part of the deflection differently,
+/// Contact is settled where law and tangent bend the wall differently by more than this part of the deflection.
 const APART: f64 = 1e-3;
-/// until no more than this part is left,
+/// Part of the deflection that settled contact may leave.
 const SETTLED: f64 = 1e-4;
-/// or after so many steps.
+/// Most steps of Newton's method.
 const MOST_STEPS: usize = 10;
 /// Accuracy of the linear systems.
 const ACCURACY: f64 = 0.1;

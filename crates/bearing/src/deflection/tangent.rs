@@ -44,7 +44,7 @@ struct Touch {
     points: Arc<ContactPoints>,
     /// How it answers to the wall.
     tangent: ContactTangent,
-    /// It and the wall alone; none where nothing touches.
+    /// Contact and wall alone; none where nothing touches.
     touching: Option<Touching>,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct Free {
     pub(super) film: MixedChange,
     /// Change of the unknown at each dof.
     pub(super) unknown: Vec<f64>,
-    /// Of contact: what the journal carries, and the forces [N] on the splines; none where no contact is simulated.
+    /// What the journal carries by contact, and the forces [N] on the splines; none where no contact is simulated.
     pub(super) contact: Option<(Resultant, Vec<f64>)>,
 }
 
@@ -77,7 +77,7 @@ impl<'a> Follower<'a> {
         Self::touching(film, contact_on_wall(&film.problem, &film.system))
     }
 
-    /// As [`Self::of`], of a film with these points of contact.
+    /// The follower of [`Self::of`] for a film with these points of contact.
     ///
     /// # Errors
     /// A system that does not fit in memory.
@@ -121,7 +121,7 @@ impl<'a> Follower<'a> {
         self.free_within(change, 0.0)
     }
 
-    /// As [`Self::free`], for systems of the wall that are solved to an `accuracy`.
+    /// The change of [`Self::free`], for systems of the wall that are solved to an `accuracy`.
     pub(super) fn free_within(&self, change: &JournalChange, accuracy: f64) -> Result<Free, Error> {
         let film = match self.gap.by_journal(&self.film.system, change) {
             Some(residual) => self.film.mixed_answer(&residual, OF_ACCURACY * accuracy)?,
@@ -266,7 +266,7 @@ pub(crate) fn contact_points(problem: &FilmProblem, system: &FilmSystem) -> Opti
     ContactPoints::of(problem, system).map(Arc::new)
 }
 
-/// That in a wall that gives way; none in a rigid one, whose tangent has no need of it.
+/// Points of contact in a wall that gives way; none in a rigid one, whose tangent has no need of them.
 pub(crate) fn contact_on_wall(problem: &FilmProblem, system: &FilmSystem) -> Option<Arc<ContactPoints>> {
     problem.deflection().and_then(|_| contact_points(problem, system))
 }

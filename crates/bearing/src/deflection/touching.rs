@@ -28,7 +28,7 @@ const LEAST_PART: f64 = 1e-4;
 
 /// Contact on some splines.
 pub(super) struct Touching {
-    /// Their numbers.
+    /// Numbers of the splines that touch.
     splines: Vec<usize>,
     /// A between them: places in the list, entries [N/m].
     stiffness: Vec<(usize, usize, f64)>,
@@ -37,7 +37,7 @@ pub(super) struct Touching {
 }
 
 impl Touching {
-    /// Of a tangent of contact; none where nothing touches.
+    /// Contact and wall by a tangent of contact; none where nothing touches.
     pub(super) fn of(contact: &ContactTangent, compliance: &Compliance) -> Option<Self> {
         let splines = hardest(contact)?;
         let places: BTreeMap<usize, usize> = splines.iter().enumerate().map(|(k, &spline)| (spline, k)).collect();

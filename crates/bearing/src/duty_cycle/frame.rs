@@ -5,11 +5,11 @@ use super::{Duty, Linkage};
 /// Axes of the parts of a force; angles grow from x to y.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Frame {
-    /// Those of the bearing's shell.
+    /// Axes of the bearing's shell.
     Shell,
-    /// x from the centre of the crank to the cylinder.
+    /// Axis x from the centre of the crank to the cylinder.
     Cylinder,
-    /// x along the throw of the crank, from its centre to the pin; it turns with the crank angle.
+    /// Axis x along the throw of the crank, from its centre to the pin; it turns with the crank angle.
     Pin,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Acting {
 }
 
 impl Acting {
-    /// Of force and moment in one list.
+    /// A duty of force and moment in one list.
     pub(super) fn of_parts([x, y, m_x, m_y]: [f64; 4]) -> Self {
         Self { force: [x, y], moment: [m_x, m_y] }
     }

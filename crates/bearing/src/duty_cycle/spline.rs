@@ -13,7 +13,7 @@
 //! ```text
 //! c_i = 2 (d_i - d_(i-1))/(h_(i-1) + h_i),       b_i = minmod(c_i, c_(i+1))
 //! t_i = minmod(d_(i-1) + h_(i-1) b_(i-1)/2, d_i - h_i b_i/2)
-//! |s_i| <= max(3 |minmod(d_(i-1), d_i)|, min(3/2 |t_i|, max(|D_(i-1)|, |D_i|)/max(h_(i-1), h_i))),      of the sign of t_i
+//! |s_i| <= max(3 |minmod(d_(i-1), d_i)|, min(3/2 |t_i|, max(|D_(i-1)|, |D_i|)/max(h_(i-1), h_i))),  of the sign of t_i
 //! ```
 //! minmod is the lesser of two numbers of one sign, else zero. By the first limit the cubic is monotone between knots.
 //! The second one lets a curve pass its points where they bend the same way on both sides, as at the peak of a smooth

@@ -20,7 +20,7 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    /// Of a solved film whose journal moves at a frequency [rad/s]; zero: in the limit of slow motions.
+    /// Coefficients of a solved film whose journal moves at a frequency [rad/s]; zero: in the limit of slow motions.
     ///
     /// # Errors
     /// The linear systems could not be solved.

@@ -49,7 +49,7 @@ pub struct Dynamics {
 }
 
 impl Dynamics {
-    /// Of a film at these whirl ratios, at least one.
+    /// Answers of a film at these whirl ratios, at least one.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -66,7 +66,7 @@ impl Dynamics {
         })
     }
 
-    /// Of a film beside another one, at the frequencies of that: what differs is due to the films.
+    /// Answers of a film at the frequencies of another one beside it: what differs is due to the films.
     ///
     /// # Errors
     /// The linear systems could not be solved.

@@ -42,8 +42,8 @@ pub enum Stability {
     Below(Threshold),
     /// With no mass.
     Never,
-    /// It is not known: the film does not damp all motions, or no whirl has the frequency for which its coefficients
-    /// hold.
+    /// Stability is not known: the film does not damp all motions, or no whirl has the frequency for which its
+    /// coefficients hold.
     Undetermined,
 }
 

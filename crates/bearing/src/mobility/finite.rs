@@ -28,10 +28,10 @@ const SPEED: f64 = 1.0;
 /// Why a film has no map.
 #[derive(Debug, thiserror::Error)]
 pub enum NoMap {
-    /// It has no film at a place and velocity of the map.
+    /// There is no film at a place and velocity of the map.
     #[error(transparent)]
     Film(#[from] NoFilm),
-    /// Its forces are not finite, or none.
+    /// Forces of the film are not finite, or none.
     #[error("the forces of the film make no curve: {0}")]
     Force(#[from] NoSpline),
 }

@@ -37,7 +37,7 @@ use std::f64::consts::PI;
 
 /// Bisections by which the direction of a velocity is sought at most, between secants.
 const MOST_STEPS: usize = 80;
-/// It is found to this angle [rad].
+/// Accuracy of the direction [rad].
 const ANGLE: f64 = 1e-13;
 
 /// A film as a map.

@@ -16,9 +16,9 @@ impl Motion<'_> {
         self.mass > 0.0 || from.until_next == Between::Path
     }
 
-    /// The film at a time within a span of the orbit that begins with the step `from`, at the place of the path. Its
-    /// velocity is that in which the film carries the load; for a rotor with mass and on a shaft it is that of the path.
-    /// A film that conserves its oil, or whose wall gives way, is led on from the step.
+    /// The film at a time within a span of the orbit that begins with the step `from`, at the place of the path. The
+    /// journal has the velocity at which the film carries the load or, with mass and on a shaft, that of the path. A
+    /// film that conserves its oil, or whose wall gives way, is led on from the step.
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.

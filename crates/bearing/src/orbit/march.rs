@@ -101,11 +101,11 @@ pub struct Orbit {
 /// How an orbit ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OrbitEnd {
-    /// Its last two cycles agree.
+    /// The last two cycles agree.
     Closed,
-    /// They do not, and no more cycles were asked for.
+    /// The last two cycles differ, and no more were asked for.
     NotClosed,
-    /// It was ended before.
+    /// The orbit was ended before.
     Ended,
 }
 

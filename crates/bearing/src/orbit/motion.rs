@@ -44,7 +44,7 @@ pub struct TiltSupport {
 pub struct Motion<'a> {
     /// The film; its journal gives the tilt where that is not free, and the axial velocity.
     pub problem: &'a FilmProblem,
-    /// Its mesh and supply.
+    /// Mesh and supply of the film.
     pub system: &'a Arc<FilmSystem>,
     /// Where the film is least on that mesh.
     pub gap: Gap,
@@ -63,7 +63,7 @@ pub struct Instant {
     pub time: f64,
     /// Offsets of the journal [m], in the coordinates of the motion.
     pub at: Vector,
-    /// Their rates [m/s].
+    /// Rates of the coordinates [m/s].
     pub velocity: Vector,
     /// The film at this time.
     pub film: SolvedFilm,
@@ -102,7 +102,7 @@ pub struct Moving {
     pub time: f64,
     /// Offsets [m], in the coordinates of the motion.
     pub at: Vector,
-    /// Their rates [m/s].
+    /// Rates of the coordinates [m/s].
     pub velocity: Vector,
 }
 
@@ -200,7 +200,7 @@ impl Motion<'_> {
         problem.deflected(held.wall)
     }
 
-    /// That of a film which carries this.
+    /// The instant of a film that carries this.
     pub(crate) fn instant(&self, moving: Moving, film: SolvedFilm, carried: &Resultant) -> Instant {
         let Moving { time, at, velocity } = moving;
         let response = self.response_by(carried, at);

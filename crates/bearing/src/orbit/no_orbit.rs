@@ -17,7 +17,7 @@ const SHORTLY: f64 = 1e-3;
 const OPENING: f64 = 0.5 * PI;
 /// Rounding of the ends of a half shell [rad].
 const ROUNDING: f64 = 1e-9;
-/// So near to the edge of an arc [rad] a film that begins away from the shell has no force.
+/// Angle to the edge of an arc [rad] within which a film that begins away from the shell has no force.
 const NEAR: f64 = PI / 12.0;
 
 /// Why there is no orbit.

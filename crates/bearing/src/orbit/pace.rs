@@ -1,8 +1,8 @@
 //! How long steps in time are.
 
-/// The next step is this part of that which would just meet the tolerance,
+/// Length of the next step over the one that would just meet the tolerance.
 const SAFETY: f64 = 0.85;
-/// and between these multiples of the last one.
+/// Least and greatest length of a step, over that of the last one.
 const CHANGES: [f64; 2] = [0.2, 3.0];
 /// A step whose stages have no solution is divided by this.
 const RETRY: f64 = 4.0;

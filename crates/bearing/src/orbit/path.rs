@@ -16,7 +16,7 @@ pub struct Step {
     pub time: f64,
     /// Offsets [m] in the coordinates of the motion.
     pub at: Vector,
-    /// Their rates [m/s].
+    /// Rates of the coordinates [m/s].
     pub velocity: Vector,
     /// Estimate of the error that the step has made [m].
     pub error: Vector,
@@ -64,7 +64,7 @@ impl StepHistory {
 }
 
 impl Step {
-    /// Of an instant, with no estimate of an error.
+    /// A step that ends with an instant, with no estimate of an error.
     pub fn of(here: &Instant, residual: f64) -> Self {
         Self {
             time: here.time,

@@ -44,7 +44,7 @@ const BEGINNING: f64 = 1e-7;
 /// A stage before it is solved.
 #[derive(Debug, Clone)]
 pub(super) struct Stage {
-    /// Its time [s].
+    /// Time of the stage [s].
     pub(super) time: f64,
     /// `1/(gamma dt)` [1/s].
     pub(super) per_time: f64,
@@ -76,7 +76,7 @@ pub(super) struct Accuracy {
 }
 
 impl Accuracy {
-    /// That of an orbit of this tolerance [1].
+    /// Accuracy of the stages of an orbit of this tolerance [1].
     pub(super) fn of(tolerance: f64, scale: f64) -> Self {
         Self { tolerance, scale, balanced: (BALANCED * tolerance).max(ROUND_OFF) }
     }

@@ -24,7 +24,7 @@ const FOLLOWED: f64 = 1e-3;
 /// A step that was made.
 #[derive(Debug)]
 pub(super) struct Made {
-    /// Its end.
+    /// End of the step.
     pub(super) end: Vec<Instant>,
     /// The accelerations of rotors with mass there [m/s2].
     pub(super) accelerations: Vec<Vector>,

@@ -15,7 +15,7 @@ use super::scheme::Scheme;
 /// The way from one instant to another, of journal and wall.
 #[derive(Debug, Clone)]
 pub(super) struct Way {
-    /// That of the journal.
+    /// Path of the journal.
     pub(super) span: Span,
     /// The wall at both ends; none where it is rigid.
     walls: Option<[Deflection; 2]>,
@@ -38,12 +38,12 @@ impl Way {
 pub(super) struct WallStages {
     /// Coefficients where the step begins [m].
     begin: Arc<[f64]>,
-    /// Those of the rates of the stages [m/s], the first one being that of the beginning.
+    /// Coefficients of the rates of the stages [m/s], the first one being that of the beginning.
     rates: Vec<Arc<[f64]>>,
 }
 
 impl WallStages {
-    /// Of a step from an instant; none where the wall is rigid.
+    /// Stages of a step from an instant; none where the wall is rigid.
     pub(super) fn from(start: &Instant) -> Option<Self> {
         let deflection = start.film.problem.deflection()?;
         let at_rest = || vec![0.0; deflection.coefficients.len()].into();

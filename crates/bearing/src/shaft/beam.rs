@@ -96,11 +96,11 @@ impl Material {
 pub struct Beam {
     /// Numbers of its nodes.
     pub nodes: [usize; 2],
-    /// Its ends [m].
+    /// Ends of the beam [m].
     pub ends: [Point; 2],
     /// First axis of its section, across the beam, of any length.
     pub first_axis: Point,
-    /// Its section.
+    /// Section of the beam.
     pub section: Section,
     /// What it is made of.
     pub material: Material,

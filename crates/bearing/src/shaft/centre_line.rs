@@ -29,8 +29,8 @@ pub struct LinePoint {
 }
 
 impl Shaft {
-    /// Its centre line where its journals are displaced so [m] under these loads, the shaft turned by an angle [rad];
-    /// `None` where it is cut.
+    /// The centre line of the shaft where its journals are displaced so [m] under these loads, turned by an angle
+    /// [rad]; `None` where the shaft is cut.
     pub fn bent(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Option<Vec<LinePoint>> {
         self.between.as_ref().map(|between| between.bent(journals, loads, angle))
     }

@@ -20,10 +20,11 @@ use super::matrix::product;
 const STEPS_EACH: usize = 200;
 /// A search ends where its points are within this part of the first step.
 const CLOSE: f64 = 1e-9;
-/// A search is begun anew at most so many times, with steps shorter by this factor,
+/// A search is begun anew at most so many times.
 const SEARCHES: usize = 12;
+/// Steps of a search that is begun anew, over those before.
 const SHORTER: f64 = 0.3;
-/// while it gains this part of the value.
+/// Part of the value that a step of the search gains at least.
 const GAIN: f64 = 1e-12;
 
 /// The numbers on places z [m] that change neither sum nor moment: a basis of vectors one long and perpendicular to

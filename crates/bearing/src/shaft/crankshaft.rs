@@ -46,7 +46,7 @@ pub struct CrankThrow {
 pub struct Crankshaft {
     /// What it is made of.
     pub material: Material,
-    /// Its pieces from z = 0 on; a straight one is first, last, and between throws.
+    /// Pieces of the shaft from z = 0 on; a straight one is first, last, and between throws.
     pub pieces: Vec<Piece>,
 }
 

@@ -79,7 +79,7 @@ pub enum NoBalance {
         residual: f64,
         /// The bearing with the least film, by its number from 0.
         bearing: usize,
-        /// That film over the clearance [1].
+        /// Least film over the clearance [1].
         gap: f64,
     },
     /// The time was over.

@@ -17,13 +17,13 @@ const FIRST: f64 = 0.3;
 /// The film of one journal.
 #[derive(Debug, Clone)]
 pub struct Film<'a> {
-    /// Its physics.
+    /// Physics of the film.
     pub problem: FilmProblem,
-    /// Its mesh and supply.
+    /// Mesh and supply of the film.
     pub system: &'a Arc<FilmSystem>,
     /// Where it is least on that mesh.
     pub gap: Gap,
-    /// Its coordinates: with two of them it resists no tilt, and its journal stays parallel to the shell.
+    /// Coordinates of the journal: with two of them the film resists no tilt, and the journal stays parallel.
     pub coordinates: Coordinates,
     /// No load, at the speed of the journal.
     turning: DutyCycle,
@@ -62,7 +62,7 @@ impl<'a> Film<'a> {
         Some(Self { gap, problem, system: &coarser.system, ..self.clone() })
     }
 
-    /// Its equation of motion, under no load.
+    /// The equation of motion of the journal, under no load.
     pub fn motion(&self) -> Motion<'_> {
         Motion {
             problem: &self.problem,

@@ -40,7 +40,7 @@ pub enum NoShaft {
         "the bearings leave the shaft free to move: two bearings at different places hold it, or one whose film resists tilt"
     )]
     Free,
-    /// Its stiffness cannot be factorised.
+    /// The stiffness of the shaft cannot be factorised.
     #[error("the stiffness of the shaft is singular: pieces of it have no size, or differ too much")]
     Singular,
 }
@@ -341,7 +341,7 @@ impl Shaft {
         turned(&self.spread(&forces), angle)
     }
 
-    /// Its stiffness [N/m] by the unknowns, turned by an angle [rad].
+    /// The stiffness of the shaft [N/m] by the unknowns, turned by an angle [rad].
     pub fn stiffness(&self, angle: f64) -> Matrix {
         let mut stiffness = Matrix::zeros(self.rows.len());
         for (column, &(journal, coordinate)) in self.rows.iter().enumerate() {

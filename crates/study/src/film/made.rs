@@ -40,7 +40,7 @@ impl Model {
     /// under a load begins.
     ///
     /// # Errors
-    /// As [`Model::film`].
+    /// [`CompileError`]: the mesh cannot be read or made, or is none of this liner.
     pub fn film_near(self: &Arc<Self>, longest: f64, state: &FilmState) -> Result<Film, CompileError> {
         let clock = Instant::now();
         let LinerMesh { mesh, sha256, is_laid_anew } = liner_mesh(&self.mesh, longest, state)?;
@@ -55,7 +55,7 @@ impl Model {
     /// The film in a state on a mesh that is at hand, with a pressure of the given degree (1 or 2).
     ///
     /// # Errors
-    /// As [`Model::film`]; or no steady film carries a load that changes.
+    /// [`CompileError`]: the mesh is none of this liner, or no steady film carries a load that changes.
     pub fn film_on(self: &Arc<Self>, mesh: Mesh, state: &FilmState, degree: usize) -> Result<Film, CompileError> {
         if matches!(self.placed, Placed::Cycle) && self.scope.orbit.is_none() {
             return Err(CompileError::NoSteadyFilm);

@@ -134,8 +134,13 @@ fn solved(program: &Path, scene: &Path, seconds: f64, folder: &Path) -> io::Resu
     for (k, bearing) in result["bearings"].as_array().into_iter().flatten().enumerate() {
         keep(&mut quantities, &format!("{k}."), &bearing["quantities"]);
     }
-    let text = |key: &str| result[key].as_str().unwrap_or_default().to_owned();
-    Ok(Run { status: text("status"), reason: text("reason"), quantities, seconds })
+    let text = |key: &str| result[key].as_str().unwrap_or("no result").to_owned();
+    Ok(Run {
+        status: text("status"),
+        reason: result["reason"].as_str().unwrap_or_default().to_owned(),
+        quantities,
+        seconds,
+    })
 }
 
 /// Keeps value and bar of each quantity.
