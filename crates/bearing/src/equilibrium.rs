@@ -11,7 +11,7 @@
 //! | M, k, g_0 | N m, N m/rad, rad | `Tilting` |
 //! | dW/de | N/m | `stiffness` |
 //!
-//! [`crate::newton`] finds it, in rigid walls and in walls that give way.
+//! The crate's one Newton iteration finds it, in rigid walls and in walls that give way.
 //!
 //! **Source.** Definition; Hamrock, Schmid, Jacobson (2004), ch. 10, for the limits of the load. **Range.** Steady
 //! positions; the velocity of a moving centre turns with the line of centres. **Verified by**
