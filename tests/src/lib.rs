@@ -176,6 +176,7 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         cavitation: Cavitation::None,
         flow_factors: Vec::new(),
         storage: None,
+        viscosity_across: None,
         contact: None,
     }
 }

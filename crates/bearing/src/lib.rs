@@ -45,6 +45,7 @@ pub mod shaft;
 pub mod stiffness;
 mod tangent;
 pub mod thermal_balance;
+pub mod thermal_film;
 mod time_terms;
 mod together;
 mod warming;

@@ -194,6 +194,7 @@ fn of_form(key: &Key, form: &KeyForm<'_>) -> Value {
         KeyForm::Text => json!({ "type": "string", "pattern": r"\S" }),
         KeyForm::Texts => json!({ "type": "array", "items": { "type": "string", "pattern": r"\S" }, "minItems": 1 }),
         KeyForm::Choice(words) => json!({ "enum": words }),
+        KeyForm::Switch => json!({ "type": "boolean" }),
         KeyForm::Table => table(key.path),
         KeyForm::Tables => json!({ "type": "array", "items": table(key.path) }),
         KeyForm::Value => json!({ "type": ["number", "string"] }),

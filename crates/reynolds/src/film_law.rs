@@ -51,8 +51,13 @@ impl<'a> FilmLaw<'a> {
         let velocity = self.velocity();
         for point in &mut film[..positions.len()] {
             point.viscosity = self.problem.lubricant.viscosity;
+            point.shear_viscosity = self.problem.lubricant.viscosity;
+            point.drag = 0.5;
             point.velocity = velocity;
             point.rate *= self.motion;
+        }
+        if let Some(across) = &self.problem.viscosity_across {
+            across.set(cell, positions, &mut film[..positions.len()]);
         }
         film
     }

@@ -9,8 +9,14 @@ pub struct FilmPoint {
     pub slope: [f64; 2],
     /// `dh/dt` [m/s].
     pub rate: f64,
-    /// Viscosity mu0 at zero gauge pressure [Pa s].
+    /// Viscosity mu0 at zero gauge pressure, by which pressure drives oil [Pa s].
     pub viscosity: f64,
+    /// Viscosity at zero gauge pressure that the shear of the whole gap meets [Pa s]; another one than `viscosity` where
+    /// the temperature varies across the film.
+    pub shear_viscosity: f64,
+    /// Mean velocity of the oil that the journal drags along, over that of its surface [1]: a half where the viscosity
+    /// does not vary across the film.
+    pub drag: f64,
     /// Surface velocity `(U_x, U_z)` of the journal [m/s].
     pub velocity: [f64; 2],
 }

@@ -26,7 +26,7 @@ use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::wall::{GapTangent, Grid, Pressing};
-use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory};
+use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory, ViscosityAcross};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that
 /// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md).
@@ -61,6 +61,8 @@ pub struct FilmProblem {
     pub film_thickness: Vec<Arc<dyn FilmContribution>>,
     /// The oil.
     pub lubricant: Lubricant,
+    /// How its viscosity varies across the film; `None`: it does not.
+    pub viscosity_across: Option<Arc<ViscosityAcross>>,
     /// How its viscosity enters.
     pub form: Form,
     /// Fluxes: a sum.

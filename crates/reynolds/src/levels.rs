@@ -98,9 +98,10 @@ impl CoarseLevel {
         })
     }
 
-    /// The film on the coarser mesh.
+    /// The film on the coarser mesh. Its viscosity does not vary across the film: it is a start alone.
     pub fn problem(&self, fine: &FilmProblem) -> FilmProblem {
-        let problem = FilmProblem { film_thickness: self.film_thickness.clone(), ..fine.clone() };
+        let film_thickness = self.film_thickness.clone();
+        let problem = FilmProblem { film_thickness, viscosity_across: None, ..fine.clone() };
         problem.deflected(fine.deflection())
     }
 

@@ -72,6 +72,7 @@ mod storage;
 pub mod supply;
 pub mod terms;
 pub mod theory;
+mod viscosity_across;
 pub mod wall;
 mod whirl;
 
@@ -90,4 +91,5 @@ pub use reference_film::ReferenceFilm;
 pub use solved_film::SolvedFilm;
 pub use storage::Storage;
 pub use theory::Theory;
+pub use viscosity_across::{AcrossFilm, ViscosityAcross};
 pub use whirl::Whirl;

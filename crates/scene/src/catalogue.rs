@@ -37,6 +37,7 @@ static TABLES: &[&[Key]] = &[
     crate::oil::barus::KEYS,
     crate::oil::roelands::KEYS,
     crate::heat::KEYS,
+    crate::heat::field::KEYS,
     crate::limits::KEYS,
     crate::criteria::KEYS,
     crate::cavitation::KEYS,

@@ -43,6 +43,8 @@ pub enum Dimension {
     Conductance,
     /// Heat transfer coefficient [W/(m2 K)].
     HeatTransfer,
+    /// Heat conductivity [W/(m K)].
+    ThermalConductivity,
     /// Volume flow [m3/s].
     VolumeFlow,
     /// Torque [N.m].
@@ -90,7 +92,7 @@ type DimensionRow = (Dimension, &'static str, &'static str, &'static [(&'static 
 
 /// All kinds, in the order of [`Dimension`].
 #[rustfmt::skip]
-const TABLE: [DimensionRow; 30] = [
+const TABLE: [DimensionRow; 31] = [
     (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH), ("thou", 1e-3 * INCH)]),
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
     (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("ksi", 1e3 * PSI), ("at", TECHNICAL_ATMOSPHERE), ("kgf/cm2", TECHNICAL_ATMOSPHERE), ("N/m2", 1.0), ("N/mm2", 1e6)]),
@@ -110,6 +112,7 @@ const TABLE: [DimensionRow; 30] = [
     (HeatCapacity, "a heat capacity per volume", "1.8 MJ/(m3.K)", &[("J/(m3.K)", 1.0), ("kJ/(m3.K)", 1e3), ("MJ/(m3.K)", 1e6), ("J/m3/K", 1.0), ("kJ/m3/K", 1e3), ("MJ/m3/K", 1e6)]),
     (Conductance, "a heat conductance", "5 W/K", &[("W/K", 1.0), ("kW/K", 1e3)]),
     (HeatTransfer, "a heat transfer coefficient", "17 W/(m2.K)", &[("W/(m2.K)", 1.0), ("W/m2/K", 1.0)]),
+    (ThermalConductivity, "a heat conductivity", "0.13 W/(m.K)", &[("W/(m.K)", 1.0), ("W/m/K", 1.0), ("mW/(m.K)", 1e-3)]),
     (VolumeFlow, "a volume flow", "5 ml/s", &[("m3/s", 1.0), ("l/s", 1e-3), ("l/min", 1e-3 / 60.0), ("ml/s", 1e-6), ("ml/min", 1e-6 / 60.0), ("cm3/s", 1e-6), ("mm3/s", 1e-9)]),
     (Torque, "a torque", "0.5 N.m", &[("N.m", 1.0), ("mN.m", 1e-3), ("kN.m", 1e3), ("N.mm", 1e-3), ("N.cm", 1e-2)]),
     (Power, "a power", "120 W", &[("W", 1.0), ("mW", 1e-3), ("kW", 1e3), ("PS", 735.498_75)]),

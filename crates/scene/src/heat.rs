@@ -1,5 +1,9 @@
 //! `[heat]`: the balance that finds the temperature of the film, and what carries the heat off.
 
+pub(crate) mod field;
+
+pub use field::{HeatBush, HeatExpansion, HeatField, HeatJournal};
+
 use crate::criteria::{Criteria, SHARED, TABLES, read_shared, refuse_beside};
 use crate::reader::TableReader;
 use crate::{Complaints, Scene, Theory, Viscosity};
@@ -50,6 +54,8 @@ pub struct Heat {
     pub mixing: Option<Mixing>,
     /// The engine that the bearing belongs to.
     pub engine: Option<Engine>,
+    /// The temperature as a field; `None`: the film has one temperature.
+    pub field: Option<HeatField>,
 }
 
 /// A housing at the temperature of the film.
@@ -162,6 +168,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
         housing: table.table_if_given("housing").map(housing),
         mixing: table.table_if_given("mixing").and_then(mixing),
         engine,
+        field: field::read(&mut table),
     };
     (heat, limits)
 }
@@ -211,6 +218,7 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
 /// A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
+    field::check(scene, complaints);
     for key in SHARED {
         refuse_beside(complaints, "heat", &TABLES, key);
     }
@@ -219,7 +227,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
             !viscosity.is_nan(),
             "oil.viscosity",
             "is one viscosity, but [heat] needs one that falls with temperature",
-            "give grade = \"SAE 10W-40\", walther, vogel or table in place of it, or remove [heat]",
+            "give grade = \"SAE 10W-40\", walther, vogel, exponential or table in place of it, or remove [heat]",
         ),
         Viscosity::ByTemperature(_) => complaints.refuse_if(
             complaints.has("oil.temperature"),

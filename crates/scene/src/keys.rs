@@ -17,6 +17,8 @@ pub enum KeyForm<'a> {
     Texts,
     /// One of these words.
     Choice(&'a [&'a str]),
+    /// True or false.
+    Switch,
     /// A table.
     Table,
     /// A list of tables.
@@ -125,6 +127,7 @@ impl KeyForm<'_> {
             Self::Text => "text",
             Self::Texts => "list of texts",
             Self::Choice(_) => "word",
+            Self::Switch => "switch",
             Self::Table => "table",
             Self::Tables => "list of tables",
             Self::Value => "value of the key",

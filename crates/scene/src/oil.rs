@@ -22,6 +22,8 @@ keys! {
         "dynamic viscosity mu0 at gauge pressure zero";
     "oil.temperature" = Quantity(Temperature); "80 C", "required with a law of temperature, unless `[heat]` finds it", "-60 to 350 C; within the `table`",
         "temperature of the oil in the film, at which its viscosity is taken";
+    "oil.conductivity" = Quantity(ThermalConductivity); "0.13 W/(m.K)", "0.13 W/(m K)", "0.01 to 10 W/(m K)",
+        "heat conductivity k of the oil, by which heat goes from layer to layer where `heat.field` finds the temperature as a field";
 }
 
 /// The oil.
@@ -33,6 +35,8 @@ pub struct Oil {
     pub pressure_law: PressureLaw,
     /// Temperature of the film [K], where the scene gives it.
     pub temperature: Option<f64>,
+    /// Heat conductivity k [W/(m K)].
+    pub conductivity: f64,
     /// Density, where the scene gives it.
     pub density: Option<Density>,
     /// What high shear rates leave of the viscosity, where the scene gives it.
@@ -87,18 +91,23 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
         (Some(_), Some(_)) => table.complain(
             "viscosity",
             "stands beside a law by which viscosity depends on temperature",
-            "keep one of viscosity, grade, walther, vogel and table",
+            "keep one of viscosity, grade, walther, vogel, exponential and table",
         ),
         (Some(_), None) if temperature.is_some() && wanted.is_some() => table.complain(
             "temperature",
             "has a meaning only where viscosity depends on it",
-            "remove it, or give grade = \"SAE 10W-40\", walther, vogel or table in place of viscosity",
+            "remove it, or give grade = \"SAE 10W-40\", walther, vogel, exponential or table in place of viscosity",
         ),
         _ => {}
     }
     if let (Some(example), Some(_)) = (wanted, &law) {
         table.require_as("temperature", example);
     }
+    let conductivity = table.number("conductivity").within(
+        "is not the heat conductivity of an oil",
+        "give some 0.13 W/(m.K), or remove it",
+    );
+    let conductivity = conductivity.or_usual();
     let high_shear = high_shear::read(&mut table);
     table.refuse_if(
         high_shear.is_some() && law.is_none(),
@@ -117,6 +126,7 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
         viscosity: law.map_or(constant, Viscosity::ByTemperature),
         pressure_law: laws.first().map_or(PressureLaw::Constant, |(_, law)| *law),
         temperature,
+        conductivity,
         density: density::read(&mut table),
         high_shear,
     }

@@ -177,6 +177,18 @@ impl<'a> TableReader<'a> {
         found.map(|(_, value)| *value)
     }
 
+    /// True or false, if it is written.
+    pub(crate) fn switch(&mut self, key: &'static str) -> Option<bool> {
+        match self.take(key)? {
+            DeValue::Boolean(value) => Some(*value),
+            other => {
+                let message = format!("true or false is wanted, not {}", kind(other));
+                self.complain(key, message, format!("write {key} = true or {key} = false, without quotes"));
+                None
+            }
+        }
+    }
+
     /// A table that must be there; `example` is how one writes it.
     pub(crate) fn table(&mut self, key: &'static str, example: &str) -> TableReader<'a> {
         if !self.has(key) && self.is_readable() {

@@ -13,8 +13,10 @@ use crate::thermal;
 /// [`NoAnswer`]: the reason why there is no film or no position; from near another operating point also where a cold
 /// start finds an answer.
 pub fn solve(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    match &film.model.sockets.thermal {
-        Some(model) => thermal::solve(film, model, options),
-        None => isothermal(film, options),
+    let sockets = &film.model.sockets;
+    match (&sockets.heat_field, &sockets.thermal) {
+        (Some(model), _) => thermal::field::solve(film, model, options),
+        (None, Some(model)) => thermal::solve(film, model, options),
+        (None, None) => isothermal(film, options),
     }
 }

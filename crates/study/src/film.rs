@@ -7,7 +7,9 @@ mod reuse;
 use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
+use oilwedge_bearing::thermal_film::FilmHeat;
 use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
+use oilwedge_reynolds::film_thickness::Eccentricity;
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
 
@@ -30,6 +32,8 @@ pub struct Film {
     pub problem: FilmProblem,
     /// Mesh, unknowns and given pressures.
     pub system: Arc<FilmSystem>,
+    /// Its temperatures, where they were found across the film.
+    pub heat: Option<Arc<FilmHeat>>,
     /// What is known of the position under a load.
     pub start: Start,
     /// Origin of the mesh.
@@ -75,6 +79,16 @@ impl Film {
     pub fn with_journal(&self, journal: JournalState) -> Self {
         let mut film = self.clone();
         film.problem.journal = journal;
+        film
+    }
+
+    /// The film with another clearance [m].
+    pub(crate) fn with_clearance(&self, clearance: f64) -> Self {
+        let mut film = self.clone();
+        let radius = film.problem.bearing.radius;
+        film.problem.bearing.clearance = clearance;
+        // The journal's own contribution is the first one.
+        film.problem.film_thickness[0] = Arc::new(Eccentricity { radius, clearance });
         film
     }
 

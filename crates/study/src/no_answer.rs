@@ -3,6 +3,7 @@
 use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{BranchLimit, NoEquilibrium, Waypoint};
 use oilwedge_fem::newton::Failure;
+use oilwedge_heat::HeatFailure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::LawKind;
@@ -154,6 +155,22 @@ pub enum NoTemperature {
         /// The film of the last one.
         last: PowersAt,
     },
+    /// The linear system of the temperatures across the film was not solved.
+    #[error("not converged: the temperatures across the film were not found: {}", told_of_heat(.0))]
+    Unsolved(HeatFailure),
+    /// The film does not conserve oil.
+    #[error("no temperatures across the film: it makes oil; give [cavitation] the model jfo")]
+    MakesOil,
+    /// Temperatures across the film do not come to rest.
+    #[error(
+        "not converged: after {rounds} rounds the temperatures across the film still change by {change:.2e} K; give a finer mesh ([mesh] size), or heat.layers = 6"
+    )]
+    NotClosed {
+        /// Change of the last round [K].
+        change: f64,
+        /// Rounds.
+        rounds: usize,
+    },
     /// The greatest temperature that is sought balances nothing yet.
     #[error(
         "no temperature balances the heat: at {} still {hottest}; feed more oil, or give [heat] housing",
@@ -169,9 +186,20 @@ impl NoTemperature {
     /// True if there may be one.
     fn is_unreached(&self) -> bool {
         match self {
-            Self::Ended { .. } | Self::NotFound { .. } => true,
+            Self::Ended { .. } | Self::NotFound { .. } | Self::Unsolved(_) | Self::NotClosed { .. } => true,
             Self::NoFilmBeyond { reason, .. } => reason.is_unreached(),
-            Self::TooHot { .. } => false,
+            Self::TooHot { .. } | Self::MakesOil => false,
+        }
+    }
+}
+
+/// Why the linear system of temperatures was not solved.
+fn told_of_heat(reason: &HeatFailure) -> String {
+    match reason {
+        HeatFailure::DryCell(_) => "no oil reaches a part of the film".to_owned(),
+        HeatFailure::DryFeed(_) => "no oil flows through a feed; remove it, or raise its pressure".to_owned(),
+        HeatFailure::Steps { steps, residual } => {
+            format!("their linear system is left with {residual:.1e} after {steps} steps")
         }
     }
 }

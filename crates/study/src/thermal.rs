@@ -11,6 +11,7 @@ use crate::no_answer::{NoAnswer, NoTemperature, PowersAt};
 mod bars;
 mod between_runs;
 mod curve;
+pub(crate) mod field;
 pub mod flows;
 pub(crate) mod heating;
 mod search;

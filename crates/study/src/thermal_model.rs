@@ -1,6 +1,8 @@
 //! How the temperature of a film is found: what the balance of its heat is made of.
 
 use oilwedge_bearing::ThermalBalance;
+use oilwedge_bearing::thermal_film::HeatSurroundings;
+use oilwedge_heat::Layers;
 use oilwedge_scene::{Engine, Mixing};
 
 /// A film whose temperature is found.
@@ -12,4 +14,15 @@ pub struct ThermalModel {
     pub mixing: Option<Mixing>,
     /// The engine whose usual values are compared.
     pub engine: Option<Engine>,
+}
+
+/// A film whose temperatures are found at each place and across it.
+#[derive(Debug, Clone)]
+pub struct HeatFieldModel {
+    /// What surrounds the film.
+    pub surroundings: HeatSurroundings,
+    /// Points across the film.
+    pub layers: Layers,
+    /// The balance of the one temperature with which the search begins.
+    pub even: ThermalModel,
 }

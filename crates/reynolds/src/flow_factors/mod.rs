@@ -99,7 +99,9 @@ mod tests {
         let factors: [Arc<dyn FlowFactor>; 1] = [Arc::new(PatirCheng { roughness: 1.0 })];
         let change = FilmPoint { thickness: 0.4, slope: [0.3, -0.2], rate: 0.7, ..FilmPoint::default() };
         for thickness in [0.1, 0.6, 1.7, 4.0, 9.5] {
-            let film = FilmPoint { thickness, slope: [0.2, 0.1], rate: -0.4, viscosity: 0.7, velocity: [1.3, 0.6] };
+            let (slope, velocity) = ([0.2, 0.1], [1.3, 0.6]);
+            let even = FilmPoint { viscosity: 0.7, shear_viscosity: 0.7, drag: 0.5, ..FilmPoint::default() };
+            let film = FilmPoint { thickness, slope, rate: -0.4, velocity, ..even };
             let at = |step: f64| FilmPoint {
                 thickness: film.thickness + step * change.thickness,
                 slope: [0, 1].map(|k| film.slope[k] + step * change.slope[k]),
@@ -130,6 +132,7 @@ mod tests {
                 thickness: 0.8 + 0.5 * x,
                 slope: [0.5, 0.0],
                 viscosity: 1.0,
+                drag: 0.5,
                 velocity: [2.0, 0.0],
                 ..FilmPoint::default()
             };

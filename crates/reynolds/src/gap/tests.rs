@@ -69,6 +69,7 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
         terms: Vec::new(),
         cavitation: Cavitation::None,
         storage: None,
+        viscosity_across: None,
         contact: None,
         flow_factors: Vec::new(),
     };

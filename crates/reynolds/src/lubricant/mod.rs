@@ -8,6 +8,7 @@
 
 pub mod barus;
 pub mod density;
+mod exponential;
 pub mod grades;
 pub mod roelands;
 mod saturating;
@@ -19,6 +20,7 @@ pub use density::Density;
 pub use grades::Grade;
 pub use saturating::Saturating;
 pub use temperature::{TemperatureLaw, ThermalOil, ViscosityTable};
+pub use exponential::ExponentialLaw;
 pub use vogel::Vogel;
 pub use walther::Walther;
 

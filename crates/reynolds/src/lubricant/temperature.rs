@@ -1,6 +1,6 @@
 //! # Oil at a temperature: its viscosity by one law, its density by another
 //!
-//! **Equation.** `mu(T)` by [`Vogel`], or `nu(T)` by [`Walther`], by several such lines between the points of a table;
+//! **Equation.** `mu(T)` by [`Vogel`] or [`ExponentialLaw`], or `nu(T)` by [`Walther`], by several such lines between the points of a table;
 //! `mu = rho nu`. At each temperature viscosity may grow with pressure by a [`super::PressureLaw`], whose coefficients
 //! do not depend on temperature here.
 //!
@@ -14,13 +14,15 @@
 //! **Source.** As of the laws. **Range.** As of the laws; beyond the ends of a table its last line goes on.
 //! **Verified by** `a_table_of_two_points_is_a_line` and `tables_are_monotone` below.
 
-use super::{Density, Vogel, Walther};
+use super::{Density, ExponentialLaw, Vogel, Walther};
 
 /// How viscosity falls with temperature.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TemperatureLaw {
     /// Three constants for the dynamic viscosity.
     Vogel(Vogel),
+    /// One constant for the fall of the dynamic viscosity.
+    Exponential(ExponentialLaw),
     /// A line on the chart of ASTM D341 for the kinematic one.
     Walther(Walther),
     /// Lines between points.
@@ -48,6 +50,7 @@ impl ThermalOil {
     pub fn unsheared(&self, temperature: f64) -> f64 {
         match &self.law {
             TemperatureLaw::Vogel(law) => law.viscosity(temperature),
+            TemperatureLaw::Exponential(law) => law.viscosity(temperature),
             TemperatureLaw::Walther(law) => law.kinematic_viscosity(temperature) * self.density.at(temperature),
             TemperatureLaw::Table(table) => table.kinematic_viscosity(temperature) * self.density.at(temperature),
         }

@@ -1,7 +1,8 @@
 //! # Friction: the torque that turns the journal
 //!
 //! **Equation.** On the journal `T = R Int (theta mu U/h + h/2 dp/dx) dA`, on the bearing
-//! `T_b = R Int (theta mu U/h - h/2 dp/dx) dA`; on a ring of one film `T - T_b = W_y e_x - W_x e_y`, the moment of the
+//! `T_b = R Int (theta mu U/h - h/2 dp/dx) dA`; where the viscosity varies across the film, [`crate::ViscosityAcross`]
+//! has the parts of h that stand for h/2; on a ring of one film `T - T_b = W_y e_x - W_x e_y`, the moment of the
 //! load about the bearing's centre. `f = T/(R W)`.
 //!
 //! | symbol | unit | code |
@@ -32,7 +33,7 @@ pub fn friction(journal: &JournalState, power: &Power) -> Option<Friction> {
     let speed = journal.speed.abs();
     (speed > 0.0).then(|| Friction {
         on_journal: power.friction() / speed,
-        on_bearing: (power.shear - power.pressure + power.contact) / speed,
+        on_bearing: (power.shear - power.on_bearing + power.contact) / speed,
     })
 }
 

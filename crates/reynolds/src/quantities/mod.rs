@@ -10,6 +10,7 @@ mod edge;
 pub mod extent;
 pub mod flow;
 pub mod friction;
+pub mod heat_network;
 pub mod inlet;
 mod junction;
 mod line_cut;

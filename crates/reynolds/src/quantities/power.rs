@@ -48,6 +48,9 @@ pub struct Power {
     pub cavity_shear: f64,
     /// Put in by the turning journal against the pressure on it.
     pub pressure: f64,
+    /// What the pressure on the bearing would take, were the bearing to turn as the journal does; equal to `pressure`
+    /// where the viscosity does not vary across the film.
+    pub on_bearing: f64,
     /// Put in by the turning journal against the friction of contact; all of it becomes heat. Zero where no contact is
     /// simulated.
     pub contact: f64,
@@ -85,6 +88,7 @@ impl Power {
         let put_in = self.shear + self.pressure.abs();
         Self {
             pressure: by_moment,
+            on_bearing: by_moment,
             moment_imbalance: match put_in > 0.0 {
                 true => (self.pressure - by_moment).abs() / put_in,
                 false => 0.0,
@@ -105,6 +109,8 @@ pub(crate) struct PowerIntegrals {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
+    /// Power of the pressure against the bearing, were that to turn with the journal.
+    pub(crate) on_bearing: f64,
     /// Power of what is dragged along; equal to that against the pressure, unless the oil has another gap than the
     /// shear.
     pub(crate) dragged: f64,
@@ -117,6 +123,7 @@ impl std::ops::AddAssign for PowerIntegrals {
         self.shear += other.shear;
         self.cavity_shear += other.cavity_shear;
         self.pressure += other.pressure;
+        self.on_bearing += other.on_bearing;
         self.dragged += other.dragged;
         self.motion += other.motion;
         self.driven += other.driven;
@@ -135,12 +142,13 @@ pub struct PressurePower {
 }
 
 impl PressurePower {
-    /// `None` where the film has a thickness of its own beside that of the journal, or lines that stand by themselves.
+    /// `None` where the film has a thickness of its own beside that of the journal, lines that stand by themselves, or a
+    /// viscosity that varies across it.
     pub fn of(problem: &FilmProblem) -> Option<Self> {
         let mut contributions = problem.film_thickness.iter();
         let is_of_journal = contributions.all(|contribution| contribution.follows() != Follows::Nothing);
         let arm = |[a_x, a_y]: [f64; 2]| [a_y, -a_x].map(|arm| 0.5 * problem.journal.speed * arm);
-        (is_of_journal && problem.theory != Theory::Short)
+        (is_of_journal && problem.theory != Theory::Short && problem.viscosity_across.is_none())
             .then(|| Self { force: arm(problem.journal.offset), moment: arm(problem.journal.tilt) })
     }
 }
@@ -151,11 +159,11 @@ pub fn power(film: &SolvedFilm) -> Power {
     let excess: Vec<f64> = solution.unknown.iter().map(|&u| excess(problem, u)).collect();
     // The film was solved on the sub-mesh that is asked for; without it there is no number.
     let carriage = (solution.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
-    let mut work = integrated(film, &excess, carriage.as_ref());
+    let mut work = integrate(system.space().mesh(), of_triangle(film, &excess, carriage.as_ref()));
     match &carriage {
         Some(carriage) => {
-            let nominal = work.pressure;
-            work = cavitation::work(carriage, solution, &excess, work.shear);
+            let (nominal, on_bearing) = (work.pressure, work.on_bearing);
+            work = PowerIntegrals { on_bearing, ..cavitation::work(carriage, solution, &excess, work.shear) };
             if !problem.flow_factors.is_empty() {
                 work.pressure = nominal;
             }
@@ -171,7 +179,8 @@ pub fn power(film: &SolvedFilm) -> Power {
             cavity += inflow * excess;
         }
     }
-    let PowerIntegrals { shear, cavity_shear, pressure, dragged, motion, driven } = work;
+    let PowerIntegrals { shear, cavity_shear, pressure, dragged, motion, driven, on_bearing } = work;
+    let on_bearing = if problem.viscosity_across.is_some() { on_bearing } else { pressure };
     // Shear stands on both sides.
     let parts = [dragged, motion, supplied, cavity, -driven];
     let scale = shear + parts.iter().map(|part| part.abs()).sum::<f64>();
@@ -180,6 +189,7 @@ pub fn power(film: &SolvedFilm) -> Power {
         shear,
         cavity_shear,
         pressure,
+        on_bearing,
         contact: 0.0,
         motion,
         supplied,
@@ -199,14 +209,28 @@ pub(crate) fn excess(problem: &FilmProblem, u: f64) -> f64 {
     problem.pressure_at(u) - problem.bearing.end_pressure
 }
 
-fn integrated(film: &SolvedFilm, excess: &[f64], carriage: Option<&Carriage>) -> PowerIntegrals {
+/// Power of shear [W] in each triangle of a solved film.
+pub(crate) fn shear_of_triangles(film: &SolvedFilm) -> Vec<f64> {
+    let SolvedFilm { problem, system, solution } = film;
+    let excess: Vec<f64> = solution.unknown.iter().map(|&u| excess(problem, u)).collect();
+    let carriage = (solution.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
+    let of_triangle = of_triangle(film, &excess, carriage.as_ref());
+    (0..system.space().mesh().triangles().len()).map(|t| of_triangle(t).shear).collect()
+}
+
+/// Integrals over a triangle of a film.
+fn of_triangle<'a>(
+    film: &'a SolvedFilm,
+    excess: &'a [f64],
+    carriage: Option<&'a Carriage<'a>>,
+) -> impl Fn(usize) -> PowerIntegrals + Sync + 'a {
     let SolvedFilm { problem, system, solution } = film;
     let (space, mesh) = (system.space(), system.space().mesh());
     let is_film = system.supply.film(mesh);
     let rule = Rule::for_degree(space.degree());
     let parts = SubTriangleRules::new(space.degree(), 1);
     let law = FilmLaw::new(problem, 1.0);
-    integrate(mesh, |t| {
+    move |t| {
         let fields = [&solution.unknown[..], excess].map(|values| Field { space, values }.element_values(t));
         let work = rule.integrate(mesh, t, |points, work| cell_work(problem, &law, points, &fields, work));
         let carried = carriage.map(|carriage| carriage.carried(t, &solution.cavity));
@@ -218,7 +242,7 @@ fn integrated(film: &SolvedFilm, excess: &[f64], carriage: Option<&Carriage>) ->
             _ => work.shear,
         };
         PowerIntegrals { shear, cavity_shear: shear * broken_share(film, t), ..work }
-    })
+    }
 }
 
 /// Adds what is worked at points of a full film.
@@ -236,12 +260,13 @@ fn cell_work(
         let area = points.area(q);
         let (of_unknown, of_pressure) = (points.gradient(q, unknown), points.gradient(q, excess));
         let p = points.value(q, excess);
-        let thickness = film[q].thickness;
-        let pressure = area * 0.5 * thickness * dot(velocity, of_pressure);
+        let FilmPoint { thickness, drag, .. } = film[q];
+        let pressure = area * drag * thickness * dot(velocity, of_pressure);
         *work += PowerIntegrals {
             cavity_shear: 0.0,
-            shear: area * viscosity(problem, p) / thickness * dot(velocity, velocity),
+            shear: area * shear_viscosity(problem, &film[q], p) / thickness * dot(velocity, velocity),
             pressure,
+            on_bearing: area * (1.0 - drag) * thickness * dot(velocity, of_pressure),
             dragged: match problem.flow_factors.is_empty() {
                 true => pressure,
                 false => area * dot(flows[q].flux, of_pressure),
@@ -252,11 +277,14 @@ fn cell_work(
     }
 }
 
-/// Viscosity [Pa s] at a pressure [Pa] above that of the ends.
-pub(super) fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
+/// Viscosity [Pa s] that shear meets at a point of the film, at a pressure [Pa] above that of the ends.
+pub(crate) fn shear_viscosity(problem: &FilmProblem, film: &FilmPoint, excess: f64) -> f64 {
     match problem.lubricant.pressure_law {
-        PressureLaw::Constant => problem.lubricant.viscosity,
-        _ => problem.viscosity_at(excess + problem.bearing.end_pressure),
+        PressureLaw::Constant => film.shear_viscosity,
+        _ => {
+            let pressure = excess + problem.bearing.end_pressure;
+            film.shear_viscosity * problem.lubricant.pressure_law.viscosity_ratio(pressure)
+        }
     }
 }
 
@@ -277,10 +305,11 @@ fn broken_shear(
     for (corners, carried) in sub_triangles(space, t).iter().zip(carried) {
         parts.of(corners).visit(space.mesh(), t, |points| {
             let film = law.film_and_flows(t, points.positions).0;
-            for (q, FilmPoint { thickness, .. }) in film[..points.positions.len()].iter().enumerate() {
+            for (q, point) in film[..points.positions.len()].iter().enumerate() {
+                let FilmPoint { thickness, drag, .. } = point;
                 let [gap, _] = mean_gap(&problem.flow_factors, *thickness);
-                let fraction = (carried / gap).min(1.0);
-                let viscosity = viscosity(problem, points.value(q, excess));
+                let fraction = (carried / (2.0 * drag * gap)).min(1.0);
+                let viscosity = shear_viscosity(problem, point, points.value(q, excess));
                 shear += points.area(q) * fraction * viscosity / thickness * square;
             }
         });

@@ -24,7 +24,7 @@ use oilwedge_fem::{Field, in_order};
 use oilwedge_mesh::triangle_area;
 use rayon::prelude::*;
 
-use super::power::{excess, viscosity};
+use super::power::{excess, shear_viscosity};
 use crate::SolvedFilm;
 use crate::film_law::FilmLaw;
 
@@ -90,12 +90,13 @@ impl NodalFilm<'_> {
                 false => [slopes[0][i], slopes[1][i]],
             };
             let fraction = solution.film_fraction.as_ref().map_or(1.0, |fraction| fraction.values[dof]);
-            let shear = fraction * viscosity(problem, self.excess[dof]) / thickness;
-            let driven = |d: usize| 0.5 * thickness * slopes[1][d];
+            let shear = fraction * shear_viscosity(problem, &points[i], self.excess[dof]) / thickness;
+            let driven = |part: f64, d: usize| part * thickness * slopes[1][d];
+            let drag = points[i].drag;
             Stream {
                 flow: [0, 1].map(|d| fraction * flows[i].flux[d] - flows[i].conductance * along[d] * slopes[0][d]),
-                on_journal: [0, 1].map(|d| -shear * velocity[d] - driven(d)),
-                on_bearing: [0, 1].map(|d| shear * velocity[d] - driven(d)),
+                on_journal: [0, 1].map(|d| -shear * velocity[d] - driven(drag, d)),
+                on_bearing: [0, 1].map(|d| shear * velocity[d] - driven(1.0 - drag, d)),
             }
         })
     }

@@ -99,6 +99,7 @@ impl FilmProblem {
             && self.journal.speed != 0.0
             && self.film_thickness.len() == 1
             && self.flow_factors.is_empty()
+            && self.viscosity_across.is_none()
             && system.space().degree() == 2
             && !system.supply.regions().iter().any(starved)
     }

@@ -1,11 +1,12 @@
 //! # Couette flow: oil dragged along by the journal
 //!
-//! **Equation.** `J = U h / 2` [m2/s], `div J = (U/2) . grad h`; U = (omega R, 0) unless the journal slides along its
-//! axis.
+//! **Equation.** `J = s U h` [m2/s], `div J = s U . grad h`, s = 1/2 where the viscosity does not vary across the film;
+//! U = (omega R, 0) unless the journal slides along its axis.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | U | m/s | `film.velocity` |
+//! | s | 1 | `film.drag` |
 //! | h | m | `film.thickness` |
 //! | grad h | - | `film.slope` |
 //!
@@ -15,7 +16,7 @@
 use super::Term;
 use crate::{FilmFlow, FilmPoint};
 
-/// Half of the film moves with the journal.
+/// A part of the film, half of it where its viscosity is even, moves with the journal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Couette;
 
@@ -26,15 +27,15 @@ impl Term for Couette {
 
     fn add(&self, film: &FilmPoint, flow: &mut FilmFlow) {
         for k in 0..2 {
-            flow.flux[k] += 0.5 * film.velocity[k] * film.thickness;
-            flow.divergence += 0.5 * film.velocity[k] * film.slope[k];
+            flow.flux[k] += film.drag * film.velocity[k] * film.thickness;
+            flow.divergence += film.drag * film.velocity[k] * film.slope[k];
         }
     }
 
     /// Linear in the film.
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow) {
-        let velocity = film.velocity;
-        self.add(&FilmPoint { velocity, ..*change }, flow);
+        let FilmPoint { velocity, drag, .. } = *film;
+        self.add(&FilmPoint { velocity, drag, ..*change }, flow);
     }
 }
 
@@ -54,6 +55,7 @@ mod tests {
                 thickness: 2.0 + 3.0 * x,
                 slope: [3.0, 0.0],
                 viscosity: 1.0,
+                drag: 0.5,
                 velocity: [0.7, 0.0],
                 ..FilmPoint::default()
             };

@@ -41,7 +41,15 @@ pub(crate) fn of_rates() -> Vec<Arc<dyn Term>> {
 /// Checks that the variation of a term matches finite differences.
 #[cfg(test)]
 fn check(term: &dyn Term) {
-    let film = FilmPoint { thickness: 2.1, slope: [0.3, -0.2], rate: 0.4, viscosity: 0.7, velocity: [1.3, 0.6] };
+    let film = FilmPoint {
+        thickness: 2.1,
+        slope: [0.3, -0.2],
+        rate: 0.4,
+        viscosity: 0.7,
+        shear_viscosity: 0.8,
+        drag: 0.45,
+        velocity: [1.3, 0.6],
+    };
     let change = FilmPoint { thickness: 0.9, slope: [-0.5, 0.8], rate: -1.1, viscosity: 0.3, ..FilmPoint::default() };
     let values = |flow: FilmFlow| [flow.conductance, flow.flux[0], flow.flux[1], flow.divergence, flow.storage];
     let at = |step: f64| {

@@ -22,6 +22,7 @@ fn values(form: &KeyForm<'_>, example: &str) -> Vec<String> {
         KeyForm::Numbers => vec![format!("[{example}]")],
         KeyForm::Texts => vec![format!("[{example}]")],
         KeyForm::Choice(words) => words.iter().map(|word| format!("\"{word}\"")).collect(),
+        KeyForm::Switch => vec!["true".to_owned(), "false".to_owned()],
         KeyForm::Table => vec!["{}".to_owned()],
         KeyForm::Tables => vec!["[{}]".to_owned()],
         KeyForm::Values => vec!["[1, 2]".to_owned()],

@@ -29,6 +29,14 @@ keys! {
         "b of mu = a exp(b/(t + c))";
     "oil.vogel.c" = Quantity(TemperatureDifference); "95 K", "required", "t + c > 0",
         "c of mu = a exp(b/(t + c))";
+    "oil.exponential" = Table; "", "no such law", "",
+        "Reynolds' exponential law mu = mu_1 exp(-beta (t - t_1)), that of most published thermal films";
+    "oil.exponential.viscosity" = Quantity(Viscosity); "27.7 mPa.s", "required", "> 0",
+        "viscosity mu_1 at the temperature `at`";
+    "oil.exponential.at" = Quantity(Temperature); "40 C", "required", "-60 to 350 C",
+        "temperature t_1";
+    "oil.exponential.beta" = Quantity(InverseTemperature); "0.034 1/K", "required", "0 to 0.2 1/K",
+        "relative fall of the viscosity beta";
     "oil.table" = Tables; "", "no such law", "two points or more, falling",
         "measured viscosities, kinematic or dynamic; between two points straight on the chart of ASTM D341";
     "oil.table.t" = Quantity(Temperature); "40 C", "required", "-60 to 350 C",
@@ -40,7 +48,7 @@ keys! {
 }
 
 /// The keys that give a law of temperature.
-const WAYS: [&str; 4] = ["grade", "walther", "vogel", "table"];
+const WAYS: [&str; 5] = ["grade", "walther", "vogel", "exponential", "table"];
 
 /// How the viscosity falls with temperature.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +65,15 @@ pub enum TemperatureLaw {
         b: f64,
         /// Constant c [K].
         c: f64,
+    },
+    /// Reynolds' law: mu = mu_1 exp(-beta (t - t_1)).
+    Exponential {
+        /// Viscosity mu_1 [Pa.s].
+        viscosity: f64,
+        /// Temperature t_1 [K].
+        at: f64,
+        /// Relative fall beta [1/K].
+        beta: f64,
     },
     /// Lines between points on the chart of ASTM D341.
     Table(Vec<ViscosityPoint>),
@@ -98,17 +115,18 @@ pub(super) fn read(oil: &mut TableReader<'_>) -> Option<TemperatureLaw> {
     let written: Vec<&str> = WAYS.into_iter().filter(|way| oil.has(way)).collect();
     if let [first, second, ..] = written[..] {
         let message = format!("stands beside {first}, but viscosity follows one law of temperature");
-        oil.complain(second, message, "keep one of grade, walther, vogel and table");
+        oil.complain(second, message, "keep one of grade, walther, vogel, exponential and table");
     }
     let grade = oil.text_if_given("grade").map(TemperatureLaw::Grade);
     let walther = oil.table_if_given("walther").map(walther);
     let vogel = oil.table_if_given("vogel").map(vogel);
+    let exponential = oil.table_if_given("exponential").map(exponential);
     let points = oil.tables("table").into_iter().map(point).collect();
     match written.first() {
         None => None,
         Some(&"table") => Some(TemperatureLaw::Table(points)),
         // A grade that was refused is none that is known.
-        Some(_) => grade.or(walther).or(vogel).or(Some(TemperatureLaw::Grade(String::new()))),
+        Some(_) => grade.or(walther).or(vogel).or(exponential).or(Some(TemperatureLaw::Grade(String::new()))),
     }
 }
 
@@ -137,6 +155,15 @@ fn vogel(mut table: TableReader<'_>) -> TemperatureLaw {
     let b = table.number("b");
     let b = b.within("is negative", help).required();
     TemperatureLaw::Vogel { a: table.required("a"), b, c: table.required("c") }
+}
+
+fn exponential(mut table: TableReader<'_>) -> TemperatureLaw {
+    let help = "give the relative fall of the viscosity, some 0.02 to 0.05 1/K";
+    TemperatureLaw::Exponential {
+        viscosity: table.required("viscosity"),
+        at: table.oil_temperature("at").required(),
+        beta: table.number("beta").within("is not a relative fall of viscosity", help).required(),
+    }
 }
 
 /// A point with a kinematic viscosity `nu`, or with a dynamic one `mu`.

@@ -68,7 +68,7 @@ fn high_shear(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
 /// A grade is known, and points make a law.
 fn has_meaning(law: &TemperatureLaw, oil: &Oil, complaints: &mut Complaints) {
     let (key, help) = match law {
-        TemperatureLaw::Vogel { .. } => return,
+        TemperatureLaw::Vogel { .. } | TemperatureLaw::Exponential { .. } => return,
         TemperatureLaw::Grade(name) => {
             let near = nearest(name, GRADES.iter().map(|grade| grade.name));
             let near = near.map_or(String::new(), |near| format!("did you mean \"{near}\"? "));

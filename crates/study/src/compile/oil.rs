@@ -1,7 +1,7 @@
 //! The oil that a scene describes.
 
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
-use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
+use oilwedge_reynolds::lubricant::{self as law, Density, ExponentialLaw, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
 use oilwedge_scene::{HighShear, Oil as Described, PointViscosity, Scene, TemperatureLaw, Viscosity};
 
 use crate::oil::{Oil, first_temperature};
@@ -63,6 +63,9 @@ fn thermal(oil: &Described) -> Option<ThermalOil> {
         TemperatureLaw::Vogel { a, b, c } => {
             law::TemperatureLaw::Vogel(Vogel { factor: *a, exponent: *b, singular: ZERO_CELSIUS - c })
         }
+        TemperatureLaw::Exponential { viscosity, at, beta } => {
+            law::TemperatureLaw::Exponential(ExponentialLaw { reference: *viscosity, at: *at, rate: *beta })
+        }
         TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
     };
     let unsheared = ThermalOil { law, density, sheared: 1.0 };
@@ -82,7 +85,7 @@ fn sheared(oil: &Described, unsheared: &ThermalOil) -> f64 {
 /// The points `(T [K], nu [m2/s])` of a law that is given by points; the density makes dynamic viscosities kinematic.
 pub(crate) fn points(law: &TemperatureLaw, density: Density) -> Vec<(f64, f64)> {
     match law {
-        TemperatureLaw::Grade(_) | TemperatureLaw::Vogel { .. } => Vec::new(),
+        TemperatureLaw::Grade(_) | TemperatureLaw::Vogel { .. } | TemperatureLaw::Exponential { .. } => Vec::new(),
         TemperatureLaw::Walther(points) => points.to_vec(),
         TemperatureLaw::Table(points) => (points.iter())
             .map(|point| match point.viscosity {

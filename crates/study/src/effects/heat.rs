@@ -24,7 +24,7 @@ pub(super) const ROW: Effect = Effect {
     sentence: "the temperature is found at which the oil carries off what friction makes",
     socket: Socket::Temperature,
     kind: KIND,
-    is_in: |scene| scene.heat.is_some(),
+    is_in: |scene| scene.heat.is_some_and(|heat| heat.field.is_none()),
     install,
     instead: "a film as warm as the oil that is fed",
     remove: |scene| {
@@ -72,7 +72,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     });
     let uneven = (ratio > UNEVEN).then(|| {
         warning::UNEVEN.says(format!(
-            "an assumption does not hold: one temperature of the film: its oil is {} times as viscous where it enters, at {}, as where it leaves, at {}",
+            "an assumption does not hold: one temperature of the film: its oil is {} times as viscous where it enters, at {}, as where it leaves, at {}; give heat.field = true",
             readable(format!("{ratio:.1e}").parse().unwrap_or(ratio)),
             celsius(rounded(inlet)),
             celsius(rounded(outlet))

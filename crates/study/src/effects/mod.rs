@@ -14,6 +14,7 @@ mod equilibrium;
 mod groove_depth;
 mod guembel;
 mod heat;
+mod heat_field;
 mod jfo;
 mod moment_balance;
 mod oil_by_temperature;
@@ -52,6 +53,7 @@ pub const EFFECTS: &[&Effect] = &[
     &moment_balance::ROW,
     &elastic_liner::ROW,
     &heat::ROW,
+    &heat_field::ROW,
     &oil_by_temperature::ROW,
     &barus::CONSERVATIVE,
     &barus::AS_PRINTED,

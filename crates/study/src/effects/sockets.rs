@@ -12,7 +12,7 @@ use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
 use oilwedge_scene::{Bore, Dynamics, Liner, Roelands, Shaft};
 
-use crate::thermal_model::ThermalModel;
+use crate::thermal_model::{HeatFieldModel, ThermalModel};
 
 /// Socket in which an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,6 +126,8 @@ pub struct Sockets {
     pub tilting: Option<Tilting>,
     /// How the temperature of the film is found; `None`: it is given, or has no effect.
     pub thermal: Option<ThermalModel>,
+    /// How temperatures are found across the film; `None`: it has one temperature.
+    pub heat_field: Option<HeatFieldModel>,
     /// What is asked about small motions of the journal; `None`: nothing.
     pub dynamics: Option<Dynamics>,
 }
@@ -150,8 +152,14 @@ impl Sockets {
             load: None,
             tilting: None,
             thermal: None,
+            heat_field: None,
             dynamics: None,
         }
+    }
+
+    /// Whether a temperature is found, one for the film or all across it.
+    pub fn finds_temperature(&self) -> bool {
+        self.thermal.is_some() || self.heat_field.is_some()
     }
 
     /// Force and moment under which position and tilt are found; `None` at a given position.

@@ -71,7 +71,7 @@ impl Model {
         check_gap(self, &problem, &system, load)?;
         // A position is sought on coarser meshes first, and by many films; so are a deflection and a temperature.
         let is_sought =
-            load.is_some() || self.sockets.thermal.is_some() || is_of_orbit || problem.deflection().is_some();
+            load.is_some() || self.sockets.finds_temperature() || is_of_orbit || problem.deflection().is_some();
         let system = match is_sought {
             true => system.for_many_solves(),
             false => system,
@@ -96,6 +96,7 @@ impl Film {
             oil: state.oil.clone(),
             problem,
             system,
+            heat: None,
             start: Start::default(),
             origin: MeshOrigin::default(),
             seconds: Vec::new(),
@@ -128,6 +129,7 @@ pub(super) fn problem(model: &Model, mesh: &Mesh, state: &FilmState) -> FilmProb
         cavitation: sockets.cavitation,
         flow_factors: sockets.flow_factors.clone(),
         storage: None,
+        viscosity_across: None,
         contact: sockets.contact,
     }
 }

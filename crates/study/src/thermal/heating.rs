@@ -16,6 +16,11 @@ pub(crate) struct Heating<'a> {
 }
 
 impl<'a> Heating<'a> {
+    /// A film whose one temperature a model closes.
+    pub(crate) fn with(film: &'a Film, model: ThermalModel) -> Self {
+        Self { film, model }
+    }
+
     /// None of a film whose temperature is given, or has no effect.
     pub(crate) fn of(film: &'a Film) -> Option<Self> {
         Some(Self { film, model: film.model.sockets.thermal? })

@@ -31,6 +31,7 @@ mod coarse_comparison;
 mod loops;
 mod relaxation;
 mod rows;
+mod sides;
 mod spread;
 #[cfg(test)]
 mod tests;
@@ -45,6 +46,7 @@ use self::blocks::{Block, blocks};
 pub(crate) use self::changes::{PointChanges, residual_changes};
 use self::relaxation::{Downstream, NodeStates};
 use self::rows::{Condition, NodeConditions};
+pub(crate) use self::sides::{FilmSides, film_sides};
 pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, oil_carried, work};
 use crate::existence::NoFilm;

@@ -65,6 +65,7 @@ fn problem(eccentricity: f64) -> FilmProblem {
         cavitation: Cavitation::Jfo { pressure: 0.0 },
         flow_factors: Vec::new(),
         storage: None,
+        viscosity_across: None,
         contact: None,
     }
 }

@@ -125,6 +125,7 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
             shear: 0.0,
             pressure,
             dragged: pressure,
+            on_bearing: pressure,
             motion,
             driven: driven(block, p, q),
         };

@@ -1,0 +1,83 @@
+//! # Viscosity that varies across the film
+//!
+//! **Equation.** With `eta = y/h` from the bearing to the journal, `F0 = Int 1/mu`, `F1 = Int eta/mu`, `F2 = Int eta^2/mu
+//! - F1^2/F0`, all over eta from 0 to 1, the flow per width and the stresses on the walls are
+//!
+//! ```text
+//! J = theta s U h - h^3 F2 grad p,   s = 1 - F1/F0        tau_j = theta U/(h F0) + s h grad p
+//!                                                         tau_b = theta U/(h F0) - (1 - s) h grad p
+//! ```
+//! so that two viscosities and s describe a film: `1/(12 F2)` where pressure drives oil, `1/F0` where the gap is sheared.
+//! Both are mu, and s is 1/2, where mu is even.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | 1/(12 F2) | Pa s | `viscosity` |
+//! | 1/F0 | Pa s | `shear_viscosity` |
+//! | s | 1 | `drag` |
+//!
+//! **Source.** Dowson, Int. J. Mech. Sci. 4 (1962) 159. **Range.** Viscosities at zero gauge pressure: a law of pressure
+//! multiplies all of them. **Verified by** the tests below; `heat`: films whose walls have two temperatures.
+
+use oilwedge_fem::Space;
+use oilwedge_fem::control_volumes::sub_triangles;
+
+use crate::FilmPoint;
+
+/// What stands for the viscosity at a place where it varies across the film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AcrossFilm {
+    /// Viscosity 1/(12 F2) by which pressure drives oil [Pa s].
+    pub viscosity: f64,
+    /// Viscosity 1/F0 that the shear of the gap meets [Pa s].
+    pub shear_viscosity: f64,
+    /// Mean velocity of the oil that the journal drags along, over that of its surface [1].
+    pub drag: f64,
+}
+
+/// The viscosity of a film that varies across it, at each node; linear on the sub-triangles between them.
+#[derive(Debug)]
+pub struct ViscosityAcross {
+    space: Space,
+    nodes: Vec<AcrossFilm>,
+}
+
+impl ViscosityAcross {
+    /// By the values at the nodes of a `space`.
+    pub fn new(space: &Space, nodes: Vec<AcrossFilm>) -> Self {
+        Self { space: space.clone(), nodes }
+    }
+
+    /// Mean velocity of the oil dragged along at a dof, over that of the journal's surface [1].
+    pub(crate) fn drag(&self, dof: usize) -> f64 {
+        self.nodes[dof].drag
+    }
+
+    /// Sets the viscosities of a film at positions [m] in triangle `cell`.
+    pub(crate) fn set(&self, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        let (dofs, places) = (self.space.element_dofs(cell), self.space.mesh().nodes(cell));
+        let subs = sub_triangles(&self.space, cell);
+        for (point, position) in film.iter_mut().zip(positions) {
+            let (corners, weights) = around(subs, &places, *position);
+            let mean = |value: fn(&AcrossFilm) -> f64| {
+                (0..3).map(|k| weights[k] * value(&self.nodes[dofs[corners[k]]])).sum::<f64>()
+            };
+            point.viscosity = mean(|node| node.viscosity);
+            point.shear_viscosity = mean(|node| node.shear_viscosity);
+            point.drag = mean(|node| node.drag);
+        }
+    }
+}
+
+/// The sub-triangle of a triangle with nodes at `places` that holds a position, and the weights of its corners there.
+fn around(subs: &[[usize; 3]], places: &[[f64; 2]], position: [f64; 2]) -> ([usize; 3], [f64; 3]) {
+    let weights = |corners: &[usize; 3]| {
+        let [a, b, c] = corners.map(|corner| places[corner]);
+        let doubled = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let all = doubled([a, b, c]);
+        [[position, b, c], [a, position, c], [a, b, position]].map(|part| doubled(part) / all)
+    };
+    let least = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
+    let subs = subs.iter().map(|corners| (*corners, weights(corners)));
+    subs.max_by(|(_, a), (_, b)| least(a).total_cmp(&least(b))).expect("a triangle has sub-triangles")
+}
