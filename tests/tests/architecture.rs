@@ -8,7 +8,7 @@ use oilwedge_tests::program::{cargo, repository};
 use serde_json::Value;
 
 /// The crates from top to bottom; a crate uses crates below it only.
-const TOP_TO_BOTTOM: [&str; 12] = [
+const TOP_TO_BOTTOM: [&str; 13] = [
     "oilwedge",
     "oilwedge-python",
     "oilwedge-verification",
@@ -19,6 +19,7 @@ const TOP_TO_BOTTOM: [&str; 12] = [
     "oilwedge-scene",
     "oilwedge-bearing",
     "oilwedge-reynolds",
+    "oilwedge-heat",
     "oilwedge-fem",
     "oilwedge-mesh",
 ];

@@ -1,0 +1,151 @@
+//! # Points across a film
+//!
+//! **Equation.** A temperature across the film is the polynomial of degree N through its values at the N + 1 Lobatto
+//! points `eta_l` of 0..1; integrals are sums over these points, or over the N Gauss points `g`:
+//! ```text
+//! Int f = sum_l w_l f(eta_l)      T(g) = sum_l psi_l(g) T_l      T'(g) = sum_l psi_l'(g) T_l      Int_0^{eta_j} psi_l
+//! ```
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | eta_l, w_l | 1 | `points`, `weights` |
+//! | w_g | 1 | `gauss_weights` |
+//! | psi_l(g), psi_l'(g) | 1 | `values`, `slopes` |
+//! | Int_0^{eta_j} psi_l | 1 | `integrals` |
+//!
+//! **Source.** Canuto, Hussaini, Quarteroni, Zang, Spectral Methods (2006), ch. 2.
+//! **Range.** N of 2, 3, 4, 6 or 8. Lobatto sums are exact to degree 2N - 1, sums over Gauss points likewise.
+//! **Verified by** `crates/heat/tests/layers.rs`.
+
+use crate::small_matrix::{LARGEST, invert};
+
+/// Numbers of layers N that may be asked for.
+pub const COUNTS: [usize; 5] = [2, 3, 4, 6, 8];
+/// Most points across a film.
+pub const MOST_POINTS: usize = LARGEST;
+
+/// Points across the film, from the bush (eta = 0) to the journal (eta = 1), and what is computed with them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layers {
+    /// Lobatto points `eta_l`, N + 1 of them; both walls are points.
+    pub points: Vec<f64>,
+    /// Weights `w_l` of the points; they sum to 1.
+    pub weights: Vec<f64>,
+    /// Weights of the N Gauss points; they sum to 1.
+    pub gauss_weights: Vec<f64>,
+    /// Rows `psi_l(g)`, one for each Gauss point.
+    pub values: Vec<Vec<f64>>,
+    /// Rows `psi_l'(g)`, one for each Gauss point.
+    pub slopes: Vec<Vec<f64>>,
+    /// Rows `Int_0^{eta_j} psi_l`, one for each point `eta_j`.
+    pub integrals: Vec<Vec<f64>>,
+    /// Rows `sum_g w_g psi_j'(g) psi_l'(g)`, the conduction between the points.
+    pub(crate) conduction: Vec<Vec<f64>>,
+    /// Rows that give the velocity across the film at each Gauss point from the net outflow of the layers.
+    pub(crate) crossing: Vec<Vec<f64>>,
+}
+
+impl Layers {
+    /// The points of `count` layers; `None` for a number that is not one of [`COUNTS`].
+    pub fn new(count: usize) -> Option<Self> {
+        if !COUNTS.contains(&count) {
+            return None;
+        }
+        let (points, weights) = lobatto(count);
+        let (gauss, gauss_weights) = gauss(count);
+        let rows = |of: &dyn Fn(usize, f64) -> f64| -> Vec<Vec<f64>> {
+            gauss.iter().map(|&x| (0..=count).map(|l| of(l, x)).collect()).collect()
+        };
+        let values = rows(&|l, x| basis(&points, l, x));
+        let slopes = rows(&|l, x| basis_slope(&points, l, x));
+        let integral = |end: f64, l: usize| -> f64 {
+            let terms = gauss.iter().zip(&gauss_weights);
+            terms.map(|(x, weight)| end * weight * basis(&points, l, end * x)).sum()
+        };
+        let integrals = points.iter().map(|&end| (0..=count).map(|l| integral(end, l)).collect()).collect();
+        let weighted = |j: usize, of: &dyn Fn(usize) -> f64| -> f64 {
+            (0..count).map(|g| gauss_weights[g] * slopes[g][j] * of(g)).sum()
+        };
+        let conduction = (0..=count).map(|j| (0..=count).map(|l| weighted(j, &|g| slopes[g][l])).collect()).collect();
+        let mut crossing: Vec<f64> =
+            (0..count * count).map(|i| gauss_weights[i % count] * slopes[i % count][i / count]).collect();
+        let _is_regular = invert(&mut crossing, count);
+        let crossing = crossing.chunks_exact(count).map(<[f64]>::to_vec).collect();
+        Some(Self { points, weights, gauss_weights, values, slopes, integrals, conduction, crossing })
+    }
+
+    /// Number of layers N.
+    pub fn count(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    /// Value at `eta` of the polynomial through `values` at the points.
+    pub fn at(&self, values: &[f64], eta: f64) -> f64 {
+        values.iter().enumerate().map(|(l, value)| value * basis(&self.points, l, eta)).sum()
+    }
+
+    /// Mean across the film of values at the points.
+    pub fn mean(&self, values: &[f64]) -> f64 {
+        self.weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
+    }
+}
+
+/// Legendre's polynomial of a degree and its slope at `x` in -1..1, both ends excluded.
+fn legendre(degree: usize, x: f64) -> (f64, f64) {
+    let (mut before, mut value) = (1.0, x);
+    for k in 1..degree {
+        let k = k as f64;
+        (before, value) = (value, ((2.0 * k + 1.0) * x * value - k * before) / (k + 1.0));
+    }
+    (value, degree as f64 * (before - x * value) / (1.0 - x * x))
+}
+
+/// Steps of Newton's method from a guess that is near.
+const STEPS: usize = 30;
+
+/// Gauss points and weights of 0..1.
+fn gauss(count: usize) -> (Vec<f64>, Vec<f64>) {
+    let point = |i: usize| {
+        let mut x = -(std::f64::consts::PI * (i as f64 + 0.75) / (count as f64 + 0.5)).cos();
+        for _ in 0..STEPS {
+            let (value, slope) = legendre(count, x);
+            x -= value / slope;
+        }
+        let (_, slope) = legendre(count, x);
+        (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
+    };
+    (0..count).map(point).unzip()
+}
+
+/// Lobatto points and weights of 0..1: the ends, and the roots of the slope of Legendre's polynomial.
+fn lobatto(count: usize) -> (Vec<f64>, Vec<f64>) {
+    let n = count as f64;
+    let point = |i: usize| {
+        if i == 0 || i == count {
+            return (if i == 0 { 0.0 } else { 1.0 }, 1.0 / (n * (n + 1.0)));
+        }
+        let mut x = -(std::f64::consts::PI * i as f64 / n).cos();
+        for _ in 0..STEPS {
+            let (value, slope) = legendre(count, x);
+            let bend = (2.0 * x * slope - n * (n + 1.0) * value) / (1.0 - x * x);
+            x -= slope / bend;
+        }
+        let (value, _) = legendre(count, x);
+        (0.5 * (1.0 + x), 1.0 / (n * (n + 1.0) * value * value))
+    };
+    (0..=count).map(point).unzip()
+}
+
+/// The polynomial through `points` that is 1 at point `l` and 0 at the others.
+fn basis(points: &[f64], l: usize, x: f64) -> f64 {
+    let others = points.iter().enumerate().filter(|(m, _)| *m != l);
+    others.map(|(_, p)| (x - p) / (points[l] - p)).product()
+}
+
+/// Slope of [`basis`].
+fn basis_slope(points: &[f64], l: usize, x: f64) -> f64 {
+    let without = |left_out: usize| -> f64 {
+        let others = points.iter().enumerate().filter(|(m, _)| *m != l && *m != left_out);
+        others.map(|(_, p)| (x - p) / (points[l] - p)).product()
+    };
+    (0..points.len()).filter(|m| *m != l).map(|m| without(m) / (points[l] - points[m])).sum()
+}

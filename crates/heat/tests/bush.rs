@@ -1,0 +1,51 @@
+//! Conductances of a ring.
+
+use oilwedge_heat::{BushRing, BushShape};
+
+const SHAPE: BushShape = BushShape {
+    inner_radius: 0.05,
+    outer_radius: 0.1,
+    length: 0.08,
+    conductivity: 250.0,
+    transfer: 80.0,
+    ambient: 313.15,
+};
+
+/// Closed form; differences in r agree to 2e-6. Rows for cos(2 pi m z/L), columns n.
+#[test]
+fn conductances_of_the_closed_form() {
+    let expected = [
+        (0, [156.528_095_736_381_12, 21_987.885_171_031_42, 41_698.840_645_549_644]),
+        (1, [3_100.470_957_613_815, 22_503.875_479_365_59, 41_982.436_213_139_794]),
+        (2, [8_858.468_677_494_198, 23_997.486_743_762_925, 42_823.432_304_607_195]),
+        (5, [24_951.839_334_157_467, 32_814.063_380_423_42, 48_347.115_661_482_98]),
+    ];
+    for (n, row) in expected {
+        for (m, expected) in row.into_iter().enumerate() {
+            let value = SHAPE.conductance(n, 2 * m);
+            assert!((value / expected - 1.0).abs() < 1e-10, "{n} {m}: {value} for {expected}");
+        }
+    }
+}
+
+#[test]
+fn conductance_of_a_short_wave_is_that_of_its_length() {
+    for n in [0, 3, 60] {
+        let wave = std::f64::consts::PI * 200.0 / SHAPE.length;
+        let (value, thick) =
+            (SHAPE.conductance(n, 200), SHAPE.conductivity * wave.hypot(n as f64 / SHAPE.inner_radius));
+        assert!((value / thick - 1.0).abs() < 2e-3, "{n}: {value} for {thick}");
+    }
+}
+
+#[test]
+fn temperature_is_the_sum_of_the_modes() {
+    let ring = BushRing::new(SHAPE, 2, 1);
+    assert_eq!(ring.modes(), 10);
+    let mut modes = vec![0.0; 10];
+    (modes[0], modes[3], modes[8]) = (5.0, 2.0, 1.0);
+    let (angle, along): (f64, f64) = (0.7, 0.2);
+    let axial = (std::f64::consts::PI * (along + 0.5)).cos();
+    let expected = 313.15 + 5.0 + 2.0 * angle.cos() * axial + (2.0 * angle).sin();
+    assert!((ring.temperature(&modes, angle, along) - expected).abs() < 1e-12);
+}
