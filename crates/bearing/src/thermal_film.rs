@@ -1,4 +1,4 @@
-//! # Temperatures across the film, closed around it
+//! # LayerTemperatures across the film, closed around it
 //!
 //! **Equation.** The temperatures T at the points across the film give its viscosities; the film of those viscosities,
 //! in balance with its load, has flows and friction; these give temperatures G(T) ([`oilwedge_heat`], linear). What is
@@ -11,7 +11,9 @@
 //!
 //! **Method.** Anderson's mixing: the next T is the combination of the last few G(T) whose residuals, weighed by area,
 //! combine to the least one. Without it the temperatures go round for ever: hot oil thins the film there, which then
-//! carries its heat elsewhere.
+//! carries its heat elsewhere. A point whose residual goes back and forth takes a part of it: where oil turns back beside a
+//! feed, it is caught in a few cells, whose temperature answers to nothing else. The friction of a round falls as its oil
+//! warms ([`oilwedge_heat::Thinning`]).
 //!
 //! **Source.** Anderson, J. ACM 12 (1965) 547; Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715. **Range.** Steady films
 //! that conserve oil. **Verified by** `tests/tests/thermal_film.rs`.
@@ -21,21 +23,33 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 use oilwedge_fem::{Space, in_order};
 use oilwedge_heat::{
-    BushSide, FeedSupply, FilmCell, HeatFailure, HeatNetwork, HeatOfOil, HeatOptions, HeatSheet, JournalSide,
-    LayerProfile, Layers, MOST_POINTS, Temperatures, solve_heat,
+    BushSide, FeedSupply, FilmCell, FilmNetwork, JournalSide, LayerProfile, LayerTemperatures, Layers, MOST_POINTS,
+    NetworkFailure, NetworkOptions, OilProperties, PowerSheet, Thinning, solve as solve_network,
 };
-use oilwedge_reynolds::quantities::heat_network::{FilmNetwork, heat_network};
+use oilwedge_reynolds::quantities::heat_network::{NodeNetwork, heat_network};
 use oilwedge_reynolds::{AcrossFilm, SolvedFilm, ViscosityAcross};
 use rayon::prelude::*;
 
 /// Films whose temperatures are combined.
 const DEPTH: usize = 4;
-/// The temperatures are found where the next ones differ by no more than this [K].
+/// The temperatures are found where the next ones differ by no more than this [K] in the mean of squares over the film.
 const CLOSED: f64 = 2e-4;
+/// Temperatures of single points differ by no more than this then [K].
+const CLOSED_ANYWHERE: f64 = 5e-3;
 /// Most films.
-const MOST_ROUNDS: usize = 40;
+const MOST_ROUNDS: usize = 60;
+/// Residuals of a point that change their sign, and keep this part of their size, go back and forth.
+const BACK_AND_FORTH: f64 = 0.5;
+/// Part of its residual that a point which goes back and forth takes, over that of the step before.
+const SHORTER: f64 = 0.5;
+/// Growth of that part of a point which comes to rest.
+const LONGER: f64 = 1.2;
+/// Least part.
+const SHORTEST: f64 = 0.05;
 /// Singular values of the differences of residuals below this part of the greatest are rounding.
 const ROUNDING: f64 = 1e-10;
+/// Temperatures [K] whose difference shows how the viscosity falls.
+const APART: f64 = 0.01;
 /// Tolerance of the linear system of a round over the change of the round before [1/K].
 const OF_CHANGE: f64 = 1e-5;
 /// Tolerance of the linear system of the last round.
@@ -49,7 +63,7 @@ const CLOSED_GROWTH: f64 = 1e-6;
 #[derive(Debug, Clone)]
 pub struct HeatSurroundings {
     /// Heat capacity and conductivity of the oil.
-    pub oil: HeatOfOil,
+    pub oil: OilProperties,
     /// Temperature of the oil that is fed [K].
     pub inlet: f64,
     /// The wall at rest.
@@ -88,15 +102,15 @@ pub struct FilmHeat {
     /// Points across the film.
     pub layers: Layers,
     /// The film as it carries heat.
-    pub network: HeatNetwork,
+    pub network: FilmNetwork,
     /// Dof of each cell of the network.
     pub dofs: Vec<usize>,
     /// Number of each feed among the regions of the supply.
     pub feeds: Vec<usize>,
-    /// Temperatures of film, walls and feeds.
-    pub temperatures: Temperatures,
+    /// LayerTemperatures of film, walls and feeds.
+    pub temperatures: LayerTemperatures,
     /// Where the heat goes.
-    pub sheet: HeatSheet,
+    pub sheet: PowerSheet,
     /// What the clearance has grown by [m].
     pub growth: f64,
     /// How far the temperatures of each round were from balanced [K].
@@ -109,7 +123,7 @@ pub enum NoHeat<E> {
     /// There is no film in one of the rounds.
     NoFilm(E),
     /// The system of the temperatures could not be solved.
-    NotSolved(HeatFailure),
+    NotSolved(NetworkFailure),
     /// The film does not conserve oil.
     MakesOil,
     /// The control volumes do not fit in memory.
@@ -138,15 +152,15 @@ pub fn balance_heat<E>(
     let points = layers.points.len();
     let mut temperatures = vec![start; space.dofs() * points];
     let mut mixing = Mixing::default();
-    let (mut changes, mut last, mut growth): (Vec<f64>, Option<Temperatures>, f64) = (Vec::new(), None, 0.0);
+    let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, 0.0);
     loop {
         let profiles = profiles(layers, &temperatures, &viscosity);
         let across = Arc::new(ViscosityAcross::new(space, profiles.iter().map(across_film).collect()));
         let before = changes.last().copied().unwrap_or(f64::INFINITY);
         let film = solve(&HeatRound { across, growth, change: before }).map_err(NoHeat::NoFilm)?;
-        let FilmNetwork { dofs, cells, links, ports, feeds } =
+        let NodeNetwork { dofs, cells, links, ports, feeds } =
             heat_network(&film, surroundings.inlet).map_err(NoHeat::TooLarge)?.ok_or(NoHeat::MakesOil)?;
-        let network = HeatNetwork {
+        let network = FilmNetwork {
             oil: surroundings.oil,
             cells,
             links,
@@ -157,15 +171,23 @@ pub fn balance_heat<E>(
         };
         let profiles: Vec<LayerProfile> = dofs.iter().map(|&dof| profiles[dof]).collect();
         let tolerance = (OF_CHANGE * before).clamp(SOLVED, ROUGHLY_SOLVED);
-        let options = HeatOptions { tolerance, ..HeatOptions::default() };
-        let solved = solve_heat(&network, layers, &profiles, last.as_ref(), &options).map_err(NoHeat::NotSolved)?;
-        let found = solved.temperatures;
         let here: Vec<f64> = dofs.iter().flat_map(|dof| &temperatures[dof * points..][..points]).copied().collect();
-        let change = here.iter().zip(&found.layers).map(|(here, next)| (next - here).abs()).fold(0.0, f64::max);
+        let rates: Vec<f64> = here.iter().map(|&t| -((viscosity(t + APART) / viscosity(t)).ln() / APART)).collect();
+        let thinning = Some(Thinning { temperatures: &here, rates: &rates });
+        let options = NetworkOptions { tolerance, thinning, ..NetworkOptions::default() };
+        let solved = solve_network(&network, layers, &profiles, last.as_ref(), &options).map_err(NoHeat::NotSolved)?;
+        let found = solved.temperatures;
+        let [change, greatest] = differences(&network, &here, &found.layers);
         changes.push(change);
         let grown = surroundings.growth(&film, (layers, &network), &found);
-        if change < CLOSED && (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance {
-            let sheet = solved.sheet;
+        if change < CLOSED
+            && greatest < CLOSED_ANYWHERE
+            && (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance
+        {
+            let options = NetworkOptions { tolerance: SOLVED, ..NetworkOptions::default() };
+            let solved =
+                solve_network(&network, layers, &profiles, Some(&found), &options).map_err(NoHeat::NotSolved)?;
+            let (found, sheet) = (solved.temperatures, solved.sheet);
             let layers = layers.clone();
             return Ok(FilmHeat { layers, network, dofs, feeds, temperatures: found, sheet, growth, changes });
         }
@@ -180,6 +202,21 @@ pub fn balance_heat<E>(
     }
 }
 
+/// Root of the mean of squares over the film, and greatest one, of the differences of temperatures [K].
+fn differences(network: &FilmNetwork, here: &[f64], next: &[f64]) -> [f64; 2] {
+    let points = here.len() / network.cells.len();
+    let (mut area, mut squares, mut greatest) = (0.0, 0.0, 0.0f64);
+    for (c, cell) in network.cells.iter().enumerate() {
+        area += cell.wall_area;
+        for k in c * points..(c + 1) * points {
+            let off = (next[k] - here[k]).abs();
+            squares += cell.wall_area * off * off / points as f64;
+            greatest = if off.is_nan() { f64::INFINITY } else { greatest.max(off) };
+        }
+    }
+    [(squares / area).sqrt(), greatest]
+}
+
 /// Profiles of flow and heat at all dofs.
 fn profiles(layers: &Layers, temperatures: &[f64], viscosity: &(impl Fn(f64) -> f64 + Sync)) -> Vec<LayerProfile> {
     let profile = |at: &[f64]| {
@@ -192,16 +229,12 @@ fn profiles(layers: &Layers, temperatures: &[f64], viscosity: &(impl Fn(f64) -> 
 
 /// What stands for the viscosity of a film with a profile.
 fn across_film(profile: &LayerProfile) -> AcrossFilm {
-    AcrossFilm {
-        viscosity: 1.0 / (12.0 * profile.f2),
-        shear_viscosity: 1.0 / profile.f0,
-        drag: profile.drag_share(),
-    }
+    AcrossFilm { viscosity: 1.0 / (12.0 * profile.f2), shear_viscosity: 1.0 / profile.f0, drag: profile.drag_share() }
 }
 
 impl HeatSurroundings {
     /// What the clearance grows by [m] at these temperatures of the walls: that of the bush is the mean over its bore.
-    fn growth(&self, film: &SolvedFilm, (layers, network): (&Layers, &HeatNetwork), found: &Temperatures) -> f64 {
+    fn growth(&self, film: &SolvedFilm, (layers, network): (&Layers, &FilmNetwork), found: &LayerTemperatures) -> f64 {
         let Some(WallExpansion { journal, bush, at }) = self.expansion else {
             return 0.0;
         };
@@ -225,32 +258,41 @@ impl HeatSurroundings {
 struct Mixing {
     /// Pairs of an iterate and its residual, the last one last.
     kept: Vec<[Vec<f64>; 2]>,
+    /// Part of the residual of each point that a step takes: less where that goes back and forth.
+    parts: Vec<f64>,
 }
 
 impl Mixing {
     /// The next iterate, where the last one leads to `image`; residuals are weighed by `weight`.
     fn next(&mut self, here: Vec<f64>, image: &[f64], weight: impl Fn(usize) -> f64) -> Vec<f64> {
         let residual: Vec<f64> = image.iter().zip(&here).map(|(image, here)| image - here).collect();
+        self.parts.resize(residual.len(), 1.0);
+        if let Some([_, before]) = self.kept.last() {
+            for ((part, before), now) in self.parts.iter_mut().zip(before).zip(&residual) {
+                let goes_back = before * now < 0.0 && now.abs() > BACK_AND_FORTH * before.abs();
+                *part = if goes_back { (SHORTER * *part).max(SHORTEST) } else { (LONGER * *part).min(1.0) };
+            }
+        }
         self.kept.push([here, residual]);
         if self.kept.len() > DEPTH + 1 {
             self.kept.remove(0);
         }
         let (last, before) = self.kept.split_last().expect("an iterate");
+        let step = |k: usize, residual: f64| self.parts[k] * residual;
+        let mut next: Vec<f64> = (0..image.len()).map(|k| last[0][k] + step(k, last[1][k])).collect();
         if before.is_empty() {
-            return image.to_vec();
+            return next;
         }
         let roots: Vec<f64> = (0..image.len()).map(|k| weight(k).sqrt()).collect();
-        let differences =
-            DMatrix::from_fn(image.len(), before.len(), |k, j| roots[k] * (last[1][k] - before[j][1][k]));
+        let differences = DMatrix::from_fn(image.len(), before.len(), |k, j| roots[k] * (last[1][k] - before[j][1][k]));
         let wanted = DVector::from_fn(image.len(), |k, _| roots[k] * last[1][k]);
         // The normal equations are small; rounding is cut off where directions are nearly the same.
         let normal = (differences.tr_mul(&differences)).svd(true, true);
         let cut = ROUNDING * normal.singular_values.iter().copied().fold(0.0, f64::max);
-        let parts = normal.solve(&differences.tr_mul(&wanted), cut).unwrap_or_else(|_| DVector::zeros(before.len()));
-        let mut next = image.to_vec();
-        for (part, [x, r]) in parts.iter().zip(before) {
+        let shares = normal.solve(&differences.tr_mul(&wanted), cut).unwrap_or_else(|_| DVector::zeros(before.len()));
+        for (share, [x, r]) in shares.iter().zip(before) {
             for (k, next) in next.iter_mut().enumerate() {
-                *next -= part * (last[0][k] + last[1][k] - x[k] - r[k]);
+                *next -= share * (last[0][k] - x[k] + step(k, last[1][k] - r[k]));
             }
         }
         next

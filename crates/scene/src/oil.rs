@@ -103,10 +103,9 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
     if let (Some(example), Some(_)) = (wanted, &law) {
         table.require_as("temperature", example);
     }
-    let conductivity = table.number("conductivity").within(
-        "is not the heat conductivity of an oil",
-        "give some 0.13 W/(m.K), or remove it",
-    );
+    let conductivity = table
+        .number("conductivity")
+        .within("is not the heat conductivity of an oil", "give some 0.13 W/(m.K), or remove it");
     let conductivity = conductivity.or_usual();
     let high_shear = high_shear::read(&mut table);
     table.refuse_if(

@@ -3,7 +3,7 @@
 use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{BranchLimit, NoEquilibrium, Waypoint};
 use oilwedge_fem::newton::Failure;
-use oilwedge_heat::HeatFailure;
+use oilwedge_heat::NetworkFailure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::LawKind;
@@ -157,7 +157,7 @@ pub enum NoTemperature {
     },
     /// The linear system of the temperatures across the film was not solved.
     #[error("not converged: the temperatures across the film were not found: {}", told_of_heat(.0))]
-    Unsolved(HeatFailure),
+    Unsolved(NetworkFailure),
     /// The film does not conserve oil.
     #[error("no temperatures across the film: it makes oil; give [cavitation] the model jfo")]
     MakesOil,
@@ -194,11 +194,11 @@ impl NoTemperature {
 }
 
 /// Why the linear system of temperatures was not solved.
-fn told_of_heat(reason: &HeatFailure) -> String {
+fn told_of_heat(reason: &NetworkFailure) -> String {
     match reason {
-        HeatFailure::DryCell(_) => "no oil reaches a part of the film".to_owned(),
-        HeatFailure::DryFeed(_) => "no oil flows through a feed; remove it, or raise its pressure".to_owned(),
-        HeatFailure::Steps { steps, residual } => {
+        NetworkFailure::DryCell(_) => "no oil reaches a part of the film".to_owned(),
+        NetworkFailure::DryFeed(_) => "no oil flows through a feed; remove it, or raise its pressure".to_owned(),
+        NetworkFailure::Steps { steps, residual } => {
             format!("their linear system is left with {residual:.1e} after {steps} steps")
         }
     }

@@ -16,8 +16,8 @@ use oilwedge_fem::newton::Failure;
 
 pub use jfo::FilmFraction;
 pub(crate) use jfo::{
-    Carriage, FilmSides, PointChanges, cell_volumes, check_supply, film_sides, held_volume, oil_carried, residual_changes,
-    spread, work,
+    Carriage, FilmSides, PointChanges, cell_volumes, check_supply, film_sides, held_volume, oil_carried,
+    residual_changes, spread, work,
 };
 
 use crate::film_start::StepBudget;

@@ -17,10 +17,10 @@ mod vogel;
 pub mod walther;
 
 pub use density::Density;
+pub use exponential::ExponentialLaw;
 pub use grades::Grade;
 pub use saturating::Saturating;
 pub use temperature::{TemperatureLaw, ThermalOil, ViscosityTable};
-pub use exponential::ExponentialLaw;
 pub use vogel::Vogel;
 pub use walther::Walther;
 

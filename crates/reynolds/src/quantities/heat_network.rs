@@ -23,9 +23,12 @@ use crate::cavitation::{FilmSides, film_sides};
 use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
 
+/// Film fraction of a cell that no oil reaches: its little oil is as warm as the walls.
+const EMPTY: f64 = 1e-9;
+
 /// A film as a network of cells between which oil carries heat.
 #[derive(Debug, Clone, Default)]
-pub struct FilmNetwork {
+pub struct NodeNetwork {
     /// Dof of each cell.
     pub dofs: Vec<usize>,
     /// The cells.
@@ -57,7 +60,7 @@ struct CellSums {
 ///
 /// # Errors
 /// The sub-mesh does not fit in memory.
-pub fn heat_network(film: &SolvedFilm, inlet: f64) -> Result<Option<FilmNetwork>, Error> {
+pub fn heat_network(film: &SolvedFilm, inlet: f64) -> Result<Option<NodeNetwork>, Error> {
     let SolvedFilm { problem, system, solution } = film;
     let Some(fraction) = &solution.film_fraction else {
         return Ok(None);
@@ -81,7 +84,7 @@ pub fn heat_network(film: &SolvedFilm, inlet: f64) -> Result<Option<FilmNetwork>
         let (sum, [x, z]) = (&sums[dof], positions[dof]);
         FilmCell {
             thickness: sum.volume / sum.area,
-            film_fraction: fraction.values[dof].clamp(0.0, 1.0),
+            film_fraction: fraction.values[dof].clamp(EMPTY, 1.0),
             wall_area: sum.area,
             shear_power: sum.shear,
             driven_power: sum.driven,
@@ -114,7 +117,7 @@ pub fn heat_network(film: &SolvedFilm, inlet: f64) -> Result<Option<FilmNetwork>
         driven: side.driven,
     });
     let links = links.collect();
-    Ok(Some(FilmNetwork { dofs, cells, links, ports, feeds }))
+    Ok(Some(NodeNetwork { dofs, cells, links, ports, feeds }))
 }
 
 /// Adds to the nodes what shear makes of heat: that of each triangle by `theta/(h F0)` at its nodes.
@@ -146,7 +149,9 @@ fn add_geometry(film: &SolvedFilm, sides: &FilmSides, sums: &mut [CellSums]) {
     let velocity = film.problem.surface_velocity();
     for piece in &sides.pieces {
         let slope = [0, 1].map(|d| {
-            (0..3).map(|k| piece.gradients[k][d] * excess(&film.problem, film.solution.unknown[piece.dofs[k]])).sum::<f64>()
+            (0..3)
+                .map(|k| piece.gradients[k][d] * excess(&film.problem, film.solution.unknown[piece.dofs[k]]))
+                .sum::<f64>()
         });
         let along = velocity[0] * slope[0] + velocity[1] * slope[1];
         for k in 0..3 {

@@ -91,7 +91,11 @@ pub struct HeatExpansion {
 pub(super) fn read(table: &mut TableReader<'_>) -> Option<HeatField> {
     let is_asked = table.switch("field").unwrap_or(false);
     let layers = table.number("layers");
-    let layers = layers.which(|layers| LAYERS.contains(&layers), "is not 4, 6 or 8", "remove it, or give 6 or 8 where the film conducts little");
+    let layers = layers.which(
+        |layers| LAYERS.contains(&layers),
+        "is not 4, 6 or 8",
+        "remove it, or give 6 or 8 where the film conducts little",
+    );
     let layers = layers.or(USUAL_LAYERS);
     let field = HeatField {
         layers: if layers.is_nan() { 4 } else { layers as usize },
@@ -116,10 +120,7 @@ fn bush(mut table: TableReader<'_>) -> HeatBush {
 }
 
 fn journal(mut table: TableReader<'_>) -> HeatJournal {
-    HeatJournal {
-        conductance: table.required("conductance"),
-        ambient: table.oil_temperature("ambient").required(),
-    }
+    HeatJournal { conductance: table.required("conductance"), ambient: table.oil_temperature("ambient").required() }
 }
 
 fn expansion(mut table: TableReader<'_>) -> HeatExpansion {

@@ -1,7 +1,9 @@
 //! The oil that a scene describes.
 
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
-use oilwedge_reynolds::lubricant::{self as law, Density, ExponentialLaw, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
+use oilwedge_reynolds::lubricant::{
+    self as law, Density, ExponentialLaw, Grade, ThermalOil, ViscosityTable, Vogel, Walther,
+};
 use oilwedge_scene::{HighShear, Oil as Described, PointViscosity, Scene, TemperatureLaw, Viscosity};
 
 use crate::oil::{Oil, first_temperature};

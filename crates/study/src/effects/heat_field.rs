@@ -2,7 +2,7 @@
 
 use oilwedge_bearing::ThermalBalance;
 use oilwedge_bearing::thermal_film::{HeatSurroundings, WallExpansion};
-use oilwedge_heat::{BushRing, BushShape, BushSide, HeatOfOil, JournalSide, Layers};
+use oilwedge_heat::{BushRing, BushShape, BushSide, JournalSide, Layers, OilProperties};
 use oilwedge_scene::{HeatBush, Scene};
 
 use super::{BLANK, Effect, Socket, Sockets, changed, heat};
@@ -39,13 +39,14 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
             even: ThermalModel { balance, mixing: None, engine: heat.engine },
             layers,
             surroundings: HeatSurroundings {
-                oil: HeatOfOil { capacity: heat.heat_capacity, conductivity: scene.oil.conductivity },
+                oil: OilProperties { capacity: heat.heat_capacity, conductivity: scene.oil.conductivity },
                 inlet: heat.inlet,
                 bush: field.bush.map_or(BushSide::Adiabatic, |bush| ring(scene, &bush)),
-                journal: field.journal.map_or(
-                    JournalSide::Turning { conductance: 0.0, ambient: heat.inlet },
-                    |shaft| JournalSide::Turning { conductance: shaft.conductance, ambient: shaft.ambient },
-                ),
+                journal: field
+                    .journal
+                    .map_or(JournalSide::Turning { conductance: 0.0, ambient: heat.inlet }, |shaft| {
+                        JournalSide::Turning { conductance: shaft.conductance, ambient: shaft.ambient }
+                    }),
                 expansion: field.expansion.map(|walls| WallExpansion {
                     journal: walls.shaft,
                     bush: walls.bush,

@@ -37,9 +37,8 @@ pub(crate) fn solve(film: &Film, model: &HeatFieldModel, options: &SolveOptions)
         let accuracy = (PER_KELVIN * round.change).clamp(BALANCED, ROUGHLY_BALANCED);
         let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
         let leading = SolveOptions { accuracy: Some(accuracy), errors: Errors::Omitted, guess, ..*options };
-        let solved = isothermal(&near, &leading).or_else(|_| {
-            isothermal(&near, &SolveOptions { guess: InitialGuess::Cold, ..leading })
-        })?;
+        let solved = isothermal(&near, &leading)
+            .or_else(|_| isothermal(&near, &SolveOptions { guess: InitialGuess::Cold, ..leading }))?;
         let found = solved.primary.clone();
         last = solved;
         Ok(found)
@@ -76,8 +75,6 @@ fn none(reason: NoHeat<NoAnswer>) -> NoAnswer {
         NoHeat::NotSolved(reason) => NoAnswer::Temperature(NoTemperature::Unsolved(reason)),
         NoHeat::TooLarge(reason) => NoAnswer::Film(oilwedge_fem::newton::Failure::from(reason).into()),
         NoHeat::MakesOil => NoAnswer::Temperature(NoTemperature::MakesOil),
-        NoHeat::NotClosed { change, rounds } => {
-            NoAnswer::Temperature(NoTemperature::NotClosed { change, rounds })
-        }
+        NoHeat::NotClosed { change, rounds } => NoAnswer::Temperature(NoTemperature::NotClosed { change, rounds }),
     }
 }
