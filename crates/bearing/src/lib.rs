@@ -28,6 +28,8 @@ pub mod duty_cycle;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod estimate;
+pub mod film_heat;
+pub mod heat_round;
 mod hill;
 mod load;
 mod log_eccentricity;

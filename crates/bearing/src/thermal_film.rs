@@ -21,14 +21,12 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
-use oilwedge_fem::{Space, in_order};
-use oilwedge_heat::{
-    BushSide, FeedSupply, FilmCell, FilmNetwork, JournalSide, LayerProfile, LayerTemperatures, Layers, MOST_POINTS,
-    NetworkFailure, NetworkOptions, OilProperties, PowerSheet, Thinning, solve as solve_network,
-};
-use oilwedge_reynolds::quantities::heat_network::{NodeNetwork, heat_network};
-use oilwedge_reynolds::{AcrossFilm, SolvedFilm, ViscosityAcross};
-use rayon::prelude::*;
+use oilwedge_fem::Space;
+use oilwedge_heat::{FilmNetwork, LayerTemperatures, Layers};
+use oilwedge_reynolds::{SolvedFilm, ViscosityAcross};
+
+use crate::film_heat::FilmHeat;
+use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
 
 /// Films whose temperatures are combined.
 const DEPTH: usize = 4;
@@ -48,8 +46,6 @@ const LONGER: f64 = 1.2;
 const SHORTEST: f64 = 0.05;
 /// Singular values of the differences of residuals below this part of the greatest are rounding.
 const ROUNDING: f64 = 1e-10;
-/// Temperatures [K] whose difference shows how the viscosity falls.
-const APART: f64 = 0.01;
 /// Tolerance of the linear system of a round over the change of the round before [1/K].
 const OF_CHANGE: f64 = 1e-5;
 /// Tolerance of the linear system of the last round.
@@ -58,32 +54,6 @@ const SOLVED: f64 = 1e-10;
 const ROUGHLY_SOLVED: f64 = 1e-5;
 /// The clearance is found where its growth differs by no more than this part of it.
 const CLOSED_GROWTH: f64 = 1e-6;
-
-/// What surrounds a film whose temperatures are found.
-#[derive(Debug, Clone)]
-pub struct HeatSurroundings {
-    /// Heat capacity and conductivity of the oil.
-    pub oil: OilProperties,
-    /// Temperature of the oil that is fed [K].
-    pub inlet: f64,
-    /// The wall at rest.
-    pub bush: BushSide,
-    /// The wall that turns.
-    pub journal: JournalSide,
-    /// Change of the clearance with the temperatures of the walls; `None`: it does not change.
-    pub expansion: Option<WallExpansion>,
-}
-
-/// Expansion of journal and bush by their mean temperatures.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WallExpansion {
-    /// Coefficient of the journal [1/K].
-    pub journal: f64,
-    /// Coefficient of the bush [1/K].
-    pub bush: f64,
-    /// Temperature at which the clearance is known [K].
-    pub at: f64,
-}
 
 /// The film that a round asks for.
 #[derive(Debug, Clone)]
@@ -96,38 +66,13 @@ pub struct HeatRound {
     pub change: f64,
 }
 
-/// A film with its temperatures.
-#[derive(Debug, Clone)]
-pub struct FilmHeat {
-    /// Points across the film.
-    pub layers: Layers,
-    /// The film as it carries heat.
-    pub network: FilmNetwork,
-    /// Dof of each cell of the network.
-    pub dofs: Vec<usize>,
-    /// Number of each feed among the regions of the supply.
-    pub feeds: Vec<usize>,
-    /// LayerTemperatures of film, walls and feeds.
-    pub temperatures: LayerTemperatures,
-    /// Where the heat goes.
-    pub sheet: PowerSheet,
-    /// What the clearance has grown by [m].
-    pub growth: f64,
-    /// How far the temperatures of each round were from balanced [K].
-    pub changes: Vec<f64>,
-}
-
 /// Why the temperatures of a film were not found.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoHeat<E> {
     /// There is no film in one of the rounds.
     NoFilm(E),
-    /// The system of the temperatures could not be solved.
-    NotSolved(NetworkFailure),
-    /// The film does not conserve oil.
-    MakesOil,
-    /// The control volumes do not fit in memory.
-    TooLarge(oilwedge_fem::Error),
+    /// A round has no temperatures.
+    NoRound(NoRound),
     /// Rounds do not come nearer.
     NotClosed {
         /// Change of the last round [K].
@@ -135,6 +80,12 @@ pub enum NoHeat<E> {
         /// Films solved.
         rounds: usize,
     },
+}
+
+impl<E> From<NoRound> for NoHeat<E> {
+    fn from(reason: NoRound) -> Self {
+        Self::NoRound(reason)
+    }
 }
 
 /// Finds the temperatures at the points of `layers` across a film, from one temperature `start` [K] for all of it. `solve`
@@ -146,58 +97,35 @@ pub fn balance_heat<E>(
     surroundings: &HeatSurroundings,
     (space, layers): (&Space, &Layers),
     start: f64,
-    viscosity: impl Fn(f64) -> f64 + Sync,
+    viscosity: &(dyn Fn(f64) -> f64 + Sync),
     mut solve: impl FnMut(&HeatRound) -> Result<SolvedFilm, E>,
 ) -> Result<FilmHeat, NoHeat<E>> {
-    let points = layers.points.len();
-    let mut temperatures = vec![start; space.dofs() * points];
+    let mut layered = LayeredFilm::even((space, layers), start, viscosity);
     let mut mixing = Mixing::default();
     let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, 0.0);
     loop {
-        let profiles = profiles(layers, &temperatures, &viscosity);
-        let across = Arc::new(ViscosityAcross::new(space, profiles.iter().map(across_film).collect()));
         let before = changes.last().copied().unwrap_or(f64::INFINITY);
-        let film = solve(&HeatRound { across, growth, change: before }).map_err(NoHeat::NoFilm)?;
-        let NodeNetwork { dofs, cells, links, ports, feeds } =
-            heat_network(&film, surroundings.inlet).map_err(NoHeat::TooLarge)?.ok_or(NoHeat::MakesOil)?;
-        let network = FilmNetwork {
-            oil: surroundings.oil,
-            cells,
-            links,
-            ports,
-            feeds: vec![FeedSupply { temperature: surroundings.inlet }; feeds.len()],
-            bush: surroundings.bush.clone(),
-            journal: surroundings.journal,
-        };
-        let profiles: Vec<LayerProfile> = dofs.iter().map(|&dof| profiles[dof]).collect();
+        let film =
+            solve(&HeatRound { across: layered.across(space), growth, change: before }).map_err(NoHeat::NoFilm)?;
         let tolerance = (OF_CHANGE * before).clamp(SOLVED, ROUGHLY_SOLVED);
-        let here: Vec<f64> = dofs.iter().flat_map(|dof| &temperatures[dof * points..][..points]).copied().collect();
-        let rates: Vec<f64> = here.iter().map(|&t| -((viscosity(t + APART) / viscosity(t)).ln() / APART)).collect();
-        let thinning = Some(Thinning { temperatures: &here, rates: &rates });
-        let options = NetworkOptions { tolerance, thinning, ..NetworkOptions::default() };
-        let solved = solve_network(&network, layers, &profiles, last.as_ref(), &options).map_err(NoHeat::NotSolved)?;
+        let RoundHeat { network, dofs, feeds, here, solved } =
+            layered.round(surroundings, &film, last.as_ref(), (tolerance, true))?;
         let found = solved.temperatures;
         let [change, greatest] = differences(&network, &here, &found.layers);
         changes.push(change);
         let grown = surroundings.growth(&film, (layers, &network), &found);
-        if change < CLOSED
-            && greatest < CLOSED_ANYWHERE
-            && (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance
-        {
-            let options = NetworkOptions { tolerance: SOLVED, ..NetworkOptions::default() };
-            let solved =
-                solve_network(&network, layers, &profiles, Some(&found), &options).map_err(NoHeat::NotSolved)?;
-            let (found, sheet) = (solved.temperatures, solved.sheet);
-            let layers = layers.clone();
-            return Ok(FilmHeat { layers, network, dofs, feeds, temperatures: found, sheet, growth, changes });
+        let is_grown = (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance;
+        if change < CLOSED && greatest < CLOSED_ANYWHERE && is_grown {
+            let RoundHeat { solved, .. } = layered.round(surroundings, &film, Some(&found), (SOLVED, false))?;
+            let (temperatures, sheet, layers) = (solved.temperatures, solved.sheet, layers.clone());
+            return Ok(FilmHeat { layers, network, dofs, feeds, temperatures, sheet, growth, changes });
         }
         if changes.len() >= MOST_ROUNDS || !change.is_finite() {
             return Err(NoHeat::NotClosed { change, rounds: changes.len() });
         }
+        let points = layers.points.len();
         let next = mixing.next(here, &found.layers, |k| network.cells[k / points].wall_area);
-        for (next, &dof) in next.chunks_exact(points).zip(&dofs) {
-            temperatures[dof * points..][..points].copy_from_slice(next);
-        }
+        layered.set(&dofs, &next);
         (growth, last) = (grown, Some(found));
     }
 }
@@ -215,42 +143,6 @@ fn differences(network: &FilmNetwork, here: &[f64], next: &[f64]) -> [f64; 2] {
         }
     }
     [(squares / area).sqrt(), greatest]
-}
-
-/// Profiles of flow and heat at all dofs.
-fn profiles(layers: &Layers, temperatures: &[f64], viscosity: &(impl Fn(f64) -> f64 + Sync)) -> Vec<LayerProfile> {
-    let profile = |at: &[f64]| {
-        let mut viscosities = [0.0; MOST_POINTS];
-        viscosities.iter_mut().zip(at).for_each(|(mu, &temperature)| *mu = viscosity(temperature));
-        LayerProfile::of(layers, &viscosities[..at.len()])
-    };
-    in_order(temperatures.par_chunks(layers.points.len()).map(profile))
-}
-
-/// What stands for the viscosity of a film with a profile.
-fn across_film(profile: &LayerProfile) -> AcrossFilm {
-    AcrossFilm { viscosity: 1.0 / (12.0 * profile.f2), shear_viscosity: 1.0 / profile.f0, drag: profile.drag_share() }
-}
-
-impl HeatSurroundings {
-    /// What the clearance grows by [m] at these temperatures of the walls: that of the bush is the mean over its bore.
-    fn growth(&self, film: &SolvedFilm, (layers, network): (&Layers, &FilmNetwork), found: &LayerTemperatures) -> f64 {
-        let Some(WallExpansion { journal, bush, at }) = self.expansion else {
-            return 0.0;
-        };
-        let points = layers.points.len();
-        let area: f64 = network.cells.iter().map(|cell| cell.wall_area).sum();
-        let mean = |point: usize| {
-            let of = |(cell, t): (&FilmCell, &[f64])| cell.wall_area * t[point];
-            network.cells.iter().zip(found.layers.chunks_exact(points)).map(of).sum::<f64>() / area
-        };
-        let of_bush = match &network.bush {
-            BushSide::Ring(ring) => ring.shape.ambient + found.bush[0],
-            BushSide::Adiabatic | BushSide::Fixed(_) => mean(0),
-        };
-        let of_journal = found.journal.unwrap_or_else(|| mean(points - 1));
-        film.problem.bearing.radius * (bush * (of_bush - at) - journal * (of_journal - at))
-    }
 }
 
 /// Anderson's mixing: iterates, and what they lead to.

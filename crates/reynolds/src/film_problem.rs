@@ -363,6 +363,15 @@ impl FilmProblem {
         self.lubricant.viscosity * self.lubricant.pressure_law.viscosity_ratio(p)
     }
 
+    /// Viscosity [Pa s] of the film at a dof and the pressure `p` [Pa]: where it varies across the film, that by which
+    /// pressure drives oil.
+    pub fn viscosity_at_dof(&self, p: f64, dof: usize) -> f64 {
+        match &self.viscosity_across {
+            None => self.viscosity_at(p),
+            Some(across) => across.viscosity(dof) * self.lubricant.pressure_law.viscosity_ratio(p),
+        }
+    }
+
     /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell`
     /// as a quadrature rule has at once.
     pub(crate) fn unbent_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {

@@ -48,6 +48,11 @@ impl ViscosityAcross {
         Self { space: space.clone(), nodes }
     }
 
+    /// Viscosity by which pressure drives oil at a dof [Pa s].
+    pub(crate) fn viscosity(&self, dof: usize) -> f64 {
+        self.nodes[dof].viscosity
+    }
+
     /// Mean velocity of the oil dragged along at a dof, over that of the journal's surface [1].
     pub(crate) fn drag(&self, dof: usize) -> f64 {
         self.nodes[dof].drag

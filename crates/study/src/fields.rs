@@ -74,6 +74,42 @@ pub static VISCOSITY: FieldRow = FieldRow {
     what: "dynamic viscosity at the local pressure",
     interpolation: Interpolation::Quadratic,
 };
+/// Mean temperature across the film.
+pub static TEMPERATURE: FieldRow = FieldRow {
+    name: "temperature [C]",
+    label: "temperature",
+    symbol: "T",
+    unit: "degC",
+    what: "mean temperature across the film",
+    interpolation: Interpolation::Linear,
+};
+/// Temperature at the bush.
+pub static BUSH_TEMPERATURE: FieldRow = FieldRow {
+    name: "temperature_bush [C]",
+    label: "temperature at the bush",
+    symbol: "T_b",
+    unit: "degC",
+    what: "temperature of the film at the bore",
+    interpolation: Interpolation::Linear,
+};
+/// Temperature at the journal.
+pub static JOURNAL_TEMPERATURE: FieldRow = FieldRow {
+    name: "temperature_journal [C]",
+    label: "temperature at the journal",
+    symbol: "T_j",
+    unit: "degC",
+    what: "temperature of the film at the journal",
+    interpolation: Interpolation::Linear,
+};
+/// Greatest temperature across the film.
+pub static GREATEST_TEMPERATURE: FieldRow = FieldRow {
+    name: "temperature_max [C]",
+    label: "greatest temperature",
+    symbol: "T_max",
+    unit: "degC",
+    what: "greatest temperature across the film, walls included",
+    interpolation: Interpolation::Linear,
+};
 /// Pressure of contact.
 pub static CONTACT_PRESSURE: FieldRow = FieldRow {
     name: "contact_pressure",
@@ -139,16 +175,31 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 7] =
-    [&PRESSURE, &FILM_THICKNESS, &DEFLECTION, &FILM_FRACTION, &VISCOSITY, &CONTACT_PRESSURE, &ERROR_INDICATOR];
-
-/// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 12] = [
+pub static FIELDS: [&FieldRow; 11] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
+    &TEMPERATURE,
+    &GREATEST_TEMPERATURE,
+    &BUSH_TEMPERATURE,
+    &JOURNAL_TEMPERATURE,
+    &CONTACT_PRESSURE,
+    &ERROR_INDICATOR,
+];
+
+/// All fields of `film.vtu`.
+pub static FILE_FIELDS: [&FieldRow; 16] = [
+    &PRESSURE,
+    &FILM_THICKNESS,
+    &DEFLECTION,
+    &FILM_FRACTION,
+    &VISCOSITY,
+    &TEMPERATURE,
+    &GREATEST_TEMPERATURE,
+    &BUSH_TEMPERATURE,
+    &JOURNAL_TEMPERATURE,
     &CONTACT_PRESSURE,
     &ERROR_INDICATOR,
     &ANGLE,

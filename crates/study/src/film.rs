@@ -6,8 +6,8 @@ mod reuse;
 
 use std::sync::Arc;
 
+use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_bearing::orbit::Instant;
-use oilwedge_bearing::thermal_film::FilmHeat;
 use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
 use oilwedge_reynolds::film_thickness::Eccentricity;
 use oilwedge_reynolds::lubricant::Lubricant;

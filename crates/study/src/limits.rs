@@ -9,7 +9,7 @@ use crate::quantities::{
     CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN,
     CYCLE_MIDDLE_FILM_MIN, CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM,
     FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE,
-    TEMPERATURE_OUTLET,
+    TEMPERATURE_MAX, TEMPERATURE_OUTLET,
 };
 use crate::result::{Accuracy, Criterion, Origin};
 use crate::thermal_model::ThermalModel;
@@ -45,8 +45,12 @@ impl Compared<'_> {
         Some((quantity.value, accuracy))
     }
 
-    /// Temperature of the film [degrees C], with the bar of the one found; a given one is exact.
+    /// Temperature of the film [degrees C], the greatest where it varies across the film, with the bar of the one found; a
+    /// given one is exact.
     fn temperature(&self) -> Option<Judged> {
+        if let Some(hottest) = self.value(&[&TEMPERATURE_MAX]) {
+            return Some(hottest);
+        }
         let found = self.value(&[&TEMPERATURE_EFFECTIVE, &CYCLE_TEMPERATURE]);
         let accuracy = found.map_or(Accuracy::Within(0.0), |(_, accuracy)| accuracy);
         Some((self.temperature? - ZERO_CELSIUS, accuracy))

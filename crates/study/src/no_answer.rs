@@ -1,5 +1,6 @@
 //! Why a scene has no film, no position or no temperature, and the way out.
 
+use oilwedge_bearing::heat_round::NoRound;
 use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{BranchLimit, NoEquilibrium, Waypoint};
 use oilwedge_fem::newton::Failure;
@@ -155,12 +156,9 @@ pub enum NoTemperature {
         /// The film of the last one.
         last: PowersAt,
     },
-    /// The linear system of the temperatures across the film was not solved.
-    #[error("not converged: the temperatures across the film were not found: {}", told_of_heat(.0))]
-    Unsolved(NetworkFailure),
-    /// The film does not conserve oil.
-    #[error("no temperatures across the film: it makes oil; give [cavitation] the model jfo")]
-    MakesOil,
+    /// A round of the temperatures across the film has none.
+    #[error("{}", told_of_heat(.0))]
+    NoRound(NoRound),
     /// Temperatures across the film do not come to rest.
     #[error(
         "not converged: after {rounds} rounds the temperatures across the film still change by {change:.2e} K; give a finer mesh ([mesh] size), or heat.layers = 6"
@@ -186,22 +184,30 @@ impl NoTemperature {
     /// True if there may be one.
     fn is_unreached(&self) -> bool {
         match self {
-            Self::Ended { .. } | Self::NotFound { .. } | Self::Unsolved(_) | Self::NotClosed { .. } => true,
+            Self::Ended { .. } | Self::NotFound { .. } | Self::NotClosed { .. } => true,
             Self::NoFilmBeyond { reason, .. } => reason.is_unreached(),
-            Self::TooHot { .. } | Self::MakesOil => false,
+            Self::TooHot { .. } => false,
+            Self::NoRound(reason) => *reason != NoRound::MakesOil,
         }
     }
 }
 
-/// Why the linear system of temperatures was not solved.
-fn told_of_heat(reason: &NetworkFailure) -> String {
-    match reason {
-        NetworkFailure::DryCell(_) => "no oil reaches a part of the film".to_owned(),
-        NetworkFailure::DryFeed(_) => "no oil flows through a feed; remove it, or raise its pressure".to_owned(),
-        NetworkFailure::Steps { steps, residual } => {
+/// Why a round has no temperatures.
+fn told_of_heat(reason: &NoRound) -> String {
+    let why = match reason {
+        NoRound::MakesOil => {
+            return "no temperatures across the film: it makes oil; give [cavitation] the model jfo".to_owned();
+        }
+        NoRound::TooLarge(error) => error.to_string(),
+        NoRound::NotSolved(NetworkFailure::DryCell(_)) => "no oil reaches a part of the film".to_owned(),
+        NoRound::NotSolved(NetworkFailure::DryFeed(_)) => {
+            "no oil flows through a feed; remove it, or raise its pressure".to_owned()
+        }
+        NoRound::NotSolved(NetworkFailure::Steps { steps, residual }) => {
             format!("their linear system is left with {residual:.1e} after {steps} steps")
         }
-    }
+    };
+    format!("not converged: the temperatures across the film were not found: {why}")
 }
 
 /// Power that warms a film, and what takes it off, at one temperature.

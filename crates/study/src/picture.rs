@@ -3,12 +3,15 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
+use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_reynolds::SolvedFilm;
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::quantities::stream::streams;
 
 use crate::fields::{
-    ANGLE, AXIAL_PLACE, BEARING_STRESS, CONTACT_PRESSURE, DEFLECTION, ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS,
-    FieldRow, JOURNAL_STRESS, PRESSURE, VISCOSITY, VOLUME_FLOW,
+    ANGLE, AXIAL_PLACE, BEARING_STRESS, BUSH_TEMPERATURE, CONTACT_PRESSURE, DEFLECTION, ERROR_INDICATOR, FILM_FRACTION,
+    FILM_THICKNESS, FieldRow, GREATEST_TEMPERATURE, JOURNAL_STRESS, JOURNAL_TEMPERATURE, PRESSURE, TEMPERATURE,
+    VISCOSITY, VOLUME_FLOW,
 };
 use crate::film::Film;
 use crate::film_lines::film_lines;
@@ -137,6 +140,9 @@ pub fn picture(
         [radius * cos, radius * sin, z]
     };
     let mut point_data = pointwise(solved, &nodes);
+    if let Some(heat) = &film.heat {
+        point_data.extend(temperatures(film, heat, &nodes));
+    }
     point_data.extend(places(film, &nodes, surface));
     if fields == FieldChoice::All {
         point_data.extend(streaming(solved, (&nodes, &cells), surface));
@@ -167,7 +173,7 @@ fn pointwise(film: &SolvedFilm, nodes: &Nodes) -> Vec<PictureField> {
         .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
         .collect();
     let contact = (problem.contact).map(|contact| thickness.iter().map(|&gap| contact.law.at(gap).pressure).collect());
-    let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
+    let viscosity = (pressure.iter().zip(&nodes.dofs)).map(|(&p, &dof)| problem.viscosity_at_dof(p, dof)).collect();
     let mut fields =
         vec![scalars(&PRESSURE, pressure), scalars(&FILM_THICKNESS, thickness), scalars(&VISCOSITY, viscosity)];
     fields.extend(contact.map(|pressure| scalars(&CONTACT_PRESSURE, pressure)));
@@ -180,6 +186,19 @@ fn pointwise(film: &SolvedFilm, nodes: &Nodes) -> Vec<PictureField> {
         fields.push(scalars(&FILM_FRACTION, values));
     }
     fields
+}
+
+/// Temperatures [degrees C] at each node, those of the oil fed where a feed covers the film.
+fn temperatures(film: &Film, heat: &FilmHeat, nodes: &Nodes) -> [PictureField; 4] {
+    let (points, fed) = (heat.layers.points.len(), film.model.sockets.heat_field.as_ref());
+    let fed = fed.map_or(0.0, |model| model.surroundings.inlet);
+    let mut at_dofs = vec![[fed - ZERO_CELSIUS; 4]; film.system.space().dofs()];
+    for (at, &dof) in heat.temperatures.layers.chunks_exact(points).zip(&heat.dofs) {
+        let greatest = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        at_dofs[dof] = [heat.layers.mean(at), greatest, at[0], at[points - 1]].map(|t| t - ZERO_CELSIUS);
+    }
+    let rows = [&TEMPERATURE, &GREATEST_TEMPERATURE, &BUSH_TEMPERATURE, &JOURNAL_TEMPERATURE];
+    [0, 1, 2, 3].map(|k| scalars(rows[k], nodes.dofs.iter().map(|&dof| at_dofs[dof][k]).collect()))
 }
 
 /// Where each node is on the liner. On a closed ring the angle jumps at one line, in the plane nowhere.

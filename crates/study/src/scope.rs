@@ -35,6 +35,10 @@ pub struct Scope {
     pub is_by_temperature: bool,
     /// How the temperature of the film is found; `None`: it is given, or has no effect.
     pub thermal: Option<ThermalModel>,
+    /// Whether temperatures are found across the film.
+    pub has_heat_field: bool,
+    /// Whether a bush around the film conducts heat.
+    pub has_heat_bush: bool,
     /// What is asked about small motions of the journal.
     pub dynamics: Option<Dynamics>,
     /// The length [m] by which the film is judged at its ends; `None` where it is not.

@@ -1,7 +1,7 @@
 //! How the temperature of a film is found: what the balance of its heat is made of.
 
 use oilwedge_bearing::ThermalBalance;
-use oilwedge_bearing::thermal_film::HeatSurroundings;
+use oilwedge_bearing::heat_round::HeatSurroundings;
 use oilwedge_heat::Layers;
 use oilwedge_scene::{Engine, Mixing};
 

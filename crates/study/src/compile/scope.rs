@@ -24,6 +24,8 @@ impl Scope {
             gives_way: scene.liner.is_some(),
             is_by_temperature: matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)),
             thermal: sockets.thermal,
+            has_heat_field: sockets.heat_field.is_some(),
+            has_heat_bush: scene.heat.and_then(|heat| heat.field?.bush).is_some(),
             dynamics: sockets.dynamics,
             deviation_scale: scene.deviation_scale(),
             cap: scene.cap,

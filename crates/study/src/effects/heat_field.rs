@@ -1,7 +1,7 @@
 //! The temperature as a field: across the film and along it, in the bush, the journal and the feeds.
 
 use oilwedge_bearing::ThermalBalance;
-use oilwedge_bearing::thermal_film::{HeatSurroundings, WallExpansion};
+use oilwedge_bearing::heat_round::{HeatSurroundings, WallExpansion};
 use oilwedge_heat::{BushRing, BushShape, BushSide, JournalSide, Layers, OilProperties};
 use oilwedge_scene::{HeatBush, Scene};
 

@@ -6,6 +6,7 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::supply::BoundaryKind;
 
 use super::friction::FRICTION_POWER;
+use super::heat_field::{HEAT_BUSH, HEAT_JOURNAL, HEAT_POWER, heat};
 use super::motion::MOTION_POWER;
 use super::quantity::Quantity;
 use super::row::{Headline, Measure::One, Row, Table};
@@ -16,8 +17,8 @@ use crate::estimate::{Estimate, Scaled};
 use crate::thermal::flows::thermal_flows;
 
 rows! {
-    /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none
-    /// where the oil has one viscosity
+    /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`, and with
+    /// `heat.field` the mean over its oil; none where the oil has one viscosity
     TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "mean temperature of the film":
         One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
         ErrorRule::Temperature(|_| Some(1.0)), only(|scope| scope.is_by_temperature) headline(Headline::Always(8));
@@ -43,17 +44,25 @@ rows! {
         in_table(Table::Temperature) only(|scope| scope.thermal.is_some_and(|model| model.mixing.is_some()));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m
-    /// the hot oil carried over for each part of fresh oil; none without `[heat]`
+    /// the hot oil carried over for each part of fresh oil; with `heat.field` the mean by flow of what leaves the ends;
+    /// none without `[heat]`
     TEMPERATURE_OUTLET = "temperature_outlet", "t_out", Celsius, "of the oil that leaves it":
-        One(|film| end(film, 1)),
+        One(|film| match heat(film) {
+            Some(heat) => heat.sheet.outlet.map(|t| t - ZERO_CELSIUS),
+            None => end(film, 1),
+        }),
         ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[1])),
-        in_table(Table::Temperature) only(|scope| scope.thermal.is_some()) headline(Headline::Always(9));
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some() || scope.has_heat_field)
+        headline(Headline::Always(9));
 
     /// `P_oil = rho c Q_out (t_out - t_0)`; none without `[heat]`
     HEAT_CARRIED = "heat_carried", "P_oil", Watt, "heat that the oil carries off":
-        One(|film| found(film).map(|(balance, temperature, film)| balance.carried(temperature, &film))),
+        One(|film| match heat(film) {
+            Some(heat) => Some(heat.sheet.carried),
+            None => found(film).map(|(balance, temperature, film)| balance.carried(temperature, &film)),
+        }),
         ErrorRule::Balance(|warming| warming.power, carried_per_kelvin),
-        in_table(Table::Temperature) only(|scope| scope.thermal.is_some());
+        in_table(Table::Temperature) only(|scope| scope.thermal.is_some() || scope.has_heat_field);
 
     /// `P_h = G (t_m - t_a)`: G the conductance of the housing, t_a the temperature around it; none without
     /// `heat.housing`
@@ -108,6 +117,10 @@ pub fn left_over(quantities: &[Quantity]) -> f64 {
         return 0.0;
     };
     let part = |row: &Row| value(row).unwrap_or(0.0);
+    if let Some(power) = value(&HEAT_POWER) {
+        let given = carried + part(&HEAT_BUSH) + part(&HEAT_JOURNAL);
+        return if power == 0.0 { 0.0 } else { ((power - given) / power).abs() };
+    }
     match part(&FRICTION_POWER) + part(&MOTION_POWER) {
         0.0 => 0.0,
         power => ((power - carried - part(&HEAT_HOUSING)) / power).abs(),

@@ -24,6 +24,7 @@ mod deviation;
 mod flow;
 mod friction;
 mod heat;
+mod heat_field;
 mod liner;
 mod load;
 mod motion;
@@ -50,6 +51,7 @@ pub use deviation::*;
 pub use flow::*;
 pub use friction::*;
 pub use heat::*;
+pub use heat_field::*;
 pub use liner::*;
 pub use load::*;
 pub use motion::*;
@@ -69,7 +71,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 133] = [
+pub static CATALOGUE: [&Row; 144] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -153,6 +155,17 @@ pub static CATALOGUE: [&Row; 133] = [
     &TEMPERATURE_OUTLET,
     &HEAT_CARRIED,
     &HEAT_HOUSING,
+    &TEMPERATURE_MAX,
+    &TEMPERATURE_MAX_ANGLE,
+    &TEMPERATURE_MAX_Z,
+    &TEMPERATURE_JOURNAL,
+    &TEMPERATURE_BUSH_MAX,
+    &TEMPERATURE_BUSH_MAX_ANGLE,
+    &TEMPERATURE_BUSH_MEAN,
+    &FEED_TEMPERATURE,
+    &HEAT_POWER,
+    &HEAT_BUSH,
+    &HEAT_JOURNAL,
     &PRESSURE_INTEGRAL,
     &REGION_LOAD_X,
     &REGION_LOAD_Y,

@@ -1,6 +1,9 @@
 //! A film whose temperatures are found across it: from the film of one temperature, round by round.
 
+use std::sync::Arc;
+
 use oilwedge_bearing::InitialGuess;
+use oilwedge_bearing::heat_round::NoRound;
 use oilwedge_bearing::thermal_film::{HeatRound, NoHeat, balance_heat};
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -43,9 +46,10 @@ pub(crate) fn solve(film: &Film, model: &HeatFieldModel, options: &SolveOptions)
         last = solved;
         Ok(found)
     };
-    let found = balance_heat(&model.surroundings, (space, &model.layers), start, viscosity, round);
+    let found = balance_heat(&model.surroundings, (space, &model.layers), start, &viscosity, round);
     let found = found.map_err(none)?;
-    let film = Film { heat: Some(std::sync::Arc::new(found)), ..last.film.clone() };
+    let mean = last.film.at_temperature(found.mean());
+    let film = Film { heat: Some(Arc::new(found)), ..mean };
     let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
     let solved = isothermal(&film, &SolveOptions { guess, ..*options })?;
     Ok(solved)
@@ -72,9 +76,10 @@ impl Film {
 fn none(reason: NoHeat<NoAnswer>) -> NoAnswer {
     match reason {
         NoHeat::NoFilm(reason) => reason,
-        NoHeat::NotSolved(reason) => NoAnswer::Temperature(NoTemperature::Unsolved(reason)),
-        NoHeat::TooLarge(reason) => NoAnswer::Film(oilwedge_fem::newton::Failure::from(reason).into()),
-        NoHeat::MakesOil => NoAnswer::Temperature(NoTemperature::MakesOil),
+        NoHeat::NoRound(NoRound::TooLarge(reason)) => {
+            NoAnswer::Film(oilwedge_fem::newton::Failure::from(reason).into())
+        }
+        NoHeat::NoRound(reason) => NoAnswer::Temperature(NoTemperature::NoRound(reason)),
         NoHeat::NotClosed { change, rounds } => NoAnswer::Temperature(NoTemperature::NotClosed { change, rounds }),
     }
 }
