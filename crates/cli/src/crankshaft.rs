@@ -12,7 +12,7 @@ use oilwedge_report::page::{PAGE_FILE, SceneFile, shaft_page};
 use oilwedge_report::plot::{load_figures, orbit_figures, shaft_figures};
 use oilwedge_report::shaft::{ShaftBeside, write_shaft};
 use oilwedge_report::shaft_view::ShaftViews;
-use oilwedge_report::tables::shaft_report;
+use oilwedge_report::tables::{Written, shaft_report};
 use oilwedge_scene::{SceneError, ShaftScene};
 use oilwedge_study::RunOptions;
 use oilwedge_study::shaft::{
@@ -101,11 +101,11 @@ pub(crate) fn solve(asked: ShaftRequest) -> Result<ExitCode, Failure> {
     let pictures = drawn(asked.folder, &run, &views)? + &asked.page.written(asked.folder, PAGE_FILE, page)?;
     let bearings = scene.crankshaft.bearings.len();
     complain::warn_of_sweep(scene.sweep.as_ref().map(|plan| plan.cases() * bearings));
-    complain::warn(&run.result.warnings);
+    complain::warn(&run.result.tail.warnings);
     output(
         asked.shown == ShaftOutput::Json,
         || Ok(text),
-        || shaft_report(&run.result, &beside, asked.folder, (&files, &pictures)),
+        || shaft_report(&run.result, &beside, Written { folder: asked.folder, files: &files, pictures: &pictures }),
         Some(asked.folder),
     )?;
     Ok(exit_code(run.result.head.status))

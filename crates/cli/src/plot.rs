@@ -179,7 +179,7 @@ impl Plot {
             &Records::default(),
             ResultCompanions { picture: picture.as_deref(), orbit: orbit.as_deref() },
         )?;
-        complain::warn(&run.result.warnings);
+        complain::warn(&run.result.tail.warnings);
         let mut text = written(&folder, &figures)?;
         if let Some(reason) = &run.result.head.reason {
             text += &format!("{}\n", printable(reason));

@@ -228,7 +228,7 @@ impl Solve {
         let picture = picture.transpose()?;
         let folder = self.run.folder();
         let _writing = interrupt::writing();
-        write_results(
+        let files = write_results(
             &folder,
             &run.result,
             &records,
@@ -237,8 +237,8 @@ impl Solve {
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
         complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
-        complain::warn(&run.result.warnings);
-        let written = Written { folder: &folder, has_fields: picture.is_some(), pictures: &drawn };
+        complain::warn(&run.result.tail.warnings);
+        let written = Written { folder: &folder, files: &files, pictures: &drawn };
         output(
             self.run.json,
             || Ok(json),
@@ -262,9 +262,10 @@ impl Solve {
             let none = Records::default();
             let written = || -> Result<(), Failure> {
                 let text = result_json(&result, &none)?;
-                write_results(&folder, &result, &none, ResultCompanions { picture: None, orbit: orbit.as_deref() })?;
-                complain::warn(&result.warnings);
-                let written = Written { folder: &folder, has_fields: false, pictures: "" };
+                let beside = ResultCompanions { picture: None, orbit: orbit.as_deref() };
+                let files = write_results(&folder, &result, &none, beside)?;
+                complain::warn(&result.tail.warnings);
+                let written = Written { folder: &folder, files: &files, pictures: "" };
                 output(json, || Ok(text), || run_report(&result, shown, &none, Some(written)), Some(&folder))
             };
             match written() {

@@ -36,8 +36,7 @@ use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::picture::FilmPicture;
-use oilwedge_study::result::{MeshFacts, ResultHead, RunResult};
-use oilwedge_study::warning::Warning;
+use oilwedge_study::result::{Criterion, MeshFacts, ResultHead, ResultTail, RunResult};
 use rayon::prelude::*;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -179,12 +178,9 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
     let quantities = quantities(result);
     let mut page = Page {
         kind: "film",
-        verdict: Outcome::of(&result.criteria, result.head.status),
         cards: cards(&quantities, &result.effects),
         quantities,
-        criteria: criteria_sheet(&result.criteria),
         film_title: "The film".to_owned(),
-        warnings: texts(&result.warnings),
         balances: balances::of_film(result),
         assumptions: tables::assumptions(result),
         mesh: mesh_in_words(&result.mesh),
@@ -194,8 +190,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
             .collect(),
         tables: compared(records, result),
         timings: tables::timings_of_film(result, records),
-        command: command("solve", result.bars),
-        ..head(&result.head, &result.effects, extras.files)
+        ..of_run((&result.head, &result.tail), (&result.criteria, result.bars), &result.effects, extras.files)
     };
     let options = [
         records.cost.as_ref().map(|_| " --cost"),
@@ -272,6 +267,23 @@ fn head(head: &ResultHead, effects: &Effects, files: &[SceneFile]) -> Page {
     }
 }
 
+/// What the page of a run has: what is judged by these criteria, with error bars or without, warnings, times.
+fn of_run(
+    (head, tail): (&ResultHead, &ResultTail),
+    (criteria, bars): (&[Criterion], bool),
+    effects: &Effects,
+    files: &[SceneFile],
+) -> Page {
+    Page {
+        verdict: Outcome::of(criteria, head.status),
+        criteria: criteria_sheet(criteria),
+        warnings: tail.warnings.iter().map(|warning| warning.text.clone()).collect(),
+        timings: tables::timings(tail),
+        command: command("solve", bars),
+        ..self::head(head, effects, files)
+    }
+}
+
 /// What the script draws of a film, and what the page says of it.
 fn film_data(film: &DrawnFilm, picture: &FilmPicture) -> Result<(FilmData, Option<String>), Error> {
     if picture.points.len() <= MOST_NODES {
@@ -321,10 +333,6 @@ fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
     let mut all = comparisons(records, result);
     all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
     all.iter().filter_map(|it| sheet(it).if_any()).collect()
-}
-
-fn texts(warnings: &[Warning]) -> Vec<String> {
-    warnings.iter().map(|warning| warning.text.clone()).collect()
 }
 
 fn mesh_in_words(mesh: &MeshFacts) -> String {

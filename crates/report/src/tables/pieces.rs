@@ -6,13 +6,23 @@ pub use oilwedge_scene::wording::printable;
 
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_study::effects::Effects;
-use oilwedge_study::result::{MeshFacts, Status};
+use oilwedge_study::result::{MeshFacts, ResultHead, Status};
 
 use crate::digits::significant;
 
 /// Title and status.
 pub fn heading(title: &str, status: &str) -> String {
     format!("{}: {status}", printable(title))
+}
+
+/// The text of a whole run: title and status, the reason if there is one, its tables, and lines, of which the verdict
+/// is the last.
+pub(super) fn whole_run(head: &ResultHead, tables: Vec<String>, lines: &[String]) -> String {
+    let mut parts = vec![heading(&head.title, status(head.status))];
+    parts.extend(head.reason.iter().map(|reason| format!("reason: {reason}")));
+    parts.extend(tables);
+    parts.push(lines.join("\n"));
+    parts.join("\n\n") + "\n"
 }
 
 /// A status in words.

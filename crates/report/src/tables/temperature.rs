@@ -4,7 +4,6 @@ use super::pieces::table;
 use super::quantities::quantities;
 use super::shown::Shown;
 use crate::digits::significant;
-use crate::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{RunResult, TemperatureReport};
 
@@ -19,14 +18,6 @@ pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
         |quantity: &&Quantity| quantity.row.table == Table::Temperature || quantity.row == &TEMPERATURE_EFFECTIVE;
     let list = quantities(result.quantities.iter().filter(is_shown), result.bars);
     Some(format!("balance of heat\n{list}\n{}", curve(report)))
-}
-
-/// The files of the curves.
-pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
-    match &result.temperature {
-        Some(report) if !report.curve.is_empty() => &TEMPERATURE_FILES,
-        _ => &[],
-    }
 }
 
 /// Friction and heat carried off at temperatures around that found.

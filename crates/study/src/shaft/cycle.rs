@@ -69,7 +69,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
             }
         }
     }
-    run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    run.result.tail.took("orbits", clock.elapsed().as_secs_f64());
     Ok(run)
 }
 
@@ -98,13 +98,13 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     }
     temperatures.begin_again();
     let found = at_temperatures(scene, engine, (&compiled, &mut temperatures), (&start, &march), options);
-    run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    run.result.tail.took("orbits", clock.elapsed().as_secs_f64());
     let compiled = temperatures.applied(&compiled);
     let outcome = found.and_then(|orbit| {
         let clock = Instant::now();
         let found = (&orbit, &*start, &march);
         let outcome = report(scene, engine, (&compiled, &temperatures), found, options, &mut run);
-        run.result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
+        run.result.tail.took("measure", clock.elapsed().as_secs_f64());
         outcome?;
         let last = orbit.cycles.last().map_or(0.0, |cycle| cycle.closure);
         ended(&mut run, orbit.end, (orbit.cycles.len(), last), options);
@@ -337,7 +337,7 @@ fn add(
     let estimated = estimate_errors(&followed.solved);
     let warnings = all_warnings(&bearing.film.oil, &followed.solved, &estimated, options.errors());
     let named = |warning: Warning| warning.of(&BearingReport::part(&bearing.name));
-    (run.result.warnings).extend(warnings.into_iter().map(named));
+    (run.result.tail.warnings).extend(warnings.into_iter().map(named));
     let arm = bearing.coordinates().arm;
     let tilts = followed.path.spans.iter().map(|span| {
         let [_, _, x, y] = span.places[0];

@@ -9,7 +9,7 @@ use super::weights::CounterweightReport;
 use crate::limits::design_criteria;
 use crate::orbit::{CycleFacts, OrbitPath};
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
-use crate::result::{Criterion, Geometry, ResultHead, in_order, named};
+use crate::result::{Criterion, Geometry, ResultHead, ResultTail, named};
 use crate::warning::Warning;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 
@@ -69,11 +69,9 @@ pub struct ShaftResult {
     pub counterweights: Option<CounterweightReport>,
     /// Films solved to find the balance, on the meshes of the result.
     pub films: usize,
-    /// Wall time of each part [s]; an object keyed by part in JSON.
-    #[serde(with = "in_order")]
-    pub timing_s: Vec<(String, f64)>,
-    /// Doubts about the result, in sentences.
-    pub warnings: Vec<Warning>,
+    /// Times and warnings.
+    #[serde(flatten)]
+    pub tail: ResultTail,
 }
 
 /// What is left of the balances of a shaft, greatest over a cycle.
@@ -183,7 +181,7 @@ impl ShaftResult {
     /// The warnings about a bearing.
     pub fn warnings_of<'a>(&'a self, bearing: &'a BearingReport) -> impl Iterator<Item = &'a Warning> {
         let part = format!("{}: ", BearingReport::part(&bearing.name));
-        self.warnings.iter().filter(move |warning| warning.starts_with(&part))
+        self.tail.warnings.iter().filter(move |warning| warning.starts_with(&part))
     }
 
     /// What is known of a run whatever its outcome.
