@@ -13,7 +13,6 @@ use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page};
-use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
 use oilwedge_report::results::{ResultCompanions, earlier_orbit, write_results};
 use oilwedge_report::tables::{Shown, Written, run_report};
@@ -205,16 +204,10 @@ impl Solve {
         let json = result_json(&run.result, &records)?;
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         interrupt::keep(LatestAnswer { result: run.result.clone(), orbit: orbit.clone() });
-        let figures = match run.picture.as_ref().filter(|_| self.plot) {
-            Some(picture) => plot::figures_of_film(&run.result, picture, &plot::usual())?,
-            None => Vec::new(),
-        };
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
-        let figures = match course.as_ref().filter(|_| self.plot) {
-            Some(course) => {
-                orbit_figures(&run.result.head.title, course, plot::usual().width).into_iter().chain(figures).collect()
-            }
-            None => figures,
+        let figures = match self.plot {
+            true => plot::figures_of_run(&run.result, run.picture.as_ref(), course.as_ref(), &plot::usual())?,
+            false => Vec::new(),
         };
         let page = match self.page.is_wanted() {
             true => {

@@ -4,7 +4,7 @@ use oilwedge_study::result::{Criterion, Reserve, Verdict};
 use oilwedge_study::shaft::ShaftResult;
 
 use crate::digits::{quantity_value, unresolved};
-use crate::sheet::{Cell, DIGITS, Sheet, WHOLE_LINE, bar_in_words, none, number_as, sized, text};
+use crate::sheet::{Cell, DIGITS, Sheet, WHOLE_LINE, bar_in_words, none, number_as, numeral, sized, text};
 
 /// The criteria of all bearings of a shaft, each with the name of its bearing.
 pub(crate) fn of_shaft(result: &ShaftResult) -> Vec<Criterion> {
@@ -70,7 +70,7 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
         text(criterion.what.as_str()),
         Cell { kind: kind(criterion.decides.then_some(criterion.verdict)), ..text(word) },
         number_as(criterion.value, format!("{value} {unit}").trim_end()),
-        Cell { is_number: true, ..text(bar.trim_end()) },
+        numeral(bar.trim_end()),
         Cell { kind: WHOLE_LINE, ..text(format!("{usual}{limit}")) },
     ]
 }

@@ -36,7 +36,7 @@ use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::picture::FilmPicture;
-use oilwedge_study::result::{Criterion, MeshFacts, ResultHead, ResultTail, RunResult};
+use oilwedge_study::result::{Criterion, ResultHead, ResultTail, RunResult};
 use rayon::prelude::*;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -50,6 +50,7 @@ use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep
 use crate::sheet::Sheet;
 use crate::sketch::words;
 use crate::sweep::{SWEEP_FORMAT, SweepResult};
+use crate::tables::mesh;
 use coarser::coarser;
 use files::{SavedFiles, saved};
 use film_data::FilmData;
@@ -183,7 +184,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
         film_title: "The film".to_owned(),
         balances: balances::of_film(result),
         assumptions: tables::assumptions(result),
-        mesh: mesh_in_words(&result.mesh),
+        mesh: mesh(&result.mesh).replace(" deg", "\u{b0}"),
         work: [tables::levels(&result.levels), Some(tables::work(&result.counts)), tables::history(&result.history)]
             .into_iter()
             .flatten()
@@ -333,13 +334,6 @@ fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
     let mut all = comparisons(records, result);
     all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
     all.iter().filter_map(|it| sheet(it).if_any()).collect()
-}
-
-fn mesh_in_words(mesh: &MeshFacts) -> String {
-    format!(
-        "{} triangles, {} nodes for a pressure of degree {}, smallest angle {:.1}\u{b0}",
-        mesh.cells, mesh.nodes, mesh.order, mesh.min_angle_deg
-    )
 }
 
 /// The command that gives these results again, for the scene in a file of that name.

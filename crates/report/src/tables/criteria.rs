@@ -1,15 +1,10 @@
 //! What a bearing is judged by, for people: the table of criteria, and the verdict in a sentence.
 
 use crate::criteria::criteria_sheet;
-use oilwedge_study::result::{Criterion, Reserve, RunResult, Verdict};
+use oilwedge_study::result::{Criterion, Reserve, Verdict};
 
-/// The criteria of a bearing and the verdict; nothing where the scene sets none and nothing is usual.
-pub(crate) fn criteria(result: &RunResult) -> Option<String> {
-    let broken = result.temperature.as_ref().map_or(0, |report| report.broken_assumptions);
-    judged(&result.criteria, broken)
-}
-
-/// The criteria and the verdict in words, never without reserve beside `broken` assumptions.
+/// The criteria and the verdict in words, never without reserve beside `broken` assumptions; nothing where the scene
+/// sets none and nothing is usual.
 pub(crate) fn judged(criteria: &[Criterion], broken: usize) -> Option<String> {
     let mut sheet = criteria_sheet(criteria)?;
     sheet.notes.extend(verdict(criteria, broken));

@@ -1,6 +1,6 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
-use super::criteria::criteria;
+use super::criteria::judged;
 use super::dynamics;
 use super::pieces::{effects, mesh, time, whole_run};
 use super::quantities::{bars, quantities};
@@ -41,7 +41,8 @@ impl Written<'_> {
 pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: Option<Written>) -> String {
     let mut parts = tables(result, shown);
     parts.extend(temperature::balance(result, shown));
-    parts.extend(criteria(result));
+    let broken = result.temperature.as_ref().map_or(0, |report| report.broken_assumptions);
+    parts.extend(judged(&result.criteria, broken));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(comparisons(records, result).iter().map(|it| sheet(it).terminal()));
