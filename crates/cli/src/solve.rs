@@ -209,14 +209,11 @@ impl Solve {
             true => plot::figures_of_run(&run.result, run.picture.as_ref(), course.as_ref(), &plot::usual())?,
             false => Vec::new(),
         };
-        let page = match self.page.is_wanted() {
-            true => {
-                let files = SceneFile::all(&scene.text, path);
-                let extras = Extras { records: Some(&records), course: course.as_ref(), files: &files };
-                Some(film_page(&run.result, run.picture.as_ref(), extras)?)
-            }
-            false => None,
-        };
+        let page = self.page.made(|| {
+            let files = SceneFile::all(&scene.text, path);
+            let extras = Extras { records: Some(&records), course: course.as_ref(), files: &files };
+            film_page(&run.result, run.picture.as_ref(), extras)
+        })?;
         let picture = run.picture.map(|picture| to_vtu(&picture, self.form(&picture)));
         let picture = picture.transpose()?;
         let folder = self.run.folder();
@@ -298,17 +295,7 @@ impl Solve {
         let beside = [(self.cut, Variant::Cut), (self.counterweights, Variant::Counterweights)];
         let beside: Vec<Variant> =
             beside.into_iter().filter_map(|(is_given, variant)| is_given.then_some(variant)).collect();
-        crankshaft::solve(crankshaft::ShaftRequest {
-            scene: &self.run.scene,
-            folder: &self.run.folder(),
-            options: self.run.options_of_shaft(),
-            beside: &beside,
-            page: self.page,
-            shown: match self.run.json {
-                true => crankshaft::ShaftOutput::Json,
-                false => crankshaft::ShaftOutput::Table,
-            },
-        })
+        crankshaft::solve(&self.run, &beside, self.page)
     }
 
     /// Writes the frames of the cycle, if there are any, and says so in a line.
