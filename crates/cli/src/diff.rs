@@ -1,13 +1,16 @@
 //! `oilwedge diff`: what differs between two scenes or results.
 
 use crate::complain::Failure;
+use crate::crankshaft::is_crankshaft;
 use crate::terminal::output;
 use oilwedge_report::difference::{Changed, Difference, of_results};
 use oilwedge_report::json;
 use oilwedge_report::results::RESULT_FILE;
 use oilwedge_report::tables::printable;
+use oilwedge_scene::ShaftScene;
 use oilwedge_study::RunOptions;
-use oilwedge_study::result::{RESULT_FORMAT, RunResult};
+use oilwedge_study::result::{RESULT_FORMAT, ResultHead, RunResult};
+use oilwedge_study::shaft::{SHAFT_FORMAT, ShaftResult, run_shaft};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -53,10 +56,16 @@ impl Diff {
     }
 }
 
-/// The result in a folder, or that of a scene.
+/// The result in a folder, or that of a scene; a crankshaft's as one with the numbers of all its bearings.
 fn result(path: &Path) -> Result<RunResult, Failure> {
     if !path.is_dir() {
-        let scene = oilwedge_study::read(path)?;
+        let scene = match oilwedge_study::read(path) {
+            Err(error) if is_crankshaft(&error) => {
+                let options = RunOptions { max_seconds: f64::INFINITY, ..RunOptions::default() };
+                return Ok(run_shaft(&ShaftScene::read(path)?, &options)?.result.as_one());
+            }
+            other => other?,
+        };
         return Ok(oilwedge_study::run(&scene, &RunOptions::of(&scene)).map_err(Failure::of(path))?.result);
     }
     let file = path.join(RESULT_FILE);
@@ -65,8 +74,13 @@ fn result(path: &Path) -> Result<RunResult, Failure> {
         Failure::Message(format!("cannot read {file}: {why}; give a scene, or a folder of oilwedge solve"))
     };
     let text = std::fs::read_to_string(&file).map_err(|error| cannot(&error))?;
-    match serde_json::from_str::<RunResult>(&text) {
-        Ok(result) if result.head.format == RESULT_FORMAT => Ok(result),
+    let of_format = |head: ResultHead| match head.format.as_str() {
+        RESULT_FORMAT => serde_json::from_str(&text).map(Some),
+        SHAFT_FORMAT => serde_json::from_str::<ShaftResult>(&text).map(|result| Some(result.as_one())),
+        _ => Ok(None),
+    };
+    match serde_json::from_str(&text).and_then(of_format) {
+        Ok(Some(result)) => Ok(result),
         Err(error) if !error.is_data() => Err(cannot(&error)),
         _ => Err(cannot(&"it is no result of oilwedge solve")),
     }

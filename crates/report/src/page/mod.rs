@@ -36,7 +36,7 @@ use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::picture::FilmPicture;
-use oilwedge_study::result::{Criterion, ResultHead, ResultTail, RunResult};
+use oilwedge_study::result::{ResultHead, RunResult};
 use rayon::prelude::*;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -191,7 +191,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
             .collect(),
         tables: compared(records, result),
         timings: tables::timings_of_film(result, records),
-        ..of_run((&result.head, &result.tail), (&result.criteria, result.bars), &result.effects, extras.files)
+        ..of_run(result, extras.files)
     };
     let options = [
         records.cost.as_ref().map(|_| " --cost"),
@@ -268,20 +268,15 @@ fn head(head: &ResultHead, effects: &Effects, files: &[SceneFile]) -> Page {
     }
 }
 
-/// What the page of a run has: what is judged by these criteria, with error bars or without, warnings, times.
-fn of_run(
-    (head, tail): (&ResultHead, &ResultTail),
-    (criteria, bars): (&[Criterion], bool),
-    effects: &Effects,
-    files: &[SceneFile],
-) -> Page {
+/// What the page of a run has: verdict, warnings, times.
+fn of_run(result: &RunResult, files: &[SceneFile]) -> Page {
     Page {
-        verdict: Outcome::of(criteria, head.status),
-        criteria: criteria_sheet(criteria),
-        warnings: tail.warnings.iter().map(|warning| warning.text.clone()).collect(),
-        timings: tables::timings(tail),
-        command: command("solve", bars),
-        ..self::head(head, effects, files)
+        verdict: Outcome::of(&result.criteria, result.head.status),
+        criteria: criteria_sheet(&result.criteria),
+        warnings: result.tail.warnings.iter().map(|warning| warning.text.clone()).collect(),
+        timings: tables::timings(&result.tail),
+        command: command("solve", result.bars),
+        ..head(&result.head, &result.effects, files)
     }
 }
 

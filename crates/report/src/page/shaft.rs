@@ -4,7 +4,6 @@
 use oilwedge_campaign::shafts;
 use oilwedge_drawing::PAGE_WIDTH;
 use oilwedge_scene::wording::millimetres;
-use oilwedge_study::effects::Effects;
 use oilwedge_study::orbit::CycleFacts;
 use oilwedge_study::quantities::Row;
 use oilwedge_study::shaft::BearingReport;
@@ -14,7 +13,6 @@ use super::{Lead, Page, SceneFile, drawn, of_run, render};
 use crate::Error;
 use crate::balances;
 use crate::comparison::sheet;
-use crate::criteria::of_shaft;
 use crate::plot::{BENT, SHAFT, shaft_figures};
 use crate::shaft_sheet::{
     GREATEST_LOAD, GREATEST_PRESSURE, LEAST_FILM, MEAN_POWER, OIL, bearings, counterweights, row_of,
@@ -29,7 +27,6 @@ use crate::sheet::{Sheet, count, number};
 pub fn shaft_page(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Error> {
     let own = &views.own;
     let result = &own.result;
-    let criteria = of_shaft(result);
     let mut page = Page {
         kind: "crankshaft",
         cards: cards(own),
@@ -39,7 +36,7 @@ pub fn shaft_page(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Err
             .into_iter()
             .flatten()
             .collect(),
-        ..of_run((&result.head, &result.tail), (&criteria, result.bars), &Effects::default(), files)
+        ..of_run(&result.as_one(), files)
     };
     page.command.extend(views.beside.iter().map(|(variant, _)| format!(" --{}", variant.name())));
     let compared = views.beside.iter().map(|(variant, other)| sheet(&shafts(result, *variant, &other.result)));

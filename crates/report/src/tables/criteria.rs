@@ -1,13 +1,14 @@
 //! What a bearing is judged by, for people: the table of criteria, and the verdict in a sentence.
 
 use crate::criteria::criteria_sheet;
-use oilwedge_study::result::{Criterion, Reserve, Verdict};
+use oilwedge_study::result::{Criterion, Reserve, RunResult, Verdict};
 
-/// The criteria and the verdict in words, never without reserve beside `broken` assumptions; nothing where the scene
-/// sets none and nothing is usual.
-pub(crate) fn judged(criteria: &[Criterion], broken: usize) -> Option<String> {
-    let mut sheet = criteria_sheet(criteria)?;
-    sheet.notes.extend(verdict(criteria, broken));
+/// The criteria and the verdict in words, never without reserve beside broken assumptions; nothing where the scene sets
+/// none and nothing is usual.
+pub(crate) fn judged(result: &RunResult) -> Option<String> {
+    let broken = result.temperature.as_ref().map_or(0, |report| report.broken_assumptions);
+    let mut sheet = criteria_sheet(&result.criteria)?;
+    sheet.notes.extend(verdict(&result.criteria, broken));
     Some(sheet.terminal())
 }
 

@@ -41,8 +41,7 @@ impl Written<'_> {
 pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: Option<Written>) -> String {
     let mut parts = tables(result, shown);
     parts.extend(temperature::balance(result, shown));
-    let broken = result.temperature.as_ref().map_or(0, |report| report.broken_assumptions);
-    parts.extend(judged(&result.criteria, broken));
+    parts.extend(judged(result));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(comparisons(records, result).iter().map(|it| sheet(it).terminal()));
@@ -60,7 +59,7 @@ pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: 
         lines.extend(written.lines());
         lines.extend(left_out(result, shown));
     }
-    lines.push(verdict((&result.head, &result.tail), &result.levels, &result.criteria));
+    lines.push(verdict(result));
     whole_run(&result.head, parts, &lines)
 }
 

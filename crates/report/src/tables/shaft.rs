@@ -6,7 +6,6 @@ use super::run::{Written, timing};
 use super::verdict::verdict;
 use crate::balances;
 use crate::comparison::sheet;
-use crate::criteria::of_shaft;
 use crate::digits::significant;
 use crate::shaft::ShaftBeside;
 use crate::shaft_sheet::{bearings, counterweights};
@@ -16,10 +15,10 @@ use oilwedge_study::shaft::ShaftResult;
 /// Everything about a run of a crankshaft and of those beside it, and what was written.
 pub fn shaft_report(result: &ShaftResult, beside: &[ShaftBeside], written: Written) -> String {
     let (mut tables, mut lines) = (Vec::new(), Vec::new());
-    let criteria = of_shaft(result);
+    let whole = result.as_one();
     if !result.bearings.is_empty() {
         tables.push(bearings(result).terminal());
-        tables.extend(judged(&criteria, 0));
+        tables.extend(judged(&whole));
         tables.extend(beside.iter().map(|(variant, other)| sheet(&shafts(result, *variant, &other.result)).terminal()));
         tables.extend(result.counterweights.iter().map(|it| counterweights(it).terminal()));
         lines.extend(balances::lines(&balances::of_shaft(result)));
@@ -35,6 +34,6 @@ pub fn shaft_report(result: &ShaftResult, beside: &[ShaftBeside], written: Writt
     }));
     lines.push(format!("time      {}", timing(&result.tail)));
     lines.extend(written.lines());
-    lines.push(verdict((&result.head, &result.tail), &[], &criteria));
+    lines.push(verdict(&whole));
     whole_run(&result.head, tables, &lines)
 }

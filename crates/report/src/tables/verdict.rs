@@ -1,18 +1,13 @@
 //! The last line of a run: how it ended, what the film is fit for, and how many warnings there are.
 
 use super::pieces::{counted, status};
-use oilwedge_study::result::{Criterion, LevelFacts, ResultHead, ResultTail, Status, Verdict};
+use oilwedge_study::result::{Criterion, RunResult, Status, Verdict};
 
 /// Most faults that a line names.
 const MOST_FAULTS: usize = 3;
 
-/// Status, with a tolerance whether it is met by the `levels`, verdict of the criteria where there are any, number of
-/// warnings.
-pub(crate) fn verdict(
-    (head, tail): (&ResultHead, &ResultTail),
-    levels: &[LevelFacts],
-    criteria: &[Criterion],
-) -> String {
+/// Status, with a tolerance whether it is met, verdict of the design criteria where there are any, number of warnings.
+pub(crate) fn verdict(RunResult { head, tail, levels, criteria, .. }: &RunResult) -> String {
     let ending = match (head.status, levels.is_empty()) {
         (Status::Converged, false) => "converged, within the tolerance",
         (Status::NotConverged, false) => "not converged: the tolerance is not met",
@@ -65,12 +60,11 @@ pub(crate) fn first_faults(all: impl Iterator<Item = String>) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::tables::run::tests::result;
-    use oilwedge_study::result::{Accuracy, Origin, RunResult};
+    use oilwedge_study::result::{Accuracy, LevelFacts, Origin};
     use oilwedge_study::warning::TURBULENT;
 
     #[test]
     fn the_verdict_counts_warnings_and_names_what_is_not_met() {
-        let verdict = |result: &RunResult| verdict((&result.head, &result.tail), &result.levels, &result.criteria);
         let mut result = result();
         assert_eq!(verdict(&result), "verdict   converged; no warnings");
         result.levels = vec![LevelFacts::default()];

@@ -23,7 +23,6 @@ use crate::reasons::{Cause, Limit};
 use crate::result::Status;
 use crate::run_options::RunOptions;
 use crate::solved::Errors;
-use crate::warning::Warning;
 use crate::warnings::all_warnings;
 
 /// The journals on the next coarser meshes, or on their own where there are none: tolerance and cycles.
@@ -336,8 +335,6 @@ fn add(
 ) {
     let estimated = estimate_errors(&followed.solved);
     let warnings = all_warnings(&bearing.film.oil, &followed.solved, &estimated, options.errors());
-    let named = |warning: Warning| warning.of(&BearingReport::part(&bearing.name));
-    (run.result.tail.warnings).extend(warnings.into_iter().map(named));
     let arm = bearing.coordinates().arm;
     let tilts = followed.path.spans.iter().map(|span| {
         let [_, _, x, y] = span.places[0];
@@ -346,12 +343,13 @@ fn add(
     let shell = shells.iter().fold([0.0f64; 2], |[offset, tilt], [x, y, z_x, z_y]| {
         [offset.max(x.hypot(*y)), tilt.max(z_x.hypot(*z_y) / arm)]
     });
-    run.result.bearings.push(BearingReport {
+    let report = BearingReport {
         tilt_max: tilts.fold(0.0, f64::max),
         shell,
         energy: followed.balances.energy,
         ..BearingReport::of(bearing, followed.quantities, options.bars)
-    });
+    };
+    run.result.add(report, warnings);
     run.paths.push(BearingPath { name: bearing.name.clone(), load, path: followed.path });
 }
 

@@ -235,10 +235,7 @@ fn report(
             tilt_max: tilt_x.hypot(tilt_y),
             ..BearingReport::of(bearing, estimated.quantities, options.bars)
         };
-        let report = BearingReport { tilt_max_error: report.tilt_error(), ..report };
-        let named = warnings.into_iter().map(|warning| warning.of(&BearingReport::part(&report.name)));
-        result.tail.warnings.extend(named);
-        result.bearings.push(report);
+        result.add(BearingReport { tilt_max_error: report.tilt_error(), ..report }, warnings);
     }
     result.films = balance.films;
     let gaps = films.gaps(balance.instants.iter().map(Instant::under_wall));
