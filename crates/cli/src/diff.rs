@@ -1,16 +1,14 @@
 //! `oilwedge diff`: what differs between two scenes or results.
 
 use crate::complain::Failure;
-use crate::crankshaft::is_crankshaft;
 use crate::terminal::output;
 use oilwedge_report::difference::{Changed, Difference, of_results};
 use oilwedge_report::json;
 use oilwedge_report::results::RESULT_FILE;
 use oilwedge_report::tables::printable;
-use oilwedge_scene::ShaftScene;
 use oilwedge_study::RunOptions;
 use oilwedge_study::result::{RESULT_FORMAT, ResultHead, RunResult};
-use oilwedge_study::shaft::{SHAFT_FORMAT, ShaftResult, run_shaft};
+use oilwedge_study::shaft::{SHAFT_FORMAT, ShaftResult};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -56,16 +54,10 @@ impl Diff {
     }
 }
 
-/// The result in a folder, or that of a scene; a crankshaft's as one with the numbers of all its bearings.
+/// The result in a folder, that of a shaft as one with the numbers of all its bearings, or that of a scene.
 fn result(path: &Path) -> Result<RunResult, Failure> {
     if !path.is_dir() {
-        let scene = match oilwedge_study::read(path) {
-            Err(error) if is_crankshaft(&error) => {
-                let options = RunOptions { max_seconds: f64::INFINITY, ..RunOptions::default() };
-                return Ok(run_shaft(&ShaftScene::read(path)?, &options)?.result.as_one());
-            }
-            other => other?,
-        };
+        let scene = oilwedge_study::read(path)?;
         return Ok(oilwedge_study::run(&scene, &RunOptions::of(&scene)).map_err(Failure::of(path))?.result);
     }
     let file = path.join(RESULT_FILE);

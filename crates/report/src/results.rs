@@ -36,8 +36,8 @@ pub struct ResultCompanions<'a> {
 }
 
 /// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a
-/// balance of heat; returns the names of the files. Files of an earlier run are replaced, and its page and animation are
-/// removed; without a picture or curves earlier ones are removed, since they show another run.
+/// balance of heat; returns the names of the files. Files of an earlier run are replaced, and its page and animation
+/// are removed; without a picture or curves earlier ones are removed, since they show another run.
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.

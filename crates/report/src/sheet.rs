@@ -63,7 +63,8 @@ impl Sheet {
         (!self.rows.is_empty() || !self.notes.is_empty()).then_some(self)
     }
 
-    /// The sheet as the terminal shows it, as wide as the terminal at most: title, table, notes. Columns with numbers are aligned to the right.
+    /// The sheet as the terminal shows it, as wide as the terminal at most: title, table, notes. Columns with numbers
+    /// are aligned to the right.
     pub fn terminal(&self) -> String {
         let mut parts: Vec<String> = (!self.title.is_empty()).then(|| printable(&self.title)).into_iter().collect();
         if !self.rows.is_empty() {
