@@ -184,7 +184,7 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
         film_title: "The film".to_owned(),
         balances: balances::of_film(result),
         assumptions: tables::assumptions(result),
-        mesh: mesh(&result.mesh).replace(" deg", "\u{b0}"),
+        mesh: mesh(&result.mesh).trim_end_matches(" deg").to_owned() + "\u{b0}",
         work: [tables::levels(&result.levels), Some(tables::work(&result.counts)), tables::history(&result.history)]
             .into_iter()
             .flatten()
