@@ -216,7 +216,7 @@ pub(crate) mod tests {
             "49.2900",
             "simulated      poiseuille  oil driven by the pressure gradient\n               couette     oil dragged",
             "force on the journal that the film carries",
-            "differ by 1.2e-12 of",
+            "balance   1.2e-12   oil that enters less oil that leaves",
             "592 triangles, 1245 nodes for a pressure of degree 2, smallest angle 31.0 deg",
             "1 linear solve, 1 factorisation, 1 nonlinear iteration",
             "1.50 s: read 12.3 ms",
