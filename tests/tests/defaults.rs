@@ -46,7 +46,7 @@ fn what_an_engineer_reads_is_known_to_two_percent() {
         let bar = quantity.error().expect("a bar");
         assert!(bar <= 0.02 * quantity.value.abs(), "{}: {} +- {bar}", row.name, quantity.value);
     }
-    assert!(film.warnings.iter().all(|warning| *warning.kind != warning::WIDE_BAR));
+    assert!(film.tail.warnings.iter().all(|warning| *warning.kind != warning::WIDE_BAR));
     // T - T_b = W e sin beta: the load is downwards.
     let offset = value(&film, &ECCENTRICITY) * 30e-6;
     let moment = 12e3 * offset * (value(&film, &MIN_FILM_ANGLE) - 270.0).to_radians().sin();
@@ -63,8 +63,8 @@ fn a_bar_that_stays_wide_has_a_warning() {
     let film = run(&scene, &options).expect("a film").result;
     let quantity = film.quantity(&PRESSURE_MAX).expect("a number");
     assert!(quantity.error().expect("a bar") > 0.02 * quantity.value);
-    let told = film.warnings.iter().find(|warning| *warning.kind == warning::WIDE_BAR);
-    assert!(told.is_some_and(|told| told.text.contains("pressure_max")), "{:?}", film.warnings);
+    let told = film.tail.warnings.iter().find(|warning| *warning.kind == warning::WIDE_BAR);
+    assert!(told.is_some_and(|told| told.text.contains("pressure_max")), "{:?}", film.tail.warnings);
     assert_eq!(film.head.status, Status::Converged, "what is required is met");
 }
 
@@ -83,8 +83,9 @@ cavitation = { model = "reynolds" }
     );
     let quantity = film.quantity(&SIDE_FLOW).expect("a side flow");
     let is_wide = quantity.error().expect("a bar") > 0.02 * quantity.value.abs();
-    let told = (film.warnings.iter()).any(|told| *told.kind == warning::WIDE_BAR && told.text.contains("side_flow"));
-    assert_eq!((film.head.status, is_wide, told), (Status::Converged, true, true), "{:?}", film.warnings);
+    let told =
+        (film.tail.warnings.iter()).any(|told| *told.kind == warning::WIDE_BAR && told.text.contains("side_flow"));
+    assert_eq!((film.head.status, is_wide, told), (Status::Converged, true, true), "{:?}", film.tail.warnings);
 }
 
 #[test]

@@ -53,7 +53,7 @@ fn a_limit_of_any_table_is_one_criterion() {
     let wanted = [("least film", Verdict::Fail, true), ("greatest pressure", Verdict::Pass, true)];
     assert_eq!(verdicts(&new), wanted);
     assert_eq!(new.criteria[0].fault(), "least film below 12.1 um");
-    let codes = |result: &RunResult| result.warnings.iter().map(|warning| warning.kind.code).collect::<Vec<_>>();
+    let codes = |result: &RunResult| result.tail.warnings.iter().map(|warning| warning.kind.code).collect::<Vec<_>>();
     assert_eq!([codes(&new), codes(&old)], [["warmed"], ["warmed"]]);
     let given = [("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\ntemperature = \"90 C\"")];
     let hot = result(&edited(&given, "[criteria]\ntemperature_max = \"85 C\"\n"));

@@ -125,19 +125,19 @@ fn surfaces_that_deflect_are_compared_with_the_film() {
         let text = arc("reynolds", "").replace("2 kN", force);
         result(&text.replace("clearance = ", &format!("{more}clearance = ")))
     };
-    let rigid = |film: &RunResult| film.warnings.iter().any(|warning| warning.contains("rigid surfaces"));
+    let rigid = |film: &RunResult| film.tail.warnings.iter().any(|warning| warning.contains("rigid surfaces"));
     let light = film("2 kN", "");
-    assert!(!rigid(&light), "{:?}", light.warnings);
+    assert!(!rigid(&light), "{:?}", light.tail.warnings);
     // 1512 bar on a square that carries F/(p/2): by hand 2 x 0.95 x 0.91/2.1e11 x sqrt(F p/2).
     let heavy = film("80 kN", "");
     let (load, pressure) = (80e3, heavy.quantities.iter().find(|it| it.name == "pressure_max").expect("p_max").value);
     let by_hand = 2.0 * 0.95 * 0.91 / 2.1e11 * (load * pressure / 2.0).sqrt();
     let deflection = heavy.regime.expect("a film").deflection;
     assert!((deflection / by_hand - 1.0).abs() < 1e-6, "{deflection} is not {by_hand}");
-    assert!(rigid(&heavy), "{deflection}: {:?}", heavy.warnings);
+    assert!(rigid(&heavy), "{deflection}: {:?}", heavy.tail.warnings);
     // A stiffer pair deflects less.
     let stiff = film("80 kN", "elastic_modulus = \"210000 GPa\", ");
-    assert!(!rigid(&stiff), "{:?}", stiff.warnings);
+    assert!(!rigid(&stiff), "{:?}", stiff.tail.warnings);
 }
 
 /// A groove over the widest film brings oil: what is carried into the loaded film is at least what leaves at the ends

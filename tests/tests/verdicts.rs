@@ -73,7 +73,7 @@ fn no_verdict_without_reserve_beside_a_broken_assumption() {
 fn a_sheared_multigrade_is_told() {
     let is_told = |scene: &str| {
         let result = solved(scene);
-        result.warnings.iter().any(|warning| warning.contains("give oil.high_shear"))
+        result.tail.warnings.iter().any(|warning| warning.contains("give oil.high_shear"))
     };
     // 9.42 m/s over 4.5 um are 2.1e6 1/s.
     assert!(is_told(&bearing(GRADE, "")));

@@ -50,7 +50,8 @@ fn cost(
     (main, with): (&'static Row, &RunResult),
 ) -> CostRecord {
     let found = answer(without, options);
-    let time = |result: &RunResult| median_seconds(without, options, result).unwrap_or_else(|_| total_seconds(result));
+    let time =
+        |result: &RunResult| median_seconds(without, options, result).unwrap_or_else(|_| result.tail.seconds("total"));
     let compared = match found.result.as_ref().filter(|found| !found.quantities.is_empty()) {
         Some(found) => {
             let rows = [main, &ATTITUDE_ANGLE, &PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW];
@@ -128,15 +129,11 @@ fn without_each(scene: &Scene) -> impl Iterator<Item = (&'static Effect, Scene)>
     present(scene).filter_map(|effect| Some((effect, (effect.remove)(scene)?)))
 }
 
-fn total_seconds(result: &RunResult) -> f64 {
-    result.timing_s.iter().filter(|(part, _)| part == "total").map(|(_, seconds)| *seconds).sum()
-}
-
 /// The median time [s] of this run and of others like it.
 fn median_seconds(scene: &Scene, options: &RunOptions, result: &RunResult) -> Result<f64, CompileError> {
-    let mut seconds: Vec<f64> = vec![total_seconds(result)];
+    let mut seconds: Vec<f64> = vec![result.tail.seconds("total")];
     while seconds.len() < RUNS && seconds.iter().sum::<f64>() < ENOUGH {
-        seconds.push(total_seconds(&run(scene, options)?.result));
+        seconds.push(run(scene, options)?.result.tail.seconds("total"));
     }
     seconds.sort_unstable_by(f64::total_cmp);
     Ok(seconds[seconds.len() / 2])

@@ -41,7 +41,7 @@ pub(crate) fn records(
 
 /// The table of the orbits by maps.
 pub(crate) fn comparison(maps: &[MapRecord], missing: &[String], result: &RunResult) -> Comparison {
-    let direct = (result.timing_s.iter()).find(|(part, _)| part == ORBIT).map_or(0.0, |(_, seconds)| *seconds);
+    let direct = result.tail.seconds(ORBIT);
     let alternative = |it: &MapRecord| Alternative {
         name: format!("{} map", it.orbit.map),
         pairs: pairs(&COMPARED, &result.quantities, &read_back(&it.quantities, &result.quantities)),

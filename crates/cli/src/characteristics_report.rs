@@ -4,7 +4,8 @@ use crate::readable::{bar, quantity_value, readable_unit, significant};
 use oilwedge_campaign::characteristics::fit::{Domain, Fit};
 use oilwedge_campaign::characteristics::{Characteristics, ForceAndMoment, JournalFacts, NumberWithBar, Units};
 use oilwedge_report::characteristics::FILE;
-use oilwedge_report::tables::{heading, printable, status, table};
+use oilwedge_report::sheet::{Cell, Sheet, none, numeral, text};
+use oilwedge_report::tables::{printable, whole_run};
 use oilwedge_study::quantities::Unit;
 use std::path::Path;
 
@@ -13,16 +14,13 @@ const DIGITS: usize = 5;
 
 /// Everything about the characteristics of a film.
 pub(crate) fn characteristics_report(found: &Characteristics, folder: &Path) -> String {
-    let mut parts = vec![heading(&found.head.title, status(found.head.status))];
-    parts.extend(found.head.reason.as_ref().map(|reason| format!("reason: {}", printable(reason))));
-    parts.extend(found.journal.as_ref().map(journal));
+    let mut parts: Vec<String> = found.journal.as_ref().map(journal).into_iter().collect();
     if let Some(units) = found.units {
         parts.push(sixteen(found, units));
         parts.push(together(found));
     }
     parts.extend(found.fit.as_ref().map(fit));
-    parts.push(format!("written   {}: {FILE}", folder.display()));
-    parts.join("\n\n") + "\n"
+    whole_run(&found.head, parts, &[format!("written   {}: {FILE}", folder.display())])
 }
 
 fn journal(it: &JournalFacts) -> String {
@@ -54,11 +52,11 @@ fn sixteen(found: &Characteristics, units: Units) -> String {
         "moment along\nS^z, z cos",
         "moment across\nS^y, z sin",
     ];
-    let mut table = table(header, 2..6);
-    for part in &found.parts {
+    let rows = found.parts.iter().map(|part| {
         let cells = four(part.characteristics.as_ref(), |number, _| shown(number, 1.0));
-        table.add_row([words(part.part), part.rate_symbol.to_owned()].into_iter().chain(cells));
-    }
+        [text(words(part.part)), text(part.rate_symbol)].into_iter().chain(cells).collect()
+    });
+    let table = Sheet::new("", header, rows.collect()).terminal();
     format!(
         "characteristics: force and moment for a unit of each rate, each with its own cavity\n{table}\n\
          force = S mu R^2/psi^2 rate = S {} N s rate, moment = S mu R^3/psi^2 rate = S {} N.m.s rate; rates in 1/s, of the sign that they have in the scene\n\
@@ -80,15 +78,14 @@ fn together(found: &Characteristics) -> String {
     let names = [("force along", force), ("force across", force), ("moment along", moment), ("moment across", moment)];
     let header = names.map(|(name, (unit, _))| format!("{name}\n{unit}"));
     let header = ["this film".to_owned(), "rate\n1/s".to_owned()].into_iter().chain(header);
-    let mut table = table(header, 1..6);
     let cells = |carried: Option<&ForceAndMoment>| four(carried, |number, k| shown(number, names[k].1.1));
-    for part in &found.parts {
-        let rate = significant(part.rate, 4);
-        table.add_row([words(part.part), rate].into_iter().chain(cells(part.share.as_ref())));
-    }
-    for (name, carried) in [("sum of the parts", found.sum), ("film", found.film)] {
-        table.add_row([name.to_owned(), String::new()].into_iter().chain(cells(carried.as_ref())));
-    }
+    let parts = found.parts.iter().map(|part| (words(part.part), significant(part.rate, 4), part.share));
+    let sums = [("sum of the parts", found.sum), ("film", found.film)];
+    let sums = sums.map(|(name, carried)| (name.to_owned(), String::new(), carried));
+    let rows = parts
+        .chain(sums)
+        .map(|(name, rate, carried)| [text(name), numeral(rate)].into_iter().chain(cells(carried.as_ref())).collect());
+    let table = Sheet { header: header.collect(), rows: rows.collect(), ..Sheet::default() }.terminal();
     let stronger = found.surplus().map(|ratio| {
         format!(
             "\nthe sum of the parts carries {} of the load of the film, whose motions share one cavity",
@@ -106,24 +103,24 @@ fn times(ratio: f64) -> String {
     }
 }
 
-fn four(carried: Option<&ForceAndMoment>, cell: impl Fn(NumberWithBar, usize) -> String) -> [String; 4] {
+fn four(carried: Option<&ForceAndMoment>, cell: impl Fn(NumberWithBar, usize) -> Cell) -> [Cell; 4] {
     match carried {
         Some(carried) => {
             let numbers = carried.numbers();
             [0, 1, 2, 3].map(|k| cell(numbers[k], k))
         }
-        None => [const { String::new() }; 4].map(|_| "-".to_owned()),
+        None => [(); 4].map(|()| none()),
     }
 }
 
 /// A number in a unit of this size; zero by symmetry without a bar.
-fn shown(number: NumberWithBar, size: f64) -> String {
+fn shown(number: NumberWithBar, size: f64) -> Cell {
     let (value, error) = (number.value / size, number.error.map(|error| error / size));
-    match error.filter(|error| *error > 0.0) {
+    numeral(match error.filter(|error| *error > 0.0) {
         _ if number.zero_by_symmetry || value == 0.0 => "0".to_owned(),
         Some(error) => format!("{} \u{b1} {}", quantity_value(value, Some(error), DIGITS), bar(error)),
         None => quantity_value(value, None, DIGITS),
-    }
+    })
 }
 
 fn words(name: &str) -> String {
@@ -139,16 +136,15 @@ fn fit(fit: &Fit) -> String {
     parts.extend(fit.reason.as_ref().map(|reason| format!("reason: {}", printable(reason))));
     if !fit.rows.is_empty() {
         let header = ["S", "n", "sign", "k0", "k1", "k2", "a0", "a1", "worst in core", "worst"];
-        let mut table = table(header, 1..10);
         let percent = |error: f64| format!("{} %", significant(100.0 * error, 2));
-        for row in &fit.rows {
+        let rows = fit.rows.iter().map(|row| {
             let sign = if row.sign < 0.0 { "-" } else { "+" };
-            let first = [row.name.to_owned(), row.power.to_string(), sign.to_owned()];
+            let first = [text(row.name), numeral(row.power.to_string()), numeral(sign)];
             let coefficients = row.coefficients.map(|number| significant(number, 4));
             let last = [row.worst_core, row.worst_wide].map(percent);
-            table.add_row(first.into_iter().chain(coefficients).chain(last));
-        }
-        parts.push(table.to_string());
+            first.into_iter().chain(coefficients.into_iter().chain(last).map(numeral)).collect()
+        });
+        parts.push(Sheet::new("", header, rows.collect()).terminal());
         let domain = |it: &Domain| {
             let [[eps, to_eps], [b, to_b]] = [it.eccentricity, it.slenderness];
             format!("eps {eps} to {to_eps}, B/D {b} to {to_b}: {} % allowed", 100.0 * it.allowed)

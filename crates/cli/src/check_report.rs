@@ -2,7 +2,8 @@
 
 use crate::readable::significant;
 use oilwedge_report::check::CheckReport;
-use oilwedge_report::tables::{duration, effects, heading, mesh, printable, table};
+use oilwedge_report::sheet::{Sheet, numeral, text};
+use oilwedge_report::tables::{duration, effects, heading, mesh, printable};
 
 /// Everything about a scene or mesh that can be used.
 pub(crate) fn check_report(found: &CheckReport) -> String {
@@ -13,13 +14,11 @@ pub(crate) fn check_report(found: &CheckReport) -> String {
         parts.push(printable(found.sketch.trim_end()));
     }
     if !found.regions.is_empty() {
-        let mut table = table(["group", "kind", "size"], 2..3);
-        for region in &found.regions {
+        let rows = found.regions.iter().map(|region| {
             let parts = if region.kind == "curve" { "edges" } else { "triangles" };
-            let size = format!("{} {parts}", region.parts);
-            table.add_row([printable(&region.name), region.kind.clone(), size]);
-        }
-        parts.push(table.to_string());
+            vec![text(&region.name), text(&region.kind), numeral(format!("{} {parts}", region.parts))]
+        });
+        parts.push(Sheet::new("", ["group", "kind", "size"], rows.collect()).terminal());
     }
     parts.push(facts(found));
     parts.join("\n\n") + "\n"

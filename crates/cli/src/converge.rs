@@ -81,13 +81,10 @@ impl Converge {
         let is_drawn = self.plot && report.levels().next().is_some();
         let figures: Vec<_> =
             is_drawn.then(|| (CONVERGENCE.to_owned(), convergence_figure(&study))).into_iter().collect();
-        let page = match self.page.is_wanted() {
-            true => {
-                let svg = report.levels().next().is_some().then(|| convergence_figure(&study).to_svg());
-                Some(convergence_page(report, svg.as_deref())?)
-            }
-            false => None,
-        };
+        let page = self.page.made(|| {
+            let svg = report.levels().next().is_some().then(|| convergence_figure(&study).to_svg());
+            convergence_page(report, svg.as_deref())
+        })?;
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, STUDY_PAGE_FILE, page)?;
         output(self.json, || json(report), || convergence_report(report, &folder) + &drawn, Some(&folder))?;
         Ok(exit_code(report.head.status))

@@ -5,6 +5,7 @@ use crate::interrupt;
 use crate::plot;
 use crate::progress::ProgressLine;
 use crate::report::PageArguments;
+use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
 use oilwedge_report::json;
 use oilwedge_report::orbit_course::OrbitCourse;
@@ -12,7 +13,7 @@ use oilwedge_report::page::{PAGE_FILE, SceneFile, shaft_page};
 use oilwedge_report::plot::{load_figures, orbit_figures, shaft_figures};
 use oilwedge_report::shaft::{ShaftBeside, write_shaft};
 use oilwedge_report::shaft_view::ShaftViews;
-use oilwedge_report::tables::shaft_report;
+use oilwedge_report::tables::{Written, shaft_report};
 use oilwedge_scene::{SceneError, ShaftScene};
 use oilwedge_study::RunOptions;
 use oilwedge_study::shaft::{
@@ -44,43 +45,19 @@ pub(crate) fn is_crankshaft(error: &SceneError) -> bool {
     matches!(error, SceneError::Crankshaft { .. })
 }
 
-/// What is asked of a run.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ShaftRequest<'a> {
-    /// The scene.
-    pub(crate) scene: &'a Path,
-    /// Folder of the results.
-    pub(crate) folder: &'a Path,
-    /// How it is run.
-    pub(crate) options: RunOptions,
-    /// Shafts that are solved beside that of the scene.
-    pub(crate) beside: &'a [Variant],
-    /// Whether there is to be a page.
-    pub(crate) page: PageArguments,
-    /// What is printed.
-    pub(crate) shown: ShaftOutput,
-}
-
-/// What is printed of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ShaftOutput {
-    /// One JSON object.
-    Json,
-    /// A table.
-    Table,
-}
-
-/// Solves the scene of a crankshaft, writes the results, and prints them.
+/// Solves the scene of a crankshaft and the shafts beside it, writes the results, and prints them.
 ///
 /// # Errors
 /// [`Failure`]: a scene cannot be used, or the results cannot be written.
-pub(crate) fn solve(asked: ShaftRequest) -> Result<ExitCode, Failure> {
-    let scene = ShaftScene::read(asked.scene)?;
+pub(crate) fn solve(asked: &RunArguments, variants: &[Variant], page: PageArguments) -> Result<ExitCode, Failure> {
+    let scene = ShaftScene::read(&asked.scene)?;
+    let folder = asked.folder();
     let working = ProgressLine::of("the films of all bearings; Ctrl-C ends with the cycles that are complete");
-    let options = RunOptions { interrupt: interrupt::listen()?, observer: Some(working.observer()), ..asked.options };
+    let interrupt = interrupt::listen()?;
+    let options = RunOptions { interrupt, observer: Some(working.observer()), ..asked.options_of_shaft() };
     let mut run = run_shaft(&scene, &options)?;
     let mut beside: Vec<ShaftBeside> = Vec::new();
-    for variant in asked.beside {
+    for variant in variants {
         working.goes_on_to(variant.words());
         let other = match variant {
             Variant::Cut => run_cut(&scene, &options)?,
@@ -95,18 +72,17 @@ pub(crate) fn solve(asked: ShaftRequest) -> Result<ExitCode, Failure> {
     drop(working);
     let text = json(&run.result)?;
     let views = ShaftViews::of_runs(&run, &beside);
-    let page = || shaft_page(&views, &SceneFile::all(&scene.text, asked.scene));
-    let page = asked.page.is_wanted().then(page).transpose()?;
-    let files = write_shaft(asked.folder, &run, &beside)?;
-    let pictures = drawn(asked.folder, &run, &views)? + &asked.page.written(asked.folder, PAGE_FILE, page)?;
+    let html = page.made(|| shaft_page(&views, &SceneFile::all(&scene.text, &asked.scene)))?;
+    let files = write_shaft(&folder, &run, &beside)?;
+    let pictures = drawn(&folder, &run, &views)? + &page.written(&folder, PAGE_FILE, html)?;
     let bearings = scene.crankshaft.bearings.len();
     complain::warn_of_sweep(scene.sweep.as_ref().map(|plan| plan.cases() * bearings));
-    complain::warn(&run.result.warnings);
+    complain::warn(&run.result.tail.warnings);
     output(
-        asked.shown == ShaftOutput::Json,
+        asked.json,
         || Ok(text),
-        || shaft_report(&run.result, &beside, asked.folder, (&files, &pictures)),
-        Some(asked.folder),
+        || shaft_report(&run.result, &beside, Written { folder: &folder, files: &files, pictures: &pictures }),
+        Some(&folder),
     )?;
     Ok(exit_code(run.result.head.status))
 }

@@ -7,7 +7,8 @@ use oilwedge_report::json;
 use oilwedge_report::results::RESULT_FILE;
 use oilwedge_report::tables::printable;
 use oilwedge_study::RunOptions;
-use oilwedge_study::result::{RESULT_FORMAT, RunResult};
+use oilwedge_study::result::{RESULT_FORMAT, ResultHead, RunResult};
+use oilwedge_study::shaft::{SHAFT_FORMAT, ShaftResult};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -53,7 +54,7 @@ impl Diff {
     }
 }
 
-/// The result in a folder, or that of a scene.
+/// The result in a folder, that of a shaft as one with the numbers of all its bearings, or that of a scene.
 fn result(path: &Path) -> Result<RunResult, Failure> {
     if !path.is_dir() {
         let scene = oilwedge_study::read(path)?;
@@ -65,8 +66,13 @@ fn result(path: &Path) -> Result<RunResult, Failure> {
         Failure::Message(format!("cannot read {file}: {why}; give a scene, or a folder of oilwedge solve"))
     };
     let text = std::fs::read_to_string(&file).map_err(|error| cannot(&error))?;
-    match serde_json::from_str::<RunResult>(&text) {
-        Ok(result) if result.head.format == RESULT_FORMAT => Ok(result),
+    let of_format = |head: ResultHead| match head.format.as_str() {
+        RESULT_FORMAT => serde_json::from_str(&text).map(Some),
+        SHAFT_FORMAT => serde_json::from_str::<ShaftResult>(&text).map(|result| Some(result.as_one())),
+        _ => Ok(None),
+    };
+    match serde_json::from_str(&text).and_then(of_format) {
+        Ok(Some(result)) => Ok(result),
         Err(error) if !error.is_data() => Err(cannot(&error)),
         _ => Err(cannot(&"it is no result of oilwedge solve")),
     }

@@ -2,7 +2,8 @@
 
 use crate::readable::{readable_unit, significant};
 use oilwedge_campaign::convergence::{ConvergenceReport, LevelReport, Measure, Price, StrategyLevels, TIME_PARTS};
-use oilwedge_report::tables::{effects, heading, printable, status, table, time};
+use oilwedge_report::sheet::{Sheet, numeral, text};
+use oilwedge_report::tables::{effects, time, whole_run};
 use oilwedge_study::quantities::{self, Unit};
 use std::path::Path;
 
@@ -11,17 +12,14 @@ const SMALL: f64 = 0.02;
 
 /// Everything about a study.
 pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> String {
-    let mut parts = vec![heading(&report.head.title, status(report.head.status))];
-    if let Some(reason) = &report.head.reason {
-        parts.push(format!("reason: {}", printable(reason)));
-    }
+    let mut parts = Vec::new();
     if !report.effects.simulated.is_empty() {
         parts.push(effects(&report.effects));
     }
     parts.extend(reference(report));
     for course in report.strategies.iter().filter(|course| !course.levels.is_empty()) {
-        let title = format!("{} ({})", course.strategy.name(), printable(&course.ended));
-        parts.push(format!("{title}\n{}", levels(course, report)));
+        let title = format!("{} ({})", course.strategy.name(), course.ended);
+        parts.push(Sheet { title, ..levels(course, report) }.terminal());
     }
     let lists = [
         (Measure::Bar, "Cost of accuracy, by error bars"),
@@ -30,7 +28,7 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
     for (measure, title) in lists {
         let list: Vec<&Price> = report.prices.iter().filter(|price| price.measure == measure).collect();
         if !list.is_empty() {
-            parts.push(format!("{title}\n{}", prices(&list)));
+            parts.push(prices(title, &list).terminal());
         }
     }
     let mut lines: Vec<String> = report.notes.clone();
@@ -42,8 +40,7 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
         false => "converge.json",
     };
     lines.push(format!("written   {}: {files}", folder.display()));
-    parts.push(lines.join("\n"));
-    parts.join("\n\n") + "\n"
+    whole_run(&report.head, parts, &lines)
 }
 
 /// The finest answer.
@@ -70,7 +67,7 @@ fn unit_of(report: &ConvergenceReport) -> Unit {
     quantities::row(&report.goal.name).map_or(Unit::One, |row| row.unit)
 }
 
-fn levels(course: &StrategyLevels, report: &ConvergenceReport) -> String {
+fn levels(course: &StrategyLevels, report: &ConvergenceReport) -> Sheet {
     let share = |level: &LevelReport, part: &str| level.seconds.part(part) / level.seconds.total;
     let needed: Vec<&str> = (TIME_PARTS[..TIME_PARTS.len() - 1].iter().copied())
         .filter(|part| course.levels.iter().any(|level| share(level, part) > SMALL))
@@ -86,17 +83,16 @@ fn levels(course: &StrategyLevels, report: &ConvergenceReport) -> String {
     header.extend(bars.then(|| "± bar".to_owned()));
     header.extend(["error", "time", "spread"].map(str::to_owned));
     header.extend(needed.iter().chain(&["other"]).map(|part| (*part).to_owned()));
-    let mut table = table(header, 0..usize::MAX);
-    for level in &course.levels {
+    let row = |level: &LevelReport| {
         let mut row = vec![level.unknowns.to_string(), significant(level.value / size, 9)];
         row.extend(bars.then(|| level.relative_bar.map_or(String::new(), percent)));
         row.extend([error(level, report), time(level.seconds.total), spread(level)]);
         let shown: Vec<f64> = needed.iter().map(|part| level.seconds.part(part)).collect();
         let other = f64::max(level.seconds.total - shown.iter().sum::<f64>(), 0.0);
         row.extend(shown.into_iter().chain([other]).map(milliseconds));
-        table.add_row(row);
-    }
-    table.to_string()
+        row.into_iter().map(numeral).collect()
+    };
+    Sheet { header, rows: course.levels.iter().map(row).collect(), ..Sheet::default() }
 }
 
 /// A time in ms with as many decimals as a clock can give.
@@ -130,20 +126,19 @@ fn spread(level: &LevelReport) -> String {
     }
 }
 
-fn prices(prices: &[&Price]) -> String {
-    let mut table = table(["accuracy", "unknowns", "time", "by", ""], 0..3);
-    for price in prices {
+fn prices(title: &str, prices: &[&Price]) -> Sheet {
+    let row = |price: &&Price| {
         let about = if price.extrapolated { "~ " } else { "" };
         let beyond = if price.extrapolated { "predicted, not run" } else { "" };
-        table.add_row([
-            percent(price.accuracy),
-            format!("{about}{}", round(price.unknowns)),
-            format!("{about}{}", time(price.seconds)),
-            price.strategy.name().to_owned(),
-            beyond.to_owned(),
-        ]);
-    }
-    table.to_string()
+        vec![
+            numeral(percent(price.accuracy)),
+            numeral(format!("{about}{}", round(price.unknowns))),
+            numeral(format!("{about}{}", time(price.seconds))),
+            text(price.strategy.name()),
+            text(beyond),
+        ]
+    };
+    Sheet::new(title, ["accuracy", "unknowns", "time", "by", ""], prices.iter().map(row).collect())
 }
 
 /// A number of unknowns to two digits: no more is known of it between levels.

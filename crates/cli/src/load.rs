@@ -10,7 +10,8 @@ use oilwedge_report::folder::replace;
 use oilwedge_report::json;
 use oilwedge_report::load_sheet::{LoadAt, LoadSheet};
 use oilwedge_report::plot::load_figures;
-use oilwedge_report::tables::{printable, table};
+use oilwedge_report::sheet::{Sheet, numeral, text};
+use oilwedge_report::tables::printable;
 use oilwedge_scene::wording::{degrees, percent};
 use oilwedge_study::duty::duty_cycle;
 use std::f64::consts::PI;
@@ -76,14 +77,14 @@ impl LoadCommand {
 
 fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
     let angle = if sheet.frequency_hz.is_some() { "angle of the load" } else { "crank angle" };
-    let mut rows = table(["", "value", angle, "direction"], 1..4);
+    let mut rows = Vec::new();
     let mut add = |name: &str, value: String, at: Option<(f64, f64)>| {
         // Without the sign of a zero.
         let angle = |angle: f64| format!("{:.2} deg", (100.0 * angle).round() / 100.0 + 0.0);
         let [at, direction] = at.map_or([String::new(), String::new()], |(at, direction)| {
             [if at.is_nan() { String::new() } else { angle(at) }, angle(direction)]
         });
-        rows.add_row([name.to_owned(), value, at, direction]);
+        rows.push(vec![text(name), numeral(value), numeral(at), numeral(direction)]);
     };
     let newtons = |force: f64| match force < 1e3 {
         true => format!("{} N", significant(force, 6)),
@@ -131,8 +132,9 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
             (sheet.crank_speed_rad_s * 30e3 / PI).round() / 1e3
         ),
     };
+    let table = Sheet::new("", ["", "value", angle, "direction"], rows).terminal();
     format!(
-        "{}: {period}, in the frame of the shell\n\n{rows}\n\nresults   {}\n{drawn}",
+        "{}: {period}, in the frame of the shell\n\n{table}\n\nresults   {}\n{drawn}",
         printable(&sheet.title),
         folder.join(LOAD_FILE).display()
     )

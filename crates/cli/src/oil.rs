@@ -5,7 +5,7 @@ use crate::readable::significant;
 use crate::terminal::{output, print};
 use oilwedge_report::json;
 use oilwedge_report::oil_sheet::{GRADES, NoSheet, OilSheet};
-use oilwedge_report::tables::table;
+use oilwedge_report::sheet::{Sheet, number_as, numeral, text};
 use oilwedge_scene::unit::{self, Dimension};
 use std::process::ExitCode;
 
@@ -64,32 +64,28 @@ impl OilCommand {
 }
 
 fn in_words(sheet: &OilSheet) -> String {
-    let mut rows = table(["t [C]", "nu [mm2/s]", "mu [mPa.s]", "rho [kg/m3]"], 0..4);
-    for at in &sheet.at {
-        rows.add_row([
+    let rows = sheet.at.iter().map(|at| {
+        let cells = [
             format!("{}", (1e6 * at.temperature).round() * 1e-6),
             significant(1e6 * at.kinematic_viscosity, 4),
             significant(1e3 * at.viscosity, 4),
             format!("{:.1}", at.density),
-        ]);
-    }
-    format!("{}\n\n{rows}\n\nsource    {}\n", sheet.grade, sheet.source)
+        ];
+        cells.map(numeral).to_vec()
+    });
+    let table = Sheet::new("", ["t [C]", "nu [mm2/s]", "mu [mPa.s]", "rho [kg/m3]"], rows.collect()).terminal();
+    format!("{}\n\n{table}\n\nsource    {}\n", sheet.grade, sheet.source)
 }
 
 fn all() -> String {
     let header = ["grade", "nu 40 C [mm2/s]", "nu 100 C [mm2/s]", "rho 15 C [kg/m3]", "class"];
-    let mut rows = table(header, 1..4);
-    for grade in GRADES {
-        rows.add_row([
-            grade.name.to_owned(),
-            format!("{}", grade.nu_40),
-            format!("{}", grade.nu_100),
-            format!("{}", grade.rho_15),
-            grade.window.standard.to_owned(),
-        ]);
-    }
+    let rows = GRADES.iter().map(|grade| {
+        let [nu_40, nu_100, rho] = [grade.nu_40, grade.nu_100, grade.rho_15].map(|it| number_as(it, format!("{it}")));
+        vec![text(grade.name), nu_40, nu_100, rho, text(grade.window.standard)]
+    });
+    let table = Sheet::new("", header, rows.collect()).terminal();
     format!(
-        "{rows}\n\nOne typical oil of each class. Others differ by some 10 %: prefer the data sheet of yours ([oil] walther).\n"
+        "{table}\n\nOne typical oil of each class. Others differ by some 10 %: prefer the data sheet of yours ([oil] walther).\n"
     )
 }
 

@@ -82,17 +82,23 @@ pub(crate) fn usual() -> PlotOptions {
 /// Pictures by name.
 type Figures = Vec<(String, Figure)>;
 
-/// The pictures of a film.
+/// The pictures of an orbit, if it is one and none are selected, then those of the film, if there is one.
 ///
 /// # Errors
 /// [`Failure`]: a selected picture is not there.
-pub(crate) fn figures_of_film(
+pub(crate) fn figures_of_run(
     result: &RunResult,
-    picture: &FilmPicture,
+    picture: Option<&FilmPicture>,
+    course: Option<&OrbitCourse>,
     options: &PlotOptions,
 ) -> Result<Figures, Failure> {
-    let film = DrawnFilm::new(result.clone(), picture)?;
-    film_figures(&film, options).map_err(unknown)
+    let course = course.filter(|_| options.selected.is_empty());
+    let of_orbit = course.map(|course| orbit_figures(&result.head.title, course, options.width));
+    let of_film = match picture {
+        Some(picture) => film_figures(&DrawnFilm::new(result.clone(), picture)?, options).map_err(unknown)?,
+        None => Vec::new(),
+    };
+    Ok(of_orbit.into_iter().flatten().chain(of_film).collect())
 }
 
 /// The pictures of a sweep.
@@ -163,12 +169,8 @@ impl Plot {
         let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;
         drop(working);
         let folder = folder(&self.out, &self.of);
-        let figures = match &run.picture {
-            Some(picture) => figures_of_film(&run.result, picture, &self.options())?,
-            None => Vec::new(),
-        };
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
-        let figures = self.with_orbit(&run.result.head.title, course.as_ref(), figures);
+        let figures = figures_of_run(&run.result, run.picture.as_ref(), course.as_ref(), &self.options())?;
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| to_vtu(&picture, VtuForm::usual(&picture)));
         let picture = picture.transpose()?;
@@ -179,7 +181,7 @@ impl Plot {
             &Records::default(),
             ResultCompanions { picture: picture.as_deref(), orbit: orbit.as_deref() },
         )?;
-        complain::warn(&run.result.warnings);
+        complain::warn(&run.result.tail.warnings);
         let mut text = written(&folder, &figures)?;
         if let Some(reason) = &run.result.head.reason {
             text += &format!("{}\n", printable(reason));
@@ -200,11 +202,9 @@ impl Plot {
                     )));
                 }
                 let picture = from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?;
-                let result: RunResult = results(&result)?;
-                let figures = figures_of_film(&result, &picture, &self.options())?;
                 let has_orbit = self.of.join(ORBIT_FILE).is_file();
                 let orbit = has_orbit.then(|| orbit_in(&self.of)).transpose()?;
-                self.with_orbit(&result.head.title, orbit.as_ref(), figures)
+                figures_of_run(&results(&result)?, Some(&picture), orbit.as_ref(), &self.options())?
             }
             [_, true, _] => figures_of_sweep(&results(&sweep)?, &self.options())?,
             [.., true] => return self.of_study(&study),
@@ -217,14 +217,6 @@ impl Plot {
         };
         let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
         say(&folder, written(&folder, &figures)?)
-    }
-
-    /// The pictures of an orbit, if it is one and none are selected, before others.
-    fn with_orbit(&self, title: &str, course: Option<&OrbitCourse>, figures: Figures) -> Figures {
-        let of_orbit = course
-            .filter(|_| self.fields.is_empty())
-            .map_or(Vec::new(), |course| orbit_figures(title, course, self.width));
-        of_orbit.into_iter().chain(figures).collect()
     }
 
     /// Two orbits side by side.

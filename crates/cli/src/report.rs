@@ -42,6 +42,17 @@ impl PageArguments {
         self.report || self.open
     }
 
+    /// The page, which is made if it is wanted.
+    ///
+    /// # Errors
+    /// [`Failure`]: it cannot be made.
+    pub(crate) fn made(
+        self,
+        make: impl FnOnce() -> Result<String, oilwedge_report::Error>,
+    ) -> Result<Option<String>, Failure> {
+        Ok(self.is_wanted().then(make).transpose()?)
+    }
+
     /// Writes a page into the folder under its name, and opens it where that is wanted; returns the line that says so.
     ///
     /// # Errors

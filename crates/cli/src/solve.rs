@@ -13,7 +13,6 @@ use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page};
-use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
 use oilwedge_report::results::{ResultCompanions, earlier_orbit, write_results};
 use oilwedge_report::tables::{Shown, Written, run_report};
@@ -205,30 +204,21 @@ impl Solve {
         let json = result_json(&run.result, &records)?;
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         interrupt::keep(LatestAnswer { result: run.result.clone(), orbit: orbit.clone() });
-        let figures = match run.picture.as_ref().filter(|_| self.plot) {
-            Some(picture) => plot::figures_of_film(&run.result, picture, &plot::usual())?,
-            None => Vec::new(),
-        };
         let course = run.orbit.as_ref().map(OrbitCourse::of_path);
-        let figures = match course.as_ref().filter(|_| self.plot) {
-            Some(course) => {
-                orbit_figures(&run.result.head.title, course, plot::usual().width).into_iter().chain(figures).collect()
-            }
-            None => figures,
+        let figures = match self.plot {
+            true => plot::figures_of_run(&run.result, run.picture.as_ref(), course.as_ref(), &plot::usual())?,
+            false => Vec::new(),
         };
-        let page = match self.page.is_wanted() {
-            true => {
-                let files = SceneFile::all(&scene.text, path);
-                let extras = Extras { records: Some(&records), course: course.as_ref(), files: &files };
-                Some(film_page(&run.result, run.picture.as_ref(), extras)?)
-            }
-            false => None,
-        };
+        let page = self.page.made(|| {
+            let files = SceneFile::all(&scene.text, path);
+            let extras = Extras { records: Some(&records), course: course.as_ref(), files: &files };
+            film_page(&run.result, run.picture.as_ref(), extras)
+        })?;
         let picture = run.picture.map(|picture| to_vtu(&picture, self.form(&picture)));
         let picture = picture.transpose()?;
         let folder = self.run.folder();
         let _writing = interrupt::writing();
-        write_results(
+        let files = write_results(
             &folder,
             &run.result,
             &records,
@@ -237,8 +227,8 @@ impl Solve {
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
         complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
-        complain::warn(&run.result.warnings);
-        let written = Written { folder: &folder, has_fields: picture.is_some(), pictures: &drawn };
+        complain::warn(&run.result.tail.warnings);
+        let written = Written { folder: &folder, files: &files, pictures: &drawn };
         output(
             self.run.json,
             || Ok(json),
@@ -262,9 +252,10 @@ impl Solve {
             let none = Records::default();
             let written = || -> Result<(), Failure> {
                 let text = result_json(&result, &none)?;
-                write_results(&folder, &result, &none, ResultCompanions { picture: None, orbit: orbit.as_deref() })?;
-                complain::warn(&result.warnings);
-                let written = Written { folder: &folder, has_fields: false, pictures: "" };
+                let beside = ResultCompanions { picture: None, orbit: orbit.as_deref() };
+                let files = write_results(&folder, &result, &none, beside)?;
+                complain::warn(&result.tail.warnings);
+                let written = Written { folder: &folder, files: &files, pictures: "" };
                 output(json, || Ok(text), || run_report(&result, shown, &none, Some(written)), Some(&folder))
             };
             match written() {
@@ -304,17 +295,7 @@ impl Solve {
         let beside = [(self.cut, Variant::Cut), (self.counterweights, Variant::Counterweights)];
         let beside: Vec<Variant> =
             beside.into_iter().filter_map(|(is_given, variant)| is_given.then_some(variant)).collect();
-        crankshaft::solve(crankshaft::ShaftRequest {
-            scene: &self.run.scene,
-            folder: &self.run.folder(),
-            options: self.run.options_of_shaft(),
-            beside: &beside,
-            page: self.page,
-            shown: match self.run.json {
-                true => crankshaft::ShaftOutput::Json,
-                false => crankshaft::ShaftOutput::Table,
-            },
-        })
+        crankshaft::solve(&self.run, &beside, self.page)
     }
 
     /// Writes the frames of the cycle, if there are any, and says so in a line.

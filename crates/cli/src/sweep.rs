@@ -85,13 +85,8 @@ impl SweepCommand {
             true => plot::figures_of_sweep(&SweepResult::from(&report), &plot::usual())?,
             false => Vec::new(),
         };
-        let page = match self.page.is_wanted() {
-            true => {
-                let files = SceneFile::all(&report.plan.text, &self.run.scene);
-                Some(sweep_page(&SweepResult::from(&report), &files)?)
-            }
-            false => None,
-        };
+        let files = || SceneFile::all(&report.plan.text, &self.run.scene);
+        let page = self.page.made(|| sweep_page(&SweepResult::from(&report), &files()))?;
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, SWEEP_PAGE_FILE, page)?;
         let written = self.part.map_or(folder.clone(), |part| part_folder(&folder, part));
         output(self.run.json, || json(&report), || sweep_report(&report, Some(&written)) + &drawn, Some(&written))?;

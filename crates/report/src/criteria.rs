@@ -1,21 +1,9 @@
 //! What a bearing is judged by, as a sheet: a row for each criterion, with value, bar, limit and verdict.
 
 use oilwedge_study::result::{Criterion, Reserve, Verdict};
-use oilwedge_study::shaft::ShaftResult;
 
 use crate::digits::{quantity_value, unresolved};
-use crate::sheet::{Cell, DIGITS, Sheet, WHOLE_LINE, bar_in_words, none, number_as, sized, text};
-
-/// The criteria of all bearings of a shaft, each with the name of its bearing.
-pub(crate) fn of_shaft(result: &ShaftResult) -> Vec<Criterion> {
-    let of_bearings = result.bearings.iter().flat_map(|bearing| {
-        bearing
-            .criteria
-            .iter()
-            .map(|criterion| Criterion { what: format!("{}: {}", bearing.name, criterion.what), ..criterion.clone() })
-    });
-    of_bearings.collect()
-}
+use crate::sheet::{Cell, DIGITS, Sheet, WHOLE_LINE, bar_in_words, none, number_as, numeral, sized, text};
 
 /// What a bearing is judged by, and what is usual; nothing where the scene sets no limits and nothing is usual.
 pub(crate) fn criteria_sheet(criteria: &[Criterion]) -> Option<Sheet> {
@@ -70,7 +58,7 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
         text(criterion.what.as_str()),
         Cell { kind: kind(criterion.decides.then_some(criterion.verdict)), ..text(word) },
         number_as(criterion.value, format!("{value} {unit}").trim_end()),
-        Cell { is_number: true, ..text(bar.trim_end()) },
+        numeral(bar.trim_end()),
         Cell { kind: WHOLE_LINE, ..text(format!("{usual}{limit}")) },
     ]
 }

@@ -18,6 +18,7 @@ pub mod frames;
 pub mod json;
 pub mod kinds;
 pub mod load_sheet;
+mod number_columns;
 pub mod oil_sheet;
 pub mod orbit_course;
 pub mod orbit_table;

@@ -36,12 +36,17 @@ pub struct ResultCompanions<'a> {
 }
 
 /// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a
-/// balance of heat. Files of an earlier run are replaced, and its page and animation are removed; without a picture or
-/// curves earlier ones are removed, since they show another run.
+/// balance of heat; returns the names of the files. Files of an earlier run are replaced, and its page and animation
+/// are removed; without a picture or curves earlier ones are removed, since they show another run.
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
-pub fn write_results(dir: &Path, result: &RunResult, records: &Records, beside: ResultCompanions) -> Result<(), Error> {
+pub fn write_results(
+    dir: &Path,
+    result: &RunResult,
+    records: &Records,
+    beside: ResultCompanions,
+) -> Result<Vec<String>, Error> {
     let json = result_json(result, records)?;
     let figure = temperature_figure(result, PAGE_WIDTH);
     let svg = figure.as_ref().map(Figure::to_svg);
@@ -60,7 +65,9 @@ pub fn write_results(dir: &Path, result: &RunResult, records: &Records, beside: 
     ];
     replace(dir, &steps)?;
     remove_frames(dir);
-    Ok(())
+    let there = steps[1..steps.len() - 1].iter().filter(|(_, content)| content.is_some());
+    let names = std::iter::once(result).chain(there.map(|(name, _)| *name));
+    Ok(names.map(|name| name.display().to_string()).collect())
 }
 
 /// The orbit of this scene that a run has left in the folder `dir` before it was closed; `None` where there is none.

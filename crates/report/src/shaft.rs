@@ -5,14 +5,13 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use oilwedge_study::column::Column;
-use oilwedge_study::quantities::Quantity;
 use oilwedge_study::shaft::{ShaftResult, ShaftRun, Variant};
 
 use crate::Error;
 use crate::folder::replace;
 use crate::json::json;
-use crate::orbit_table::{exact, orbit_table};
+use crate::number_columns::{self, cells, columns_of, exact};
+use crate::orbit_table::orbit_table;
 use crate::page::PAGE_FILE;
 use crate::results::RESULT_FILE;
 use crate::sweep::to_csv;
@@ -72,32 +71,17 @@ fn files(variant: Option<Variant>, run: &ShaftRun) -> Result<Vec<(String, Vec<u8
 /// # Errors
 /// A number is not finite.
 pub fn bearings_table(result: &ShaftResult) -> Result<Vec<u8>, Error> {
-    let mut columns: Vec<(Column, bool)> = Vec::new();
-    for quantity in result.bearings.iter().flat_map(|bearing| &bearing.quantities) {
-        if columns.iter().all(|(column, _)| column.quantity != quantity.name) {
-            columns.push((Column::of(quantity.name.clone(), quantity.row), result.bars));
-        }
-    }
+    let columns = columns_of(result.bearings.iter().flat_map(|bearing| &bearing.quantities));
     let mut headings: Vec<String> =
         ["bearing", "z [m]", "shell offset [m]", "shell slope [rad]", "greatest tilt [rad]"].map(str::to_owned).into();
-    for (column, has_bar) in &columns {
-        headings.push(column.heading());
-        headings.extend(has_bar.then(|| column.error_heading()));
-    }
+    headings.extend(number_columns::headings(&columns, result.bars));
     let mut rows = vec![headings];
     for bearing in &result.bearings {
         let mut row = vec![bearing.name.clone()];
         for value in [bearing.at, bearing.shell[0], bearing.shell[1], bearing.tilt_max] {
-            row.push(exact(value)?);
+            row.push(exact(value, &bearing.name)?);
         }
-        for (column, has_bar) in &columns {
-            let found = bearing.quantities.iter().find(|quantity| quantity.name == column.quantity);
-            let text = |value: Option<f64>| value.map_or(Ok(String::new()), exact);
-            row.push(text(found.map(|quantity| quantity.value))?);
-            if *has_bar {
-                row.push(text(found.and_then(Quantity::error))?);
-            }
-        }
+        row.extend(cells(&columns, result.bars, &bearing.quantities, &bearing.name)?);
         rows.push(row);
     }
     Ok(to_csv(&rows))

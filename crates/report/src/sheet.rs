@@ -1,14 +1,13 @@
 //! Tables for people. A [`Sheet`] says once what a table holds, in which units and with which digits; the terminal, the
 //! page and files show it, each with its own letters.
 
-use comfy_table::CellAlignment;
+use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_scene::sweep::AxisValue;
 use oilwedge_scene::wording::printable;
 use serde::{Serialize, Serializer};
 
 use crate::digits::{bar, quantity_value, significant, unresolved};
 use crate::readable::{printed_unit, with_minus};
-use crate::tables::table;
 
 /// Digits of numbers in tables.
 pub(crate) const DIGITS: usize = 4;
@@ -48,7 +47,7 @@ pub struct Sheet {
     pub rows: Vec<Vec<Cell>>,
     /// Sentences below the table.
     pub notes: Vec<String>,
-    /// Columns for which the terminal is too narrow.
+    /// Columns that the terminal does not show.
     #[serde(skip)]
     pub page_only: Vec<usize>,
 }
@@ -64,12 +63,18 @@ impl Sheet {
         (!self.rows.is_empty() || !self.notes.is_empty()).then_some(self)
     }
 
-    /// The sheet as the terminal shows it: title, table, notes. Columns with numbers are aligned to the right.
+    /// The sheet as the terminal shows it, as wide as the terminal at most: title, table, notes. Columns with numbers
+    /// are aligned to the right.
     pub fn terminal(&self) -> String {
         let mut parts: Vec<String> = (!self.title.is_empty()).then(|| printable(&self.title)).into_iter().collect();
         if !self.rows.is_empty() {
             let columns: Vec<_> = (0..self.header.len()).filter(|column| !self.page_only.contains(column)).collect();
-            let mut table = table(columns.iter().map(|&column| printable(&self.header[column])), 0..0);
+            let mut table = Table::new();
+            table.load_style(presets::UTF8_FULL_CONDENSED).set_content_arrangement(ContentArrangement::Dynamic);
+            if let Some((_, width)) = console::Term::stdout().size_checked() {
+                table.set_width(width);
+            }
+            table.set_header(columns.iter().map(|&column| printable(&self.header[column])));
             table.add_rows(self.rows.iter().map(|row| columns.iter().map(|&column| printable(&row[column].text))));
             for (place, &column) in columns.iter().enumerate() {
                 if let (true, Some(shown)) =
@@ -148,9 +153,14 @@ pub fn text(text: impl Into<String>) -> Cell {
     Cell { text: text.into(), ..Cell::default() }
 }
 
+/// A text in a column of numbers.
+pub fn numeral(text: impl Into<String>) -> Cell {
+    Cell { is_number: true, ..self::text(text) }
+}
+
 /// Where there is no number.
 pub fn none() -> Cell {
-    Cell { is_number: true, ..text(NONE) }
+    numeral(NONE)
 }
 
 /// A number in its own unit.
@@ -169,7 +179,7 @@ pub(crate) fn sized(value: f64, size: f64, unit: &str) -> Cell {
 
 /// A number that is shown as this text.
 pub fn number_as(value: f64, text: impl Into<String>) -> Cell {
-    Cell { value: Some(value), is_number: true, ..self::text(text) }
+    Cell { value: Some(value), ..numeral(text) }
 }
 
 /// A value with the digits of its bar, and the bar if there is one, in a unit of this size.

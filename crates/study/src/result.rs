@@ -11,6 +11,7 @@ mod headlines;
 pub mod in_order;
 mod levels;
 pub(crate) mod named;
+mod tail;
 mod temperature;
 
 pub use criterion::{Accuracy, Criterion, Origin, Reserve, Verdict};
@@ -19,6 +20,7 @@ pub use geometry::Geometry;
 pub use head::ResultHead;
 pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
+pub use tail::ResultTail;
 pub use temperature::{SECONDS_KEY, TemperaturePoint, TemperatureReport};
 
 use crate::effects::Effects;
@@ -26,7 +28,6 @@ use crate::no_answer::NoAnswer;
 use crate::orbit::OrbitFacts;
 use crate::quantities::{Quantity, Row};
 use crate::regime::Regime;
-use crate::warning::Warning;
 use serde::{Deserialize, Serialize};
 
 /// Name and version of the form of `result.json`.
@@ -220,11 +221,9 @@ pub struct RunResult {
     pub counts: Counts,
     /// How linear systems were solved; `null` where there is no film.
     pub linear_solver: Option<LinearSolver>,
-    /// Wall time of each part [s], in the order of the run; an object keyed by part in JSON.
-    #[serde(with = "in_order")]
-    pub timing_s: Vec<(String, f64)>,
-    /// Doubts about the result, in sentences.
-    pub warnings: Vec<Warning>,
+    /// Times and warnings.
+    #[serde(flatten)]
+    pub tail: ResultTail,
 }
 
 impl RunResult {

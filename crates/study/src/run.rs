@@ -28,7 +28,7 @@ use crate::refinement::{Tell, answer_telling};
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
     Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearRoute, LinearSolver, MeshFacts,
-    RESULT_FORMAT, ResultHead, RunResult, SECONDS_KEY, Status, TemperatureReport,
+    RESULT_FORMAT, ResultHead, ResultTail, RunResult, SECONDS_KEY, Status, TemperatureReport,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
@@ -122,9 +122,9 @@ fn result_of(
 
 /// Adds the time of all to the times of a run [s], and names that which no part has: what came `before` them.
 fn add_total(result: &mut RunResult, before: &str, total: f64) {
-    let named: f64 = result.timing_s.iter().map(|(_, seconds)| seconds).sum();
+    let named: f64 = result.tail.timing_s.iter().map(|(_, seconds)| seconds).sum();
     let parts = [(before, f64::max(total - named, 0.0)), ("total", total)];
-    result.timing_s.extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
+    result.tail.timing_s.extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
 }
 
 /// Part of the load that turns at half the speed of the journal, above which the film counts as collapsing [1].
@@ -167,7 +167,7 @@ fn on_orbit(
     report((&solved, estimated), &of_film, &mut result);
     if half_speed > MOST_AT_HALF_SPEED {
         let share = percent(half_speed);
-        result.warnings.push(warning::HALF_SPEED.says(match turns {
+        result.tail.warnings.push(warning::HALF_SPEED.says(match turns {
             true => format!(
                 "{share} of the load turns at half the speed of the journal: there the film has no wedge and carries by squeeze alone, and the least film falls from cycle to cycle"
             ),
@@ -177,11 +177,13 @@ fn on_orbit(
         }));
     }
     result.quantities = followed.quantities;
-    result.warnings.extend(of_history(&solved, &result.quantities, (options, followed.are_bars_ended)));
+    result.tail.warnings.extend(of_history(&solved, &result.quantities, (options, followed.are_bars_ended)));
     if let Some(found) = &followed.temperature {
         let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities, options);
-        result.temperature = report
-            .map(|report| TemperatureReport { broken_assumptions: broken_assumptions(&result.warnings), ..report });
+        result.temperature = report.map(|report| TemperatureReport {
+            broken_assumptions: broken_assumptions(&result.tail.warnings),
+            ..report
+        });
     }
     result.criteria = match &result.temperature {
         Some(report) => report.criteria.clone(),
@@ -195,9 +197,9 @@ fn on_orbit(
     result.balances.thermal = followed.temperature.map_or(0.0, |found| found.left_over);
     result.counts.temperature_steps = followed.temperature.map_or(0, |found| found.steps);
     let [integrate, measure] = followed.seconds;
-    result.timing_s.retain(|(part, _)| film.seconds.iter().any(|(other, _)| other == part));
-    result.timing_s.push(("orbit".to_owned(), integrate));
-    result.timing_s.push(("measure".to_owned(), measure));
+    result.tail.timing_s.retain(|(part, _)| film.seconds.iter().any(|(other, _)| other == part));
+    result.tail.took("orbit", integrate);
+    result.tail.took("measure", measure);
     result.orbit = Some(facts);
     if let Some(limit) = limit {
         result.head.end(Status::NotConverged, limit);
@@ -262,7 +264,10 @@ fn without_outcome(film: &Film, levels: &[LevelFacts], options: &RunOptions) -> 
         mesh: facts(film.system.space().mesh()),
         bars: options.bars,
         levels: levels.to_vec(),
-        timing_s: (film.seconds.iter()).map(|&(part, seconds)| (part.to_owned(), seconds)).collect(),
+        tail: ResultTail {
+            timing_s: (film.seconds.iter()).map(|&(part, seconds)| (part.to_owned(), seconds)).collect(),
+            warnings: Vec::new(),
+        },
         ..RunResult::default()
     }
 }
@@ -295,7 +300,7 @@ fn history(steps: &[newton::NewtonStep]) -> Vec<HistoryStep> {
 /// Fills in the numbers of a solved film.
 fn report((solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
     let oil = &solved.film.model.oil;
-    result.warnings = all_warnings(oil, solved, &estimated, options.errors());
+    result.tail.warnings = all_warnings(oil, solved, &estimated, options.errors());
     result.regime = Some(Regime::of(oil, &solved.film, &estimated.measured));
     result.history = history(&solved.primary.solution.history);
     result.counts = counts(solved);
@@ -321,7 +326,7 @@ fn report((solved, estimated): (&Solved, Estimated), options: &RunOptions, resul
     let clock = Instant::now();
     result.temperature = temperature_report(solved, &estimated.quantities, options);
     if let Some(report) = &mut result.temperature {
-        report.broken_assumptions = broken_assumptions(&result.warnings);
+        report.broken_assumptions = broken_assumptions(&result.tail.warnings);
     }
     result.criteria = match &result.temperature {
         Some(report) => report.criteria.clone(),
@@ -339,7 +344,7 @@ fn report((solved, estimated): (&Solved, Estimated), options: &RunOptions, resul
         (solved.temperature.as_ref()).map(|found| (SECONDS_KEY, found.seconds + curve)),
     ];
     let parts = parts.into_iter().flatten();
-    result.timing_s.extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
+    result.tail.timing_s.extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
     result.of_hill = estimated.of_hill;
     result.quantities = estimated.quantities;
 }

@@ -52,7 +52,7 @@ pub fn run_shaft(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRun, S
         Some(engine) => cycle::followed(scene, &engine, options)?,
         None => statics::solved(scene, options)?,
     };
-    run.result.timing_s.push(("total".to_owned(), clock.elapsed().as_secs_f64()));
+    run.result.tail.took("total", clock.elapsed().as_secs_f64());
     Ok(run)
 }
 

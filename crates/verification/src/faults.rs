@@ -34,7 +34,7 @@ pub(crate) fn faults(case: &Case, answer: &Answer) -> Vec<String> {
         return faults;
     }
     let warnings = match answer {
-        Answer::Run(run) => run.result.warnings.join("\n"),
+        Answer::Run(run) => run.result.tail.warnings.join("\n"),
         Answer::Refused(_) => String::new(),
     };
     let said = format!("{}\n{warnings}", answer.reason().unwrap_or_default());
@@ -92,7 +92,7 @@ fn bars(result: &RunResult, faults: &mut Vec<String>) {
     let bare: Vec<&str> =
         (result.quantities.iter()).filter(|quantity| quantity.bar.is_none()).map(|quantity| &*quantity.name).collect();
     let unresolved = [&warning::NO_BAR, &warning::UNRESOLVED];
-    let explained = result.warnings.iter().any(|warning| unresolved.contains(&warning.kind));
+    let explained = result.tail.warnings.iter().any(|warning| unresolved.contains(&warning.kind));
     if !bare.is_empty() && !explained {
         faults.push(format!("no bar, and no warning: {}", bare.join(", ")));
     }

@@ -50,5 +50,5 @@ fn a_load_at_half_the_speed_of_the_journal_is_told_as_collapse() {
     assert_eq!(result.head.status, Status::NotConverged);
     let reason = result.head.reason.as_deref().unwrap_or_default();
     assert!(reason.starts_with("collapse: 100 % of the load turns at half the speed"), "{reason}");
-    assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
+    assert!(result.tail.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
 }

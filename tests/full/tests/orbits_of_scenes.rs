@@ -228,8 +228,8 @@ fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
         assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
     }
     assert!(result.mesh.nodes < 3000, "{:?}", result.mesh);
-    let [told] = &result.warnings[..] else {
-        panic!("{:?}", result.warnings);
+    let [told] = &result.tail.warnings[..] else {
+        panic!("{:?}", result.tail.warnings);
     };
     assert!(*told.kind == warning::WARMED, "{}", told.text);
     let cycles = &result.orbit.as_ref().expect("an orbit").cycles;
@@ -273,7 +273,7 @@ fn a_film_without_supply_is_told_to_follow_from_its_start() {
         let scene = parsed(text).expect("a scene");
         let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
         assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(), "{:?}", result.head.reason);
-        result.warnings.iter().any(|warning| warning.kind.code == "from_start")
+        result.tail.warnings.iter().any(|warning| warning.kind.code == "from_start")
     };
     let once = conserving().replace("tolerance", "cycles = 1, tolerance");
     assert!(!told(&once));

@@ -30,7 +30,7 @@ fn a_journal_under_a_constant_load_sinks_in_the_time_of_the_closed_film() {
     assert_eq!(result.head.status, Status::NotConverged);
     let reason = result.head.reason.as_deref().unwrap_or_default();
     assert!(reason.starts_with("sinking: the journal does not turn, 100 % of the load"), "{reason}");
-    assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
+    assert!(result.tail.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
     let [force, clearance, time, viscosity, length, radius] = [500.0, 30e-6, 0.02_f64, 10e-3, 25e-3_f64, 25e-3];
     let wanted = force * clearance * clearance * time / (std::f64::consts::PI * viscosity * length.powi(3) * radius);
     let [x, y, ..] = place.expect("a place");

@@ -10,7 +10,7 @@ fn without_bars_nothing_is_estimated_and_nothing_is_done() {
     for name in ["01_plain_ring", "09_drawn_ring", "12_flexpde_shell_cavitated", "14_starved_pad", "16_loaded_shell"] {
         let result = answer(&variant(name, |_| ()), &NO_BARS);
         assert!(!result.bars && result.levels.is_empty() && result.counts.bars == 0);
-        assert!(result.timing_s.iter().all(|(part, _)| part != "bars"));
+        assert!(result.tail.timing_s.iter().all(|(part, _)| part != "bars"));
         for quantity in &result.quantities {
             assert!(quantity.bar.is_none(), "{}", quantity.name);
         }

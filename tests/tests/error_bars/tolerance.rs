@@ -147,7 +147,7 @@ fn a_film_that_a_finer_mesh_has_not_is_no_solution() {
 fn a_film_with_bars_is_not_called_unresolved() {
     let thin = |options: &RunOptions| {
         let scene = drawn("09_drawn_ring", 16.0, |scene| set(scene, "journal", "eccentricity", 0.999));
-        let warnings = answer(&scene, options).warnings;
+        let warnings = answer(&scene, options).tail.warnings;
         warnings.iter().any(|warning| warning.starts_with("the film is not resolved"))
     };
     assert!(!thin(&RunOptions::default()) && thin(&NO_BARS));

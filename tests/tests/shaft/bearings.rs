@@ -1,6 +1,7 @@
 //! What a scene of a bearing asks for beside its film counts on a shaft, too: roughness, bores, and criteria.
 
-use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, Row};
+use oilwedge_report::difference::of_results;
+use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, Row};
 use oilwedge_study::result::{Status, Verdict};
 use oilwedge_study::{RunOptions, parse};
 use oilwedge_tests::crankshafts::*;
@@ -66,4 +67,14 @@ fn each_bearing_of_a_shaft_has_its_verdicts() {
         [("least film", verdict)].into_iter().chain(kept).collect::<Vec<_>>()
     };
     assert_eq!(verdicts, [of(Verdict::Pass), of(Verdict::Fail), of(Verdict::Pass)]);
+    let whole = run.result.as_one();
+    let middle = &run.result.bearings[1];
+    let name = format!("{}: {}", middle.name, LOAD.name);
+    assert_eq!(whole.by_name(&name).map(|it| it.value), middle.quantity(&LOAD).map(|it| it.value));
+    assert_eq!(Verdict::of(&whole.criteria), Some(Verdict::Fail));
+    assert!(of_results(&whole, &whole).is_ok_and(|difference| difference.is_none()));
+    let mut other = run.result.clone();
+    other.bearings[1].quantities.retain(|it| it.row != &LOAD);
+    let difference = of_results(&whole, &other.as_one()).expect("a difference");
+    assert_eq!(difference.quantities.iter().map(|it| it.name.as_str()).collect::<Vec<_>>(), [name.as_str()]);
 }

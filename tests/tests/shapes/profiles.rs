@@ -81,9 +81,9 @@ fn noise_and_coarse_points_are_told() {
     for (path, code) in [(noisy, "noisy_points"), (coarse, "coarse_points")] {
         let text = scene_of(&row, "\"2 %\"", &format!("file = {:?}", path.display().to_string()));
         let found = run(&text);
-        assert!(found.warnings.iter().any(|warning| warning.kind.code == code), "{:?}", found.warnings);
+        assert!(found.tail.warnings.iter().any(|warning| warning.kind.code == code), "{:?}", found.tail.warnings);
         let [load, smooth] = [&found, &plain].map(|result| quantity(result, "load")[0]);
         assert!((load / smooth - 1.0).abs() < 0.3, "{code}: {load} {smooth}");
     }
-    assert!(plain.warnings.iter().all(|warning| !warning.kind.code.ends_with("points")));
+    assert!(plain.tail.warnings.iter().all(|warning| !warning.kind.code.ends_with("points")));
 }

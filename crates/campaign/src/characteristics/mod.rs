@@ -129,7 +129,7 @@ impl<'a> SharedFilms<'a> {
         scene.journal.tilt.get_or_insert_default();
         let result = run(&scene, self.options)?.result;
         report.note("film", &result);
-        report.warnings.clone_from(&result.warnings);
+        report.warnings.clone_from(&result.tail.warnings);
         Ok(self.carried(&result, &moving))
     }
 

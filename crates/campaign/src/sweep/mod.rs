@@ -172,7 +172,8 @@ impl Sweep {
         let mut seconds = vec![Vec::new(); samples];
         let left: usize = chains.iter().cloned().flatten().filter(|case| !is_kept(*case)).count();
         let walks: Vec<Mutex<Walk>> = chains.iter().cloned().map(Walk::new).map(Mutex::new).collect();
-        let mut ended = |case: usize, found: CaseOutcome| match is_kept(case) {
+        let ended = |event: &mut dyn FnMut(Event) -> Result<(), E>, case: usize, found: CaseOutcome| match is_kept(case)
+        {
             true => Ok(()),
             false => event(Event::Ended(case, Box::new(found))),
         };
@@ -181,7 +182,7 @@ impl Sweep {
             if let Some(sample) = sampled {
                 seconds[sample].push(found.seconds);
             }
-            ended(case, found)
+            ended(event, case, found)
         })?;
         if let Some(rest) = forecast::rest(&chains, &seconds, workers).filter(|_| !options.interrupt.is_asked()) {
             event(Event::Forecast(Forecast {
@@ -190,11 +191,7 @@ impl Sweep {
                 threads: workers * (rayon::current_num_threads() / workers.max(1)),
             }))?;
         }
-        let mut ended = |case: usize, found: CaseOutcome| match is_kept(case) {
-            true => Ok(()),
-            false => event(Event::Ended(case, Box::new(found))),
-        };
-        self.walk(&walks, workers, options, usize::MAX, &mut ended)
+        self.walk(&walks, workers, options, usize::MAX, &mut |case, found| ended(event, case, found))
     }
 
     /// Walks on along each chain, by `most` cases.

@@ -87,7 +87,7 @@ impl CaseOutcome {
             criteria: result.criteria,
             reason: result.head.reason,
             quantities: result.quantities,
-            warnings: result.warnings,
+            warnings: result.tail.warnings,
             unknowns: Some(result.mesh.nodes),
             seconds: 0.0,
         }

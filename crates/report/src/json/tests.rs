@@ -2,7 +2,7 @@ use super::*;
 use oilwedge_campaign::records::TheoriesRecord;
 use oilwedge_study::quantities::Bar;
 use oilwedge_study::result::{
-    HistoryStep, LevelFacts, RESULT_FORMAT, ResultHead, RunResult, Status, TemperatureReport,
+    HistoryStep, LevelFacts, RESULT_FORMAT, ResultHead, ResultTail, RunResult, Status, TemperatureReport,
 };
 
 pub(crate) fn example() -> RunResult {
@@ -13,7 +13,7 @@ pub(crate) fn example() -> RunResult {
             ..ResultHead::of(RESULT_FORMAT, ["example", "title = \"example\"\n", "ab"])
         },
         history: vec![HistoryStep { step: 1, residual: 1.0, active: 0 }],
-        timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
+        tail: ResultTail { timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)], ..ResultTail::default() },
         ..crate::tables::example()
     }
 }
@@ -91,7 +91,7 @@ fn what_is_not_finite_is_not_written() {
         &|result| result.balances.mass = f64::NAN,
         &|result| result.balances.power = f64::NAN,
         &|result| result.history[0].residual = f64::INFINITY,
-        &|result| result.timing_s[1].1 = f64::NAN,
+        &|result| result.tail.timing_s[1].1 = f64::NAN,
         &|result| result.mesh.min_angle_deg = f64::NAN,
         &|result| {
             let front = f64::NAN;

@@ -36,8 +36,7 @@ use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::picture::FilmPicture;
-use oilwedge_study::result::{MeshFacts, ResultHead, RunResult};
-use oilwedge_study::warning::Warning;
+use oilwedge_study::result::{ResultHead, RunResult};
 use rayon::prelude::*;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -51,6 +50,7 @@ use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep
 use crate::sheet::Sheet;
 use crate::sketch::words;
 use crate::sweep::{SWEEP_FORMAT, SweepResult};
+use crate::tables::mesh;
 use coarser::coarser;
 use files::{SavedFiles, saved};
 use film_data::FilmData;
@@ -179,23 +179,19 @@ pub fn film_page(result: &RunResult, picture: Option<&FilmPicture>, extras: Extr
     let quantities = quantities(result);
     let mut page = Page {
         kind: "film",
-        verdict: Outcome::of(&result.criteria, result.head.status),
         cards: cards(&quantities, &result.effects),
         quantities,
-        criteria: criteria_sheet(&result.criteria),
         film_title: "The film".to_owned(),
-        warnings: texts(&result.warnings),
         balances: balances::of_film(result),
         assumptions: tables::assumptions(result),
-        mesh: mesh_in_words(&result.mesh),
+        mesh: mesh(&result.mesh).trim_end_matches(" deg").to_owned() + "\u{b0}",
         work: [tables::levels(&result.levels), Some(tables::work(&result.counts)), tables::history(&result.history)]
             .into_iter()
             .flatten()
             .collect(),
         tables: compared(records, result),
         timings: tables::timings_of_film(result, records),
-        command: command("solve", result.bars),
-        ..head(&result.head, &result.effects, extras.files)
+        ..of_run(result, extras.files)
     };
     let options = [
         records.cost.as_ref().map(|_| " --cost"),
@@ -272,6 +268,18 @@ fn head(head: &ResultHead, effects: &Effects, files: &[SceneFile]) -> Page {
     }
 }
 
+/// What the page of a run has: verdict, warnings, times.
+fn of_run(result: &RunResult, files: &[SceneFile]) -> Page {
+    Page {
+        verdict: Outcome::of(&result.criteria, result.head.status),
+        criteria: criteria_sheet(&result.criteria),
+        warnings: result.tail.warnings.iter().map(|warning| warning.text.clone()).collect(),
+        timings: tables::timings(&result.tail),
+        command: command("solve", result.bars),
+        ..head(&result.head, &result.effects, files)
+    }
+}
+
 /// What the script draws of a film, and what the page says of it.
 fn film_data(film: &DrawnFilm, picture: &FilmPicture) -> Result<(FilmData, Option<String>), Error> {
     if picture.points.len() <= MOST_NODES {
@@ -321,17 +329,6 @@ fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
     let mut all = comparisons(records, result);
     all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
     all.iter().filter_map(|it| sheet(it).if_any()).collect()
-}
-
-fn texts(warnings: &[Warning]) -> Vec<String> {
-    warnings.iter().map(|warning| warning.text.clone()).collect()
-}
-
-fn mesh_in_words(mesh: &MeshFacts) -> String {
-    format!(
-        "{} triangles, {} nodes for a pressure of degree {}, smallest angle {:.1}\u{b0}",
-        mesh.cells, mesh.nodes, mesh.order, mesh.min_angle_deg
-    )
 }
 
 /// The command that gives these results again, for the scene in a file of that name.

@@ -4,18 +4,15 @@
 use oilwedge_campaign::shafts;
 use oilwedge_drawing::PAGE_WIDTH;
 use oilwedge_scene::wording::millimetres;
-use oilwedge_study::effects::Effects;
 use oilwedge_study::orbit::CycleFacts;
 use oilwedge_study::quantities::Row;
 use oilwedge_study::shaft::BearingReport;
 
 use super::quantities::ShownQuantity;
-use super::verdict::Outcome;
-use super::{Lead, Page, SceneFile, command, drawn, head, render, tables, texts};
+use super::{Lead, Page, SceneFile, drawn, of_run, render};
 use crate::Error;
 use crate::balances;
 use crate::comparison::sheet;
-use crate::criteria::{criteria_sheet, of_shaft};
 use crate::plot::{BENT, SHAFT, shaft_figures};
 use crate::shaft_sheet::{
     GREATEST_LOAD, GREATEST_PRESSURE, LEAST_FILM, MEAN_POWER, OIL, bearings, counterweights, row_of,
@@ -30,22 +27,16 @@ use crate::sheet::{Sheet, count, number};
 pub fn shaft_page(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Error> {
     let own = &views.own;
     let result = &own.result;
-    let criteria = of_shaft(result);
     let mut page = Page {
         kind: "crankshaft",
-        verdict: Outcome::of(&criteria, result.head.status),
         cards: cards(own),
-        criteria: criteria_sheet(&criteria),
         lead: Lead { title: "The shaft", words: words(own), table: bearings(result).if_any(), ..Lead::default() },
-        warnings: texts(&result.warnings),
         balances: balances::of_shaft(result),
         tables: [result.counterweights.as_ref().map(counterweights), cycles(&result.cycles)]
             .into_iter()
             .flatten()
             .collect(),
-        timings: tables::timings(&result.timing_s),
-        command: command("solve", result.bars),
-        ..head(&result.head, &Effects::default(), files)
+        ..of_run(&result.as_one(), files)
     };
     page.command.extend(views.beside.iter().map(|(variant, _)| format!(" --{}", variant.name())));
     let compared = views.beside.iter().map(|(variant, other)| sheet(&shafts(result, *variant, &other.result)));

@@ -3,7 +3,7 @@
 use oilwedge_campaign::Records;
 use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
-use oilwedge_study::result::{Counts, HistoryStep, LevelFacts, RunResult};
+use oilwedge_study::result::{Counts, HistoryStep, LevelFacts, ResultTail, RunResult};
 
 use crate::digits::significant;
 use crate::sheet::{Cell, DIGITS, Sheet, count, number, sized, text, without_zeros};
@@ -69,15 +69,15 @@ pub(super) fn history(steps: &[HistoryStep]) -> Option<Sheet> {
 }
 
 /// Wall times [ms] of parts, by their names; the only numbers that differ from run to run.
-pub(super) fn timings(parts: &[(String, f64)]) -> Sheet {
-    let mut parts: Vec<_> = parts.iter().collect();
+pub(super) fn timings(tail: &ResultTail) -> Sheet {
+    let mut parts: Vec<_> = tail.timing_s.iter().collect();
     parts.sort_by_key(|(part, _)| part);
     Sheet::new("", ["part", "ms"], parts.into_iter().map(|(part, it)| timing(part.as_str(), *it)).collect())
 }
 
 /// Wall times of a film, also those of meshes and of the films without an effect.
 pub(super) fn timings_of_film(result: &RunResult, records: &Records) -> Sheet {
-    let mut table = timings(&result.timing_s);
+    let mut table = timings(&result.tail);
     let levels = (1..).zip(&result.levels).map(|(number, level)| timing(format!("mesh {number}"), level.seconds));
     let costs = records.cost.iter().flatten().map(|it| timing(format!("without {}", it.effect), it.seconds_without));
     table.rows.extend(levels.chain(costs));

@@ -1,6 +1,7 @@
 //! The table of a sweep: one row a case, and which columns there are.
 
 use crate::Error;
+use crate::number_columns;
 use oilwedge_campaign::sweep::{CaseOutcome, CaseStatus};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::{AxisValue, Plan, WantedColumn};
@@ -43,12 +44,7 @@ impl Columns {
         let mut row = vec!["case".to_owned()];
         row.extend(self.inputs.iter().cloned());
         row.push("status".to_owned());
-        for column in &self.quantities {
-            row.push(column.heading());
-            if self.bars {
-                row.push(column.error_heading());
-            }
-        }
+        row.extend(number_columns::headings(&self.quantities, self.bars));
         row.extend(TAIL.map(str::to_owned));
         row
     }
@@ -60,20 +56,8 @@ impl Columns {
     pub(crate) fn row(&self, plan: &Plan, number: usize, found: &CaseOutcome) -> Result<TextRow, Error> {
         let mut row = inputs(plan, number);
         row.push(status_name(found.status).to_owned());
-        for column in &self.quantities {
-            let name = &column.quantity;
-            let quantity = found.quantities.iter().find(|quantity| quantity.name == *name);
-            let text = |value: Option<f64>| match value {
-                None => Ok(String::new()),
-                Some(value) if value.is_finite() => Ok(format!("{value:?}")),
-                Some(value) => Err(Error::NotFinite { name: format!("case {}, {name}", number + 1), value }),
-            };
-            row.push(text(quantity.map(|quantity| column.value(quantity.value)))?);
-            if self.bars {
-                let error = quantity.and_then(|quantity| quantity.error());
-                row.push(text(error.map(|error| column.error(error)))?);
-            }
-        }
+        let case = format!("case {}", number + 1);
+        row.extend(number_columns::cells(&self.quantities, self.bars, &found.quantities, &case)?);
         row.push(found.unknowns.map_or(String::new(), |unknowns| unknowns.to_string()));
         row.push(listed(found.warnings.iter().map(|warning| warning.kind.code.to_owned())));
         row.push(Verdict::of(&found.criteria).map_or_else(String::new, |verdict| verdict.name().to_owned()));

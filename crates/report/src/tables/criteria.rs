@@ -3,16 +3,12 @@
 use crate::criteria::criteria_sheet;
 use oilwedge_study::result::{Criterion, Reserve, RunResult, Verdict};
 
-/// The criteria of a bearing and the verdict; nothing where the scene sets none and nothing is usual.
-pub(crate) fn criteria(result: &RunResult) -> Option<String> {
+/// The criteria and the verdict in words, never without reserve beside broken assumptions; nothing where the scene sets
+/// none and nothing is usual.
+pub(crate) fn judged(result: &RunResult) -> Option<String> {
     let broken = result.temperature.as_ref().map_or(0, |report| report.broken_assumptions);
-    judged(&result.criteria, broken)
-}
-
-/// The criteria and the verdict in words, never without reserve beside `broken` assumptions.
-pub(crate) fn judged(criteria: &[Criterion], broken: usize) -> Option<String> {
-    let mut sheet = criteria_sheet(criteria)?;
-    sheet.notes.extend(verdict(criteria, broken));
+    let mut sheet = criteria_sheet(&result.criteria)?;
+    sheet.notes.extend(verdict(&result.criteria, broken));
     Some(sheet.terminal())
 }
 

@@ -1,10 +1,10 @@
 //! Stiffness and damping for people: small tables of two frames, and the stability of a rigid rotor.
 
-use super::pieces::table;
 use super::quantities::quantities;
 use super::shown::Shown;
 use crate::digits::significant;
 use crate::readable::readable_unit;
+use crate::sheet::{Sheet, numeral, text};
 use oilwedge_study::quantities::{CRITICAL_MASS, LOGARITHMIC_DECREMENT, Quantity, Table, WHIRL_RATIO};
 use oilwedge_study::result::{CoefficientReport, DynamicsReport, Pair, RunResult, Stable};
 
@@ -69,12 +69,11 @@ fn pair(pair: &Pair, forces: [&str; 4], [first, second]: [&str; 2]) -> String {
         headings.collect::<Vec<_>>()
     };
     let headings = std::iter::once(String::new()).chain(of("K", "")).chain(of("C", "'"));
-    let mut rows = table(headings, 1..1 + 2 * order);
-    for ((force, stiffness), damping) in forces.iter().zip(&pair.stiffness).zip(&pair.damping) {
-        let numbers = stiffness.iter().chain(damping).map(|&entry| coefficient(entry));
-        rows.add_row(std::iter::once((*force).to_owned()).chain(numbers));
-    }
-    rows.to_string()
+    let rows = forces.iter().zip(&pair.stiffness).zip(&pair.damping).map(|((force, stiffness), damping)| {
+        let numbers = stiffness.iter().chain(damping).map(|&entry| numeral(coefficient(entry)));
+        std::iter::once(text(*force)).chain(numbers).collect()
+    });
+    Sheet { header: headings.collect(), rows: rows.collect(), ..Sheet::default() }.terminal()
 }
 
 /// A coefficient, with a power of ten where it has many places.

@@ -1,6 +1,6 @@
 //! Results as tables and lines for people, as the command line prints them and Python shows them.
 //!
-//! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`,
+//! Reading order: `pieces.rs` (headings, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`,
 //! `temperature.rs`, `dynamics.rs`; `sweep.rs`, `shaft.rs`.
 
 mod criteria;
@@ -14,7 +14,7 @@ mod sweep;
 mod temperature;
 mod verdict;
 
-pub use pieces::{counted, duration, effects, heading, mesh, printable, status, table, time};
+pub use pieces::{counted, duration, effects, heading, mesh, printable, time, whole_run};
 #[cfg(test)]
 pub(crate) use run::tests::result as example;
 pub use run::{Written, run_report};

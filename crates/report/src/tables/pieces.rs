@@ -1,12 +1,9 @@
-//! Pieces of reports: headings, tables, times, counts.
-
-use std::ops::Range;
+//! Pieces of reports: headings, times, counts.
 
 pub use oilwedge_scene::wording::printable;
 
-use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_study::effects::Effects;
-use oilwedge_study::result::{MeshFacts, Status};
+use oilwedge_study::result::{MeshFacts, ResultHead, Status};
 
 use crate::digits::significant;
 
@@ -15,8 +12,18 @@ pub fn heading(title: &str, status: &str) -> String {
     format!("{}: {status}", printable(title))
 }
 
+/// The text of a whole run: title and status, the reason if there is one, its tables, and lines, of which the verdict
+/// is the last.
+pub fn whole_run(head: &ResultHead, tables: Vec<String>, lines: &[String]) -> String {
+    let mut parts = vec![heading(&head.title, status(head.status))];
+    parts.extend(head.reason.iter().map(|reason| format!("reason: {}", printable(reason))));
+    parts.extend(tables);
+    parts.push(lines.join("\n"));
+    parts.join("\n\n") + "\n"
+}
+
 /// A status in words.
-pub fn status(status: Status) -> &'static str {
+pub(super) fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NoSolution => "there is no solution",
@@ -45,22 +52,6 @@ pub fn effects(effects: &Effects) -> String {
         simulated.join("\n               "),
         effects.not_simulated.join(", ")
     )
-}
-
-/// An empty table with this header, as wide as the terminal at most; the columns `numbers` are aligned to the right.
-pub fn table(header: impl IntoIterator<Item = impl Into<Cell>>, numbers: Range<usize>) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_FULL_CONDENSED).set_content_arrangement(ContentArrangement::Dynamic);
-    if let Some((_, width)) = console::Term::stdout().size_checked() {
-        table.set_width(width);
-    }
-    table.set_header(header.into_iter().map(Into::into).collect::<Vec<Cell>>());
-    for column in numbers.start..numbers.end.min(table.column_count()) {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    table
 }
 
 /// Seconds, or milliseconds where they are few.

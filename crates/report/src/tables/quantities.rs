@@ -1,30 +1,24 @@
 //! The table of quantities with their error bars, and what the bars are made of.
 
-use super::pieces::{printable, table, time};
+use super::pieces::time;
 use crate::digits::bar;
 use crate::readable::readable_unit;
-use crate::sheet::{bar_in_words, value_in_words};
+use crate::sheet::{Sheet, bar_in_words, numeral, text, value_in_words};
 use oilwedge_study::effects::Socket;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, ECCENTRICITY, LOAD, Quantity};
 use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
 
 /// All quantities, with their error bars where these were estimated.
 pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>, bars: bool) -> String {
-    let mut table = match bars {
-        true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"], 2..4),
-        false => table(["quantity", "symbol", "value", "unit", "what it is"], 2..3),
+    let cells = |it: &Quantity| {
+        let (unit, size) = readable_unit(it.value, it.row.unit);
+        let value = numeral(value_in_words(it.value, it.error(), bars, size));
+        let error = numeral(bar_in_words(it.error(), bars, size));
+        vec![text(&*it.name), text(it.row.symbol), value, error, text(unit), text(it.row.what)]
     };
-    for quantity in quantities {
-        let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
-        let value = value_in_words(quantity.value, quantity.error(), bars, size);
-        let error = bar_in_words(quantity.error(), bars, size);
-        let (name, row) = (printable(&quantity.name), quantity.row);
-        match bars {
-            true => table.add_row([&name, row.symbol, &value, &error, unit, row.what]),
-            false => table.add_row([&name, row.symbol, &value, unit, row.what]),
-        };
-    }
-    table.to_string()
+    let rows = quantities.into_iter().map(cells).collect();
+    let sheet = Sheet::new("", ["quantity", "symbol", "value", "± error", "unit", "what it is"], rows);
+    Sheet { page_only: if bars { Vec::new() } else { vec![3] }, ..sheet }.terminal()
 }
 
 /// What the bar of the load or, where that is given, of the eccentricity is made of; and the meshes that led to it.

@@ -1,8 +1,8 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
-use super::criteria::criteria;
+use super::criteria::judged;
 use super::dynamics;
-use super::pieces::{effects, heading, mesh, status, time};
+use super::pieces::{effects, mesh, time, whole_run};
 use super::quantities::{bars, quantities};
 use super::shown::Shown;
 use super::temperature;
@@ -14,7 +14,7 @@ use crate::readable::readable_unit;
 use oilwedge_campaign::{Records, comparisons};
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
-use oilwedge_study::result::{Counts, LinearRoute, LinearSolver, RunResult, headlines};
+use oilwedge_study::result::{Counts, LinearRoute, LinearSolver, ResultTail, RunResult, headlines};
 use std::path::Path;
 
 /// What a run has written.
@@ -22,35 +22,26 @@ use std::path::Path;
 pub struct Written<'a> {
     /// The folder of the results.
     pub folder: &'a Path,
-    /// Whether there are fields.
-    pub has_fields: bool,
-    /// The line about pictures; empty where none were drawn.
+    /// The files in it.
+    pub files: &'a [String],
+    /// The lines about pictures; empty where none were drawn.
     pub pictures: &'a str,
 }
 
 impl Written<'_> {
     /// The files and where they are.
-    fn lines(self, result: &RunResult) -> Vec<String> {
-        let mut files = vec!["result.json"];
-        files.extend(self.has_fields.then_some("film.vtu"));
-        files.extend(result.orbit.is_some().then_some("orbit.csv"));
-        files.extend(temperature::files(result));
-        let written = format!("written   {}: {}", self.folder.display(), files.join(", "));
-        let pictures = self.pictures.lines().map(str::to_owned);
-        std::iter::once(written).chain(pictures).collect()
+    pub(super) fn lines(self) -> impl Iterator<Item = String> {
+        let written = format!("written   {}: {}", self.folder.display(), self.files.join(", "));
+        std::iter::once(written).chain(self.pictures.lines().map(str::to_owned))
     }
 }
 
 /// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if
 /// anything was, and last the verdict.
 pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: Option<Written>) -> String {
-    let mut parts = vec![heading(&result.head.title, status(result.head.status))];
-    if let Some(reason) = &result.head.reason {
-        parts.push(format!("reason: {reason}"));
-    }
-    parts.extend(tables(result, shown));
+    let mut parts = tables(result, shown);
     parts.extend(temperature::balance(result, shown));
-    parts.extend(criteria(result));
+    parts.extend(judged(result));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(comparisons(records, result).iter().map(|it| sheet(it).terminal()));
@@ -63,14 +54,13 @@ pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: 
     lines.extend(result.orbit.as_ref().map(orbit));
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
     lines.extend(work(result.counts, result.linear_solver));
-    lines.push(format!("time      {}", timing(&result.timing_s)));
+    lines.push(format!("time      {}", timing(&result.tail)));
     if let Some(written) = written {
-        lines.extend(written.lines(result));
+        lines.extend(written.lines());
         lines.extend(left_out(result, shown));
     }
     lines.push(verdict(result));
-    parts.push(lines.join("\n"));
-    parts.join("\n\n") + "\n"
+    whole_run(&result.head, parts, &lines)
 }
 
 /// The tables of quantities: headlines first, then the joint of a cap, then all others of the film if they are asked
@@ -181,8 +171,8 @@ fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
 }
 
 /// The total time, then its parts.
-fn timing(parts: &[(String, f64)]) -> String {
-    let (total, parts): (Vec<_>, Vec<_>) = parts.iter().partition(|(part, _)| part == "total");
+pub(super) fn timing(tail: &ResultTail) -> String {
+    let (total, parts): (Vec<_>, Vec<_>) = tail.timing_s.iter().partition(|(part, _)| part == "total");
     let total = total.first().map_or(String::new(), |(_, seconds)| format!("{}: ", time(*seconds)));
     let parts: Vec<_> = parts.iter().map(|(part, seconds)| format!("{part} {}", time(*seconds))).collect();
     total + &parts.join(", ")
@@ -196,7 +186,7 @@ pub(crate) mod tests {
     use oilwedge_study::result::{Balances, MeshFacts, RESULT_FORMAT, ResultHead, Status};
 
     pub(crate) fn written() -> Written<'static> {
-        Written { folder: Path::new("out/shell"), has_fields: true, pictures: "" }
+        Written { folder: Path::new("out/shell"), files: &[], pictures: "" }
     }
 
     pub(crate) fn result() -> RunResult {
@@ -210,7 +200,7 @@ pub(crate) mod tests {
             quantities: vec![Quantity::new(&LOAD, 12_910.0), Quantity::new(&ATTITUDE_ANGLE, 49.29)],
             balances: Balances { mass: 1.2e-12, power: 2.5e-15, ..Balances::default() },
             counts: Counts { nonlinear_iterations: 1, factorisations: 1, linear_solves: 1, ..Counts::default() },
-            timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
+            tail: ResultTail { timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)], warnings: Vec::new() },
             ..RunResult::default()
         }
     }
@@ -226,11 +216,11 @@ pub(crate) mod tests {
             "49.2900",
             "simulated      poiseuille  oil driven by the pressure gradient\n               couette     oil dragged",
             "force on the journal that the film carries",
-            "differ by 1.2e-12 of",
+            "balance   1.2e-12   oil that enters less oil that leaves",
             "592 triangles, 1245 nodes for a pressure of degree 2, smallest angle 31.0 deg",
             "1 linear solve, 1 factorisation, 1 nonlinear iteration",
             "1.50 s: read 12.3 ms",
-            "out/shell: result.json, film.vtu",
+            "out/shell: ",
         ];
         for part in parts {
             assert!(text.contains(part), "{part}:\n{text}");
@@ -282,14 +272,9 @@ pub(crate) mod tests {
         result.head.status = Status::NoSolution;
         result.head.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(
-            &result,
-            Shown::Headlines,
-            &Records::default(),
-            Some(Written { has_fields: false, ..written() }),
-        );
+        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
         assert!(text.contains("there is no solution") && text.contains("reason: no steady film"), "{text}");
-        assert!(!text.contains("balance") && !text.contains("film.vtu"), "{text}");
+        assert!(!text.contains("balance"), "{text}");
     }
 
     #[test]

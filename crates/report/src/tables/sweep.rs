@@ -7,9 +7,10 @@ use oilwedge_study::column::Column;
 use oilwedge_study::quantities::{self, CYCLE_DEVIATION, CYCLE_MIDDLE_FILM_MIN, DEVIATION, MIDDLE_FILM_MIN};
 use oilwedge_study::result::headlines;
 
-use super::pieces::{counted, effects, heading, printable, table, time};
+use super::pieces::{counted, effects, heading, printable, time};
 use crate::digits::significant;
 use crate::readable::readable_unit;
+use crate::sheet::{Sheet, none, numeral, text};
 use crate::sweep::{LIMITS, REASON, SweepReport, TextRow, VERDICT, WARNINGS};
 
 /// How many cases have each code.
@@ -102,7 +103,7 @@ fn shown(report: &SweepReport) -> Vec<ShownColumn> {
     if report.plan.columns.is_some() {
         let column = |&(place, column): &(usize, &Column)| ShownColumn {
             place,
-            heading: printable(&headed(&column.name, &column.unit)),
+            heading: headed(&column.name, &column.unit),
             size: 1.0,
         };
         return all.iter().map(column).collect();
@@ -125,44 +126,36 @@ fn headed(name: &str, unit: &str) -> String {
 
 fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
     let columns = shown(report);
-    let inputs = report.columns.inputs.iter().map(|input| printable(input));
-    let headings = columns.iter().map(|column| column.heading.clone());
-    let first = ["case".to_owned()].into_iter().chain(inputs);
-    let is_judged = report.rows.iter().any(|row| !report.columns.tail(row, VERDICT).is_empty());
-    let last: Vec<&str> = [VERDICT, WARNINGS].into_iter().skip(usize::from(!is_judged)).collect();
-    let mut table = table(
-        first.chain(headings).chain(last.iter().map(|&name| name.to_owned())),
-        0..1 + report.columns.inputs.len() + columns.len(),
-    );
     let inputs = report.columns.inputs.len();
-    let mut add = |row: &TextRow| {
-        let mut cells: Vec<String> = row[..=inputs].iter().map(|cell| printable(cell)).collect();
+    let is_judged = report.rows.iter().any(|row| !report.columns.tail(row, VERDICT).is_empty());
+    let last = &[VERDICT, WARNINGS][usize::from(!is_judged)..];
+    let headings = columns.iter().map(|column| column.heading.clone());
+    let header = ["case".to_owned()].into_iter().chain(report.columns.inputs.iter().cloned()).chain(headings);
+    let cells = |row: &TextRow| {
         let numbers = columns.iter().map(|column| {
             let value = report.value(row, column.place);
-            value.map_or("-".to_owned(), |value| significant(value / column.size, DIGITS))
+            value.map_or_else(none, |value| numeral(significant(value / column.size, DIGITS)))
         });
-        cells.extend(numbers);
-        cells.extend(last.iter().map(|name| report.columns.tail(row, name).to_owned()));
-        table.add_row(cells);
+        let last = last.iter().map(|name| text(report.columns.tail(row, name)));
+        row[..=inputs].iter().map(numeral).chain(numbers).chain(last).collect()
     };
-    let cut = report.rows.len() > SHOWN;
-    let (first, last) = match cut {
-        true => (&report.rows[..SHOWN / 2], &report.rows[report.rows.len() - SHOWN / 2..]),
-        false => (&report.rows[..], &report.rows[..0]),
+    let count = report.rows.len();
+    let cut = count > SHOWN;
+    let is_shown = |place: usize| !cut || place < SHOWN / 2 || place >= count - SHOWN / 2;
+    let rows = report.rows.iter().enumerate().filter(|(place, _)| is_shown(*place));
+    let mut sheet = Sheet {
+        header: header.chain(last.iter().map(|&name| name.to_owned())).collect(),
+        rows: rows.map(|(_, row)| cells(row)).collect(),
+        ..Sheet::default()
     };
-    first.iter().for_each(&mut add);
-    last.iter().for_each(&mut add);
-    let mut text = table.to_string();
     if cut {
         let all = if folder.is_some() { "; all are in sweep.csv" } else { "" };
-        text += &format!("\nthe first and the last {} of {} cases{all}", SHOWN / 2, report.rows.len());
+        sheet.notes.push(format!("the first and the last {} of {count} cases{all}", SHOWN / 2));
     }
     let reason = |row| report.columns.tail(row, REASON);
     let reasons = report.rows.iter().filter(|row| !reason(row).is_empty());
-    for row in reasons.take(REASONS) {
-        text += &format!("\ncase {}: {}", row[0], printable(reason(row)));
-    }
-    text
+    sheet.notes.extend(reasons.take(REASONS).map(|row| format!("case {}: {}", row[0], reason(row))));
+    sheet.terminal()
 }
 
 /// Reasons that are shown.

@@ -1,10 +1,9 @@
 //! The balance of heat for people: two curves as a table.
 
-use super::pieces::table;
 use super::quantities::quantities;
 use super::shown::Shown;
 use crate::digits::significant;
-use crate::plot::TEMPERATURE_FILES;
+use crate::sheet::{Sheet, numeral};
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{RunResult, TemperatureReport};
 
@@ -21,26 +20,13 @@ pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
     Some(format!("balance of heat\n{list}\n{}", curve(report)))
 }
 
-/// The files of the curves.
-pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
-    match &result.temperature {
-        Some(report) if !report.curve.is_empty() => &TEMPERATURE_FILES,
-        _ => &[],
-    }
-}
-
 /// Friction and heat carried off at temperatures around that found.
 fn curve(report: &TemperatureReport) -> String {
     let header = ["film [C]", "mu0 [mPa.s]", "friction [W]", "carried off [W]", ECCENTRICITY.name];
-    let mut rows = table(header, 0..5);
-    for point in &report.curve {
-        rows.add_row([
-            format!("{:.2}", point.temperature),
-            significant(1e3 * point.viscosity, 4),
-            significant(point.friction_power, 4),
-            significant(point.removed(), 4),
-            significant(point.eccentricity, 4),
-        ]);
-    }
-    rows.to_string()
+    let rows = report.curve.iter().map(|point| {
+        let others = [1e3 * point.viscosity, point.friction_power, point.removed(), point.eccentricity];
+        let others = others.map(|number| significant(number, 4));
+        [format!("{:.2}", point.temperature)].into_iter().chain(others).map(numeral).collect()
+    });
+    Sheet::new("", header, rows.collect()).terminal()
 }

@@ -2,39 +2,25 @@
 
 use super::pieces::{counted, status};
 use oilwedge_study::result::{Criterion, RunResult, Status, Verdict};
-use oilwedge_study::shaft::ShaftResult;
 
 /// Most faults that a line names.
 const MOST_FAULTS: usize = 3;
 
-/// Status, verdict of the design criteria where there are any, number of warnings.
-pub(crate) fn verdict(result: &RunResult) -> String {
-    line(ending(result), &result.criteria, result.warnings.len())
-}
-
-/// The line of the verdict of a crankshaft, by the criteria of all its bearings.
-pub(crate) fn of_shaft(result: &ShaftResult) -> String {
-    line(status(result.head.status).to_owned(), &crate::criteria::of_shaft(result), result.warnings.len())
-}
-
-fn line(ending: String, criteria: &[Criterion], warnings: usize) -> String {
-    let mut parts = vec![ending];
-    parts.extend(fitness(criteria, warnings > 0));
+/// Status, with a tolerance whether it is met, verdict of the design criteria where there are any, number of warnings.
+pub(crate) fn verdict(RunResult { head, tail, levels, criteria, .. }: &RunResult) -> String {
+    let ending = match (head.status, levels.is_empty()) {
+        (Status::Converged, false) => "converged, within the tolerance",
+        (Status::NotConverged, false) => "not converged: the tolerance is not met",
+        (ended, _) => status(ended),
+    };
+    let mut parts = vec![ending.to_owned()];
+    parts.extend(fitness(criteria, !tail.warnings.is_empty()));
     parts.extend(unusual(criteria));
-    parts.push(match warnings {
+    parts.push(match tail.warnings.len() {
         0 => "no warnings".to_owned(),
         count => counted(count, "warning"),
     });
     format!("verdict   {}", parts.join("; "))
-}
-
-/// How the run ended; with a tolerance whether it is met.
-fn ending(result: &RunResult) -> String {
-    match (result.head.status, result.levels.is_empty()) {
-        (Status::Converged, false) => "converged, within the tolerance".to_owned(),
-        (Status::NotConverged, false) => "not converged: the tolerance is not met".to_owned(),
-        (ended, _) => status(ended).to_owned(),
-    }
 }
 
 /// Whether the bearing meets its design criteria, and which it does not.
@@ -82,7 +68,7 @@ mod tests {
         let mut result = result();
         assert_eq!(verdict(&result), "verdict   converged; no warnings");
         result.levels = vec![LevelFacts::default()];
-        result.warnings = vec![TURBULENT.says("so")];
+        result.tail.warnings = vec![TURBULENT.says("so")];
         assert_eq!(verdict(&result), "verdict   converged, within the tolerance; 1 warning");
         result.head.status = Status::NotConverged;
         let of =

@@ -23,7 +23,6 @@ use crate::reasons::{Cause, Limit};
 use crate::result::Status;
 use crate::run_options::RunOptions;
 use crate::solved::Errors;
-use crate::warning::Warning;
 use crate::warnings::all_warnings;
 
 /// The journals on the next coarser meshes, or on their own where there are none: tolerance and cycles.
@@ -69,7 +68,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
             }
         }
     }
-    run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    run.result.tail.took("orbits", clock.elapsed().as_secs_f64());
     Ok(run)
 }
 
@@ -98,13 +97,13 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     }
     temperatures.begin_again();
     let found = at_temperatures(scene, engine, (&compiled, &mut temperatures), (&start, &march), options);
-    run.result.timing_s.push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    run.result.tail.took("orbits", clock.elapsed().as_secs_f64());
     let compiled = temperatures.applied(&compiled);
     let outcome = found.and_then(|orbit| {
         let clock = Instant::now();
         let found = (&orbit, &*start, &march);
         let outcome = report(scene, engine, (&compiled, &temperatures), found, options, &mut run);
-        run.result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
+        run.result.tail.took("measure", clock.elapsed().as_secs_f64());
         outcome?;
         let last = orbit.cycles.last().map_or(0.0, |cycle| cycle.closure);
         ended(&mut run, orbit.end, (orbit.cycles.len(), last), options);
@@ -336,8 +335,6 @@ fn add(
 ) {
     let estimated = estimate_errors(&followed.solved);
     let warnings = all_warnings(&bearing.film.oil, &followed.solved, &estimated, options.errors());
-    let named = |warning: Warning| warning.of(&BearingReport::part(&bearing.name));
-    (run.result.warnings).extend(warnings.into_iter().map(named));
     let arm = bearing.coordinates().arm;
     let tilts = followed.path.spans.iter().map(|span| {
         let [_, _, x, y] = span.places[0];
@@ -346,12 +343,13 @@ fn add(
     let shell = shells.iter().fold([0.0f64; 2], |[offset, tilt], [x, y, z_x, z_y]| {
         [offset.max(x.hypot(*y)), tilt.max(z_x.hypot(*z_y) / arm)]
     });
-    run.result.bearings.push(BearingReport {
+    let report = BearingReport {
         tilt_max: tilts.fold(0.0, f64::max),
         shell,
         energy: followed.balances.energy,
         ..BearingReport::of(bearing, followed.quantities, options.bars)
-    });
+    };
+    run.result.add(report, warnings);
     run.paths.push(BearingPath { name: bearing.name.clone(), load, path: followed.path });
 }
 

@@ -9,7 +9,7 @@ use super::weights::CounterweightReport;
 use crate::limits::design_criteria;
 use crate::orbit::{CycleFacts, OrbitPath};
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row, TILT_X, TILT_Y};
-use crate::result::{Criterion, Geometry, ResultHead, in_order, named};
+use crate::result::{Criterion, Geometry, ResultHead, ResultTail, RunResult, named};
 use crate::warning::Warning;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 
@@ -69,11 +69,9 @@ pub struct ShaftResult {
     pub counterweights: Option<CounterweightReport>,
     /// Films solved to find the balance, on the meshes of the result.
     pub films: usize,
-    /// Wall time of each part [s]; an object keyed by part in JSON.
-    #[serde(with = "in_order")]
-    pub timing_s: Vec<(String, f64)>,
-    /// Doubts about the result, in sentences.
-    pub warnings: Vec<Warning>,
+    /// Times and warnings.
+    #[serde(flatten)]
+    pub tail: ResultTail,
 }
 
 /// What is left of the balances of a shaft, greatest over a cycle.
@@ -155,7 +153,7 @@ impl BearingReport {
     }
 
     /// What its warnings begin with, among those of the whole shaft.
-    pub(super) fn part(name: &str) -> String {
+    fn part(name: &str) -> String {
         format!("bearing {name}")
     }
 
@@ -183,7 +181,36 @@ impl ShaftResult {
     /// The warnings about a bearing.
     pub fn warnings_of<'a>(&'a self, bearing: &'a BearingReport) -> impl Iterator<Item = &'a Warning> {
         let part = format!("{}: ", BearingReport::part(&bearing.name));
-        self.warnings.iter().filter(move |warning| warning.starts_with(&part))
+        self.tail.warnings.iter().filter(move |warning| warning.starts_with(&part))
+    }
+
+    /// The shaft as one result, as a film has it: numbers and criteria of all bearings, each with the name of its
+    /// bearing.
+    pub fn as_one(&self) -> RunResult {
+        let numbers = self.bearings.iter().flat_map(|bearing| {
+            let named =
+                |it: &Quantity| Quantity { name: format!("{}: {}", bearing.name, it.name).into(), ..it.clone() };
+            bearing.quantities.iter().map(named)
+        });
+        let criteria = self.bearings.iter().flat_map(|bearing| {
+            let named = |it: &Criterion| Criterion { what: format!("{}: {}", bearing.name, it.what), ..it.clone() };
+            bearing.criteria.iter().map(named)
+        });
+        RunResult {
+            head: self.head.clone(),
+            quantities: numbers.collect(),
+            bars: self.bars,
+            criteria: criteria.collect(),
+            tail: self.tail.clone(),
+            ..RunResult::default()
+        }
+    }
+
+    /// Adds a bearing and the warnings about it.
+    pub(super) fn add(&mut self, bearing: BearingReport, warnings: Vec<Warning>) {
+        let part = BearingReport::part(&bearing.name);
+        self.tail.warnings.extend(warnings.into_iter().map(|warning| warning.of(&part)));
+        self.bearings.push(bearing);
     }
 
     /// What is known of a run whatever its outcome.

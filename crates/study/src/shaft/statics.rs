@@ -66,14 +66,14 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
     let mut temperatures = Temperatures::of(&compiled);
     let found = found.map_err(|reason| without(&reason, &compiled, options.cause()));
     let found = found.and_then(|found| at_temperatures(&compiled, &mut temperatures, found, options));
-    result.timing_s.push(("balance".to_owned(), clock.elapsed().as_secs_f64()));
+    result.tail.took("balance", clock.elapsed().as_secs_f64());
     let clock = Clock::now();
     let compiled = temperatures.applied(&compiled);
     let outcome = found.and_then(|balance| report((&compiled, &temperatures), balance, options, result));
     if let Err((status, reason)) = outcome {
         result.head.end(status, reason);
     }
-    result.timing_s.push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
+    result.tail.took("measure", clock.elapsed().as_secs_f64());
     Ok(run)
 }
 
@@ -235,10 +235,7 @@ fn report(
             tilt_max: tilt_x.hypot(tilt_y),
             ..BearingReport::of(bearing, estimated.quantities, options.bars)
         };
-        let report = BearingReport { tilt_max_error: report.tilt_error(), ..report };
-        let named = warnings.into_iter().map(|warning| warning.of(&BearingReport::part(&report.name)));
-        result.warnings.extend(named);
-        result.bearings.push(report);
+        result.add(BearingReport { tilt_max_error: report.tilt_error(), ..report }, warnings);
     }
     result.films = balance.films;
     let gaps = films.gaps(balance.instants.iter().map(Instant::under_wall));

@@ -136,9 +136,9 @@ fn meshes_of_any_kind_agree() {
         if error > 1e-2 * load {
             return Err(format!("{kind:?}: {load} +- {error}"));
         }
-        let is_told = result.warnings.iter().any(|warning| warning.contains("layout = \"file\""));
+        let is_told = result.tail.warnings.iter().any(|warning| warning.contains("layout = \"file\""));
         if is_told != matches!(kind, Kind::Random | Kind::Graded) {
-            return Err(format!("{kind:?}: {:?}", result.warnings));
+            return Err(format!("{kind:?}: {:?}", result.tail.warnings));
         }
         is_right(row, &result, 5e-3).map_err(|what| format!("{kind:?}: {what}"))
     });
@@ -150,7 +150,7 @@ fn meshes_of_any_kind_agree() {
     let is_told = |warning: &oilwedge_study::warning::Warning| {
         warning.contains("do not follow the flow") && warning.contains("layout")
     };
-    assert!(kept.warnings.iter().any(is_told), "{:?}", kept.warnings);
+    assert!(kept.tail.warnings.iter().any(is_told), "{:?}", kept.tail.warnings);
 }
 
 /// A ring with a groove all around amid its length: eccentricity, pressures [Pa] of groove, ends and cavity, speed
