@@ -11,6 +11,8 @@ pub struct FilmHeat {
     pub network: FilmNetwork,
     /// Dof of each cell of the network.
     pub dofs: Vec<usize>,
+    /// Temperatures at the points across the film of every dof [K], those of the oil fed where a feed covers the film.
+    pub at_dofs: Vec<f64>,
     /// Number of each feed among the regions of the supply.
     pub feeds: Vec<usize>,
     /// Temperatures of film, walls and feeds.

@@ -77,15 +77,6 @@ pub(crate) struct RoundHeat {
 }
 
 impl LayeredFilm<'_> {
-    /// One temperature [K] everywhere.
-    pub(crate) fn even<'a>(
-        (space, layers): (&Space, &'a Layers),
-        temperature: f64,
-        viscosity: &'a (dyn Fn(f64) -> f64 + Sync),
-    ) -> LayeredFilm<'a> {
-        LayeredFilm { layers, temperatures: vec![temperature; space.dofs() * layers.points.len()], viscosity }
-    }
-
     /// Profiles of flow and friction at all dofs.
     pub(crate) fn profiles(&self) -> Vec<LayerProfile> {
         let profile = |at: &[f64]| {

@@ -30,10 +30,8 @@ use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
 
 /// Films whose temperatures are combined.
 const DEPTH: usize = 4;
-/// The temperatures are found where the next ones differ by no more than this [K] in the mean of squares over the film.
-const CLOSED: f64 = 2e-4;
-/// Temperatures of single points differ by no more than this then [K].
-const CLOSED_ANYWHERE: f64 = 5e-3;
+/// Single temperatures differ by no more than so many times what all differ by in the mean of squares.
+const ANYWHERE: f64 = 25.0;
 /// Most films.
 const MOST_ROUNDS: usize = 60;
 /// Residuals of a point that change their sign, and keep this part of their size, go back and forth.
@@ -88,19 +86,31 @@ impl<E> From<NoRound> for NoHeat<E> {
     }
 }
 
-/// Finds the temperatures at the points of `layers` across a film, from one temperature `start` [K] for all of it. `solve`
-/// gives the film of a round in balance with its load; `viscosity` is that of the oil at a temperature [K], in Pa s.
+/// Where a search for the temperatures across a film begins, and where it ends.
+#[derive(Debug, Clone)]
+pub struct HeatSearch<'a> {
+    /// Points across the film.
+    pub layers: &'a Layers,
+    /// Temperatures at these points of every dof with which it begins [K].
+    pub start: Vec<f64>,
+    /// Temperatures are found where those of the next round differ by no more than this [K], in the mean of squares over
+    /// the film.
+    pub closed: f64,
+}
+
+/// Finds the temperatures at the points across a film. `solve` gives the film of a round in balance with its load;
+/// `viscosity` is that of the oil at a temperature [K], in Pa s.
 ///
 /// # Errors
 /// [`NoHeat`]: the reason why none were found.
 pub fn balance_heat<E>(
     surroundings: &HeatSurroundings,
-    (space, layers): (&Space, &Layers),
-    start: f64,
+    space: &Space,
+    HeatSearch { layers, start, closed }: HeatSearch<'_>,
     viscosity: &(dyn Fn(f64) -> f64 + Sync),
     mut solve: impl FnMut(&HeatRound) -> Result<SolvedFilm, E>,
 ) -> Result<FilmHeat, NoHeat<E>> {
-    let mut layered = LayeredFilm::even((space, layers), start, viscosity);
+    let mut layered = LayeredFilm { layers, temperatures: start, viscosity };
     let mut mixing = Mixing::default();
     let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, 0.0);
     loop {
@@ -115,10 +125,20 @@ pub fn balance_heat<E>(
         changes.push(change);
         let grown = surroundings.growth(&film, (layers, &network), &found);
         let is_grown = (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance;
-        if change < CLOSED && greatest < CLOSED_ANYWHERE && is_grown {
+        if change < closed && greatest < ANYWHERE * closed && is_grown {
             let RoundHeat { solved, .. } = layered.round(surroundings, &film, Some(&found), (SOLVED, false))?;
-            let (temperatures, sheet, layers) = (solved.temperatures, solved.sheet, layers.clone());
-            return Ok(FilmHeat { layers, network, dofs, feeds, temperatures, sheet, growth, changes });
+            layered.set(&dofs, &solved.temperatures.layers);
+            return Ok(FilmHeat {
+                layers: layers.clone(),
+                network,
+                dofs,
+                at_dofs: layered.temperatures,
+                feeds,
+                temperatures: solved.temperatures,
+                sheet: solved.sheet,
+                growth,
+                changes,
+            });
         }
         if changes.len() >= MOST_ROUNDS || !change.is_finite() {
             return Err(NoHeat::NotClosed { change, rounds: changes.len() });

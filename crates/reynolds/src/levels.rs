@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::complementarity::WarmStart;
+use oilwedge_fem::control_volumes::{sub_triangle_at, sub_triangles};
 use oilwedge_fem::{Field, Space, lagrange};
 use oilwedge_mesh::coarsen;
 use oilwedge_mesh::developed::LinerDomain;
@@ -103,6 +104,19 @@ impl CoarseLevel {
         let film_thickness = self.film_thickness.clone();
         let problem = FilmProblem { film_thickness, viscosity_across: None, ..fine.clone() };
         problem.deflected(fine.deflection())
+    }
+
+    /// Values at the dofs of the coarser mesh, so many each, at those of the finer one: linear on the sub-triangles.
+    pub fn prolonged(&self, values: &[f64], each: usize) -> Vec<f64> {
+        let space = self.system.space();
+        let at = |&(triangle, point): &(u32, [f64; 2])| {
+            let triangle = triangle as usize;
+            let (sub, weights) = sub_triangle_at(space, triangle, point);
+            let (corners, dofs) = (sub_triangles(space, triangle)[sub], space.element_dofs(triangle));
+            let corners = corners.map(|corner| dofs[corner]);
+            (0..each).map(move |k| (0..3).map(|c| weights[c] * values[corners[c] * each + k]).sum())
+        };
+        self.places.iter().flat_map(at).collect()
     }
 
     /// What one step of the film on the finer mesh starts from where this one is that of the coarser mesh.

@@ -1,5 +1,6 @@
 //! A film at one temperature: at a given position, or at the position in which it carries a load.
 
+use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
@@ -195,6 +196,7 @@ fn with_reference(film: &Film, found: SolvedFilm, errors: Errors) -> Result<Solv
         wall: WallByPlace::default(),
         warming: None,
         temperature: None,
+        heat_bars: HashMap::new(),
         reference_seconds: clock.elapsed().as_secs_f64(),
     })
 }

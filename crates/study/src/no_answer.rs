@@ -159,6 +159,15 @@ pub enum NoTemperature {
     /// A round of the temperatures across the film has none.
     #[error("{}", told_of_heat(.0))]
     NoRound(NoRound),
+    /// Too much heat is carried along for the layers across the film to follow.
+    #[error(
+        "no temperatures across the film: its Graetz number of {} is beyond what 8 layers follow, 4096; lower the pressure of the feeds or the speed, or leave out heat.field",
+        readable(*graetz)
+    )]
+    Graetz {
+        /// Graetz number [1].
+        graetz: f64,
+    },
     /// Temperatures across the film do not come to rest.
     #[error(
         "not converged: after {rounds} rounds the temperatures across the film still change by {change:.2e} K; give a finer mesh ([mesh] size), or heat.layers = 6"
@@ -186,7 +195,7 @@ impl NoTemperature {
         match self {
             Self::Ended { .. } | Self::NotFound { .. } | Self::NotClosed { .. } => true,
             Self::NoFilmBeyond { reason, .. } => reason.is_unreached(),
-            Self::TooHot { .. } => false,
+            Self::TooHot { .. } | Self::Graetz { .. } => false,
             Self::NoRound(reason) => *reason != NoRound::MakesOil,
         }
     }

@@ -58,6 +58,8 @@ pub struct Solved {
     pub warming: Option<FoundWarmth>,
     /// How the temperature was found, where it was sought.
     pub temperature: Option<TemperatureFound>,
+    /// What layers and mesh leave open of each number of a film whose temperatures are found across it, by name.
+    pub heat_bars: HashMap<Cow<'static, str>, f64>,
     /// Seconds that the reference film took at the position of the film.
     pub reference_seconds: f64,
 }

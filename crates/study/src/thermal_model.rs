@@ -21,8 +21,8 @@ pub struct ThermalModel {
 pub struct HeatFieldModel {
     /// What surrounds the film.
     pub surroundings: HeatSurroundings,
-    /// Points across the film.
-    pub layers: Layers,
+    /// Points across the film; `None`: as many as its Graetz number asks for.
+    pub layers: Option<Layers>,
     /// The balance of the one temperature with which the search begins.
     pub even: ThermalModel,
 }

@@ -6,7 +6,7 @@ use crate::{Complaints, Scene, Theory};
 keys! {
     "heat.field" = Switch; "true", "`false`: the film has one temperature", "with the cavitation model `jfo`",
         "whether the temperature is found at each place of the film and across it, with that of bush, journal and feeds";
-    "heat.layers" = Number; "6", "4", "4, 6 or 8",
+    "heat.layers" = Number; "6", "4, 6 or 8 by the Graetz number of the film", "4, 6 or 8",
         "layers N between bush and journal: temperatures stand at N + 1 points across the film";
     "heat.bush" = Table; "", "adiabatic: no heat goes through the bore", "",
         "a ring around the film that conducts heat; its ends are insulated";
@@ -38,14 +38,12 @@ keys! {
 const OF_FIELD: [&str; 4] = ["layers", "bush", "journal", "expansion"];
 /// Layers that there may be.
 const LAYERS: [f64; 3] = [4.0, 6.0, 8.0];
-/// Layers where the scene gives none.
-const USUAL_LAYERS: f64 = 4.0;
 
 /// The temperature as a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatField {
-    /// Layers between bush and journal.
-    pub layers: usize,
+    /// Layers between bush and journal; `None`: as many as the film asks for.
+    pub layers: Option<usize>,
     /// The ring around the film; `None`: adiabatic.
     pub bush: Option<HeatBush>,
     /// Heat that leaves along the shaft; `None`: none does.
@@ -96,9 +94,9 @@ pub(super) fn read(table: &mut TableReader<'_>) -> Option<HeatField> {
         "is not 4, 6 or 8",
         "remove it, or give 6 or 8 where the film conducts little",
     );
-    let layers = layers.or(USUAL_LAYERS);
+    let layers = layers.given().filter(|layers| !layers.is_nan());
     let field = HeatField {
-        layers: if layers.is_nan() { 4 } else { layers as usize },
+        layers: layers.map(|layers| layers as usize),
         bush: table.table_if_given("bush").map(bush),
         journal: table.table_if_given("journal").map(journal),
         expansion: table.table_if_given("expansion").map(expansion),

@@ -32,12 +32,12 @@ pub(super) const ROW: Effect = Effect {
 };
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
-    let asked = scene.heat.and_then(|heat| Some((heat, heat.field?, Layers::new(heat.field?.layers)?)));
-    sockets.heat_field = asked.map(|(heat, field, layers)| {
+    let asked = scene.heat.and_then(|heat| Some((heat, heat.field?)));
+    sockets.heat_field = asked.map(|(heat, field)| {
         let balance = ThermalBalance { inlet: heat.inlet, heat_capacity: heat.heat_capacity, housing: None };
         HeatFieldModel {
             even: ThermalModel { balance, mixing: None, engine: heat.engine },
-            layers,
+            layers: field.layers.and_then(Layers::new),
             surroundings: HeatSurroundings {
                 oil: OilProperties { capacity: heat.heat_capacity, conductivity: scene.oil.conductivity },
                 inlet: heat.inlet,

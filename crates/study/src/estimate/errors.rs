@@ -79,6 +79,14 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
     if let Some(found) = &solved.temperature {
         found.widen(film, &estimated.measured, &mut estimated.quantities);
     }
+    for quantity in &mut estimated.quantities {
+        let Some(bar) = quantity.bar.as_mut().filter(|_| film.heat.is_some()) else { continue };
+        // Without films beside it nothing is known of what its temperatures leave open.
+        match solved.heat_bars.get(&quantity.name) {
+            Some(open) => bar.discretisation += open,
+            None => quantity.bar = None,
+        }
+    }
     Estimated { seconds: clock.elapsed().as_secs_f64(), ..estimated }
 }
 

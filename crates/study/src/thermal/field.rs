@@ -1,10 +1,14 @@
-//! A film whose temperatures are found across it: from the film of one temperature, round by round.
+//! A film whose temperatures are found across it: from the coarser meshes on, on each round by round.
 
 use std::sync::Arc;
 
-use oilwedge_bearing::InitialGuess;
+use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_bearing::heat_round::NoRound;
-use oilwedge_bearing::thermal_film::{HeatRound, NoHeat, balance_heat};
+use oilwedge_bearing::thermal_film::{HeatRound, HeatSearch, NoHeat, balance_heat};
+use oilwedge_bearing::{InitialGuess, graetz_number};
+use oilwedge_heat::Layers;
+use oilwedge_reynolds::SolvedFilm;
+use oilwedge_reynolds::quantities::heat_network::heat_network;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::heating::Heating;
@@ -14,55 +18,126 @@ use crate::no_answer::{NoAnswer, NoTemperature};
 use crate::solved::{Errors, SolveOptions, Solved};
 use crate::thermal_model::HeatFieldModel;
 
+/// Temperatures are found where those of the next round differ by no more than this [K].
+const CLOSED: f64 = 2e-4;
+/// On coarser meshes, which only give a start, this is enough [K].
+const ROUGHLY_CLOSED: f64 = 0.05;
+/// Dofs below which a coarser mesh shows nothing of the temperatures.
+const LEAST_DOFS: usize = 1000;
 /// Force and load of films of a round differ by this part of the load, for each kelvin of the change before.
 const PER_KELVIN: f64 = 1e-4;
 /// Least such part.
 const BALANCED: f64 = 1e-10;
 /// Greatest such part.
 const ROUGHLY_BALANCED: f64 = 1e-5;
+/// A film of N layers follows Graetz numbers up to this part of N^4 well.
+const WELL: f64 = 0.5;
+/// Layers that there may be.
+const LAYERS: [usize; 3] = [4, 6, 8];
 
 /// Solves a film with the temperatures that balance its heat.
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperatures.
 pub(crate) fn solve(film: &Film, model: &HeatFieldModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    let first = of_one_temperature(film, model, options)?;
-    let mut last = first;
-    let base = last.film.clone();
-    let start = base.oil.temperature.unwrap_or(model.surroundings.inlet);
-    let viscosity = |temperature: f64| match &base.oil.thermal {
-        Some(thermal) => thermal.viscosity(temperature),
-        None => base.oil.viscosity,
+    let (last, heat) = on_levels(film, model, options, CLOSED)?;
+    let mean = last.film.at_temperature(heat.mean());
+    let film = Film { heat: Some(Arc::new(heat)), ..mean };
+    let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
+    let solved = isothermal(&film, &SolveOptions { guess, ..*options })?;
+    Ok(super::field_bars::widened(solved, model, options))
+}
+
+/// The film of the last round, and its temperatures: from those on the coarser mesh, if there is one.
+fn on_levels(
+    film: &Film,
+    model: &HeatFieldModel,
+    options: &SolveOptions,
+    closed: f64,
+) -> Result<(Solved, FilmHeat), NoAnswer> {
+    let coarser = film.system.coarser.as_ref().filter(|coarser| coarser.system.space().dofs() >= LEAST_DOFS);
+    let start = coarser.and_then(|coarser| {
+        let (last, heat) = on_levels(&film.on_coarser(), model, options, ROUGHLY_CLOSED).ok()?;
+        let at_dofs = coarser.prolonged(&heat.at_dofs, heat.layers.points.len());
+        let mut near = film.at_temperature(last.film.oil.temperature?);
+        near.problem.journal = last.film.problem.journal;
+        near.problem = near.problem.deflected(last.film.problem.deflection());
+        let leading = SolveOptions { guess: InitialGuess::NearlyBalanced, ..leading(options) };
+        Some((isothermal(&near, &leading).ok()?, at_dofs, heat.layers))
+    });
+    let (first, at_dofs, layers) = match start {
+        Some(start) => start,
+        None => {
+            let first = of_one_temperature(film, model, options)?;
+            let layers = layers(&first.primary, model)?;
+            let temperature = first.film.oil.temperature.unwrap_or(model.surroundings.inlet);
+            let at_dofs = vec![temperature; film.system.space().dofs() * layers.points.len()];
+            (first, at_dofs, layers)
+        }
     };
-    let space = base.system.space();
+    balanced((film, first), model, options, HeatSearch { layers: &layers, start: at_dofs, closed })
+}
+
+/// The film of the last round from a `first` one, and its temperatures.
+fn balanced(
+    (film, first): (&Film, Solved),
+    model: &HeatFieldModel,
+    options: &SolveOptions,
+    search: HeatSearch<'_>,
+) -> Result<(Solved, FilmHeat), NoAnswer> {
+    let (base, mut last, mut rounds) = (first.film.clone(), first, 0);
+    let viscosity = |temperature: f64| base.viscosity_at(temperature);
     let round = |round: &HeatRound| {
+        if options.deadline.is_over() {
+            return Err(NoAnswer::Temperature(NoTemperature::Ended { nearest: None }));
+        }
+        rounds += 1;
         let near = last.film.in_round(&base, round);
-        let accuracy = (PER_KELVIN * round.change).clamp(BALANCED, ROUGHLY_BALANCED);
+        let accuracy = Some((PER_KELVIN * round.change).clamp(BALANCED, ROUGHLY_BALANCED));
         let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
-        let leading = SolveOptions { accuracy: Some(accuracy), errors: Errors::Omitted, guess, ..*options };
-        let solved = isothermal(&near, &leading)
-            .or_else(|_| isothermal(&near, &SolveOptions { guess: InitialGuess::Cold, ..leading }))?;
+        let leading = SolveOptions { accuracy, guess, ..leading(options) };
+        let cold = || isothermal(&near, &SolveOptions { guess: InitialGuess::Cold, ..leading });
+        let solved = isothermal(&near, &leading).or_else(|_| cold())?;
         let found = solved.primary.clone();
         last = solved;
         Ok(found)
     };
-    let found = balance_heat(&model.surroundings, (space, &model.layers), start, &viscosity, round);
-    let found = found.map_err(none)?;
-    let mean = last.film.at_temperature(found.mean());
-    let film = Film { heat: Some(Arc::new(found)), ..mean };
-    let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
-    let solved = isothermal(&film, &SolveOptions { guess, ..*options })?;
-    Ok(solved)
+    let space = film.system.space();
+    let found = balance_heat(&model.surroundings, space, search, &viscosity, round).map_err(none)?;
+    Ok((last, found))
+}
+
+/// How films that only lead to the temperatures are solved.
+fn leading<'a>(options: &SolveOptions<'a>) -> SolveOptions<'a> {
+    SolveOptions { accuracy: Some(ROUGHLY_BALANCED), errors: Errors::Omitted, guess: InitialGuess::Cold, ..*options }
 }
 
 /// The film of one temperature with which rounds begin: that which balances the heat or, where there is none, the one
 /// that the oil has.
 fn of_one_temperature(film: &Film, model: &HeatFieldModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    let leading = SolveOptions { accuracy: Some(ROUGHLY_BALANCED), errors: Errors::Omitted, ..*options };
+    let leading = leading(options);
     heated(film, &Heating::with(film, model.even), &leading).or_else(|_| isothermal(film, &leading))
 }
 
+/// The points across a film that the model gives, or that its Graetz number asks for.
+fn layers(film: &SolvedFilm, model: &HeatFieldModel) -> Result<Layers, NoAnswer> {
+    if let Some(layers) = &model.layers {
+        return Ok(layers.clone());
+    }
+    let network = heat_network(film, model.surroundings.inlet).map_err(NoRound::TooLarge);
+    let network = network.and_then(|network| network.ok_or(NoRound::MakesOil)).map_err(NoHeat::from).map_err(none)?;
+    let graetz = graetz_number(film, &network, &model.surroundings.oil);
+    let follows = |part: f64| LAYERS.into_iter().find(|&layers| graetz <= part * (layers as f64).powi(4));
+    let layers = follows(WELL).or(follows(1.0)).and_then(Layers::new);
+    layers.ok_or(NoAnswer::Temperature(NoTemperature::Graetz { graetz }))
+}
+
 impl Film {
+    /// Viscosity of the oil at a temperature [K], in Pa s.
+    pub(super) fn viscosity_at(&self, temperature: f64) -> f64 {
+        self.oil.thermal.as_ref().map_or(self.oil.viscosity, |thermal| thermal.viscosity(temperature))
+    }
+
     /// The film of a round: that of `base` with the viscosity and the clearance of the round, the journal of this one.
     fn in_round(&self, base: &Self, round: &HeatRound) -> Self {
         let mut film = base.with_clearance(base.problem.bearing.clearance + round.growth);

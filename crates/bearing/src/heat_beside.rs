@@ -1,0 +1,138 @@
+//! The temperatures of a film by another discretisation, which show what the one that is reported leaves open: with more
+//! layers across the film, and on the vertices of the mesh alone.
+
+use std::sync::Arc;
+
+use oilwedge_fem::Space;
+use oilwedge_heat::Layers;
+use oilwedge_reynolds::{SolvedFilm, ViscosityAcross};
+
+use crate::film_heat::FilmHeat;
+use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
+
+/// The temperatures of another discretisation of a film.
+#[derive(Debug, Clone)]
+pub struct HeatBeside {
+    /// The temperatures, on the network of that film.
+    pub heat: FilmHeat,
+    /// The viscosity across the film that they make.
+    pub across: Arc<ViscosityAcross>,
+}
+
+/// Rounds by which temperatures settle on a film that does not change.
+const SETTLING: usize = 3;
+/// Tolerance of their linear systems.
+const SETTLED: f64 = 1e-9;
+
+impl FilmHeat {
+    /// The temperatures of a `film` at the points of other `layers`, near those found.
+    ///
+    /// # Errors
+    /// [`NoRound`]: the reason why there are none.
+    pub fn with_layers(
+        &self,
+        surroundings: &HeatSurroundings,
+        film: &SolvedFilm,
+        layers: &Layers,
+        viscosity: &(dyn Fn(f64) -> f64 + Sync),
+    ) -> Result<HeatBeside, NoRound> {
+        let at = |at: &[f64]| layers.points.iter().map(|&eta| self.layers.at(at, eta)).collect::<Vec<f64>>();
+        let temperatures = self.at_dofs.chunks_exact(self.layers.points.len()).flat_map(at).collect();
+        self.settled(surroundings, film, LayeredFilm { layers, temperatures, viscosity })
+    }
+
+    /// The temperatures of a film on the vertices of the mesh alone, near those found.
+    ///
+    /// # Errors
+    /// [`NoRound`]: the reason why there are none.
+    pub fn on_vertices(
+        &self,
+        surroundings: &HeatSurroundings,
+        (fine, coarse): (&Space, &SolvedFilm),
+        viscosity: &(dyn Fn(f64) -> f64 + Sync),
+    ) -> Result<HeatBeside, NoRound> {
+        let (points, space) = (self.layers.points.len(), coarse.system.space());
+        let mut temperatures = vec![0.0; space.dofs() * points];
+        for vertex in 0..fine.mesh().points().len() as u32 {
+            let (from, to) = (fine.vertex_dof(vertex) * points, space.vertex_dof(vertex) * points);
+            temperatures[to..to + points].copy_from_slice(&self.at_dofs[from..from + points]);
+        }
+        self.settled(surroundings, coarse, LayeredFilm { layers: &self.layers, temperatures, viscosity })
+    }
+
+    fn settled(
+        &self,
+        surroundings: &HeatSurroundings,
+        film: &SolvedFilm,
+        mut layered: LayeredFilm<'_>,
+    ) -> Result<HeatBeside, NoRound> {
+        let mut found = layered.round(surroundings, film, None, (SETTLED, true))?;
+        for _ in 1..SETTLING {
+            layered.set(&found.dofs, &found.solved.temperatures.layers);
+            found = layered.round(surroundings, film, Some(&found.solved.temperatures), (SETTLED, true))?;
+        }
+        layered.set(&found.dofs, &found.solved.temperatures.layers);
+        let across = layered.across(film.system.space());
+        let RoundHeat { network, dofs, feeds, solved, .. } = found;
+        let heat = Self {
+            layers: layered.layers.clone(),
+            network,
+            dofs,
+            at_dofs: layered.temperatures,
+            feeds,
+            temperatures: solved.temperatures,
+            sheet: solved.sheet,
+            growth: self.growth,
+            changes: Vec::new(),
+        };
+        Ok(HeatBeside { heat, across })
+    }
+
+    /// These temperatures less what those on the vertices alone differ by: what a finer mesh is expected to give, to
+    /// first order.
+    pub fn extrapolated(
+        &self,
+        fine: &Space,
+        on_vertices: &HeatBeside,
+        viscosity: &(dyn Fn(f64) -> f64 + Sync),
+    ) -> HeatBeside {
+        let (points, coarse) = (self.layers.points.len(), &on_vertices.heat);
+        let mut off = vec![f64::NAN; self.at_dofs.len()];
+        for vertex in 0..fine.mesh().points().len() as u32 {
+            // A space of linear elements has one dof a vertex.
+            let (to, from) = (fine.vertex_dof(vertex) * points, vertex as usize * points);
+            (0..points).for_each(|k| off[to + k] = coarse.at_dofs[from + k] - self.at_dofs[to + k]);
+        }
+        for t in 0..fine.mesh().triangles().len() {
+            let dofs = fine.element_dofs(t);
+            for (middle, [a, b]) in [[0, 1], [1, 2], [2, 0]].into_iter().enumerate() {
+                let [a, b, to] = [dofs[a], dofs[b], dofs[3 + middle]].map(|dof| dof * points);
+                (0..points).for_each(|k| off[to + k] = 0.5 * (off[a + k] + off[b + k]));
+            }
+        }
+        let mut heat = self.clone();
+        heat.at_dofs.iter_mut().zip(&off).for_each(|(t, off)| *t -= off);
+        let of_cells = self.dofs.iter().flat_map(|&dof| &heat.at_dofs[dof * points..][..points]);
+        heat.temperatures.layers = of_cells.copied().collect();
+        let beyond = |here: &mut f64, there: f64| *here = 2.0 * *here - there;
+        for (here, there) in heat.temperatures.feeds.iter_mut().zip(&coarse.temperatures.feeds) {
+            beyond(here, *there);
+        }
+        for (here, there) in heat.temperatures.bush.iter_mut().zip(&coarse.temperatures.bush) {
+            beyond(here, *there);
+        }
+        if let (Some(here), Some(there)) = (&mut heat.temperatures.journal, coarse.temperatures.journal) {
+            beyond(here, there);
+        }
+        let (here, there) = (&mut heat.sheet, &coarse.sheet);
+        beyond(&mut here.power, there.power);
+        beyond(&mut here.carried, there.carried);
+        beyond(&mut here.bush, there.bush);
+        beyond(&mut here.journal, there.journal);
+        if let (Some(here), Some(there)) = (&mut here.outlet, there.outlet) {
+            beyond(here, there);
+        }
+        let layered = LayeredFilm { layers: &self.layers, temperatures: heat.at_dofs.clone(), viscosity };
+        HeatBeside { across: layered.across(fine), heat }
+    }
+}
