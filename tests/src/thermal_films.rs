@@ -134,7 +134,7 @@ impl ThermalFilm {
     pub fn of_scene(scene: &Scene) -> Self {
         let run = run(scene, &RunOptions { bars: false, ..RunOptions::of(scene) });
         let result = run.unwrap_or_else(|error| panic!("{error}")).result;
-        assert!(result.reason.is_none(), "{:?}", result.reason);
+        assert!(result.head.reason.is_none(), "{:?}", result.head.reason);
         Self(result)
     }
 

@@ -66,7 +66,8 @@ fn an_adiabatic_bush_at_a_position_is_that_of_two_other_codes() {
     });
 }
 
-/// An oil whose viscosity does not fall with temperature has the film of one viscosity, whatever temperatures are found.
+/// An oil whose viscosity does not fall with temperature has the film of one viscosity, whatever temperatures are
+/// found.
 #[test]
 fn a_viscosity_that_does_not_fall_is_one_viscosity() {
     let field = edited(FERRON, &[COARSE, FOUR, ("0.034 1/K", "0 1/K")]);
@@ -103,8 +104,8 @@ fn a_film_turned_and_a_film_mirrored_are_the_same() {
     }
 }
 
-/// The clearance grows by `R (a_bush (T_bush - t) - a_shaft (T_journal - t))`: by nothing with coefficients of zero, and
-/// with equal ones at whatever temperature it is measured; it shrinks where the journal alone expands.
+/// The clearance grows by `R (a_bush (T_bush - t) - a_shaft (T_journal - t))`: by nothing with coefficients of zero,
+/// and with equal ones at whatever temperature it is measured; it shrinks where the journal alone expands.
 #[test]
 fn the_clearance_follows_the_temperatures_of_the_walls() {
     let base = edited(FERRON, &[AT_POSITION.as_slice(), &[COARSE, FOUR]].concat());

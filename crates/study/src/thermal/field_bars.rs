@@ -1,8 +1,8 @@
 //! What layers and mesh leave open of a film whose temperatures are found across it.
 //!
 //! Two films stand beside the one that is reported, in balance with the same load: one with the temperatures of more
-//! layers, and one with those that a finer mesh is expected to give, by the first order of the scheme, from those on the
-//! vertices alone. What each number changes by is added to its bar.
+//! layers, and one with those that a finer mesh is expected to give, by the first order of the scheme, from those on
+//! the vertices alone. What each number changes by is added to its bar.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
