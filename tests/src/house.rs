@@ -108,7 +108,7 @@ fn is_listing(line: &str) -> bool {
 }
 
 /// Properties of liquids and machines that are no effect.
-const PROPERTIES: [&str; 4] = ["heat_capacity", "HEAT_CAPACITY", "HeatCapacity", "HeatTransfer"];
+const PROPERTIES: [&str; 5] = ["oilwedge_heat", "heat_capacity", "HEAT_CAPACITY", "HeatCapacity", "HeatTransfer"];
 
 /// A line without what people read, texts with a space in quotes, and without the names of properties.
 fn without_messages(line: &str) -> String {

@@ -20,6 +20,7 @@ pub mod shaped_bearings;
 pub mod short_crankshaft;
 pub mod short_orbits;
 pub mod sweeps;
+pub mod thermal_films;
 pub mod tilted_bearings;
 pub mod two_scenes;
 

@@ -36,5 +36,6 @@ mod scene_properties;
 mod scenes;
 mod shaft;
 mod shapes;
+mod thermal_film;
 mod tilt;
 mod verdicts;

@@ -1,8 +1,8 @@
 //! # Graetz number: which of conduction and transport rules the temperature across a film
 //!
 //! **Equation.** `Gz = rho c u h^2/(k l)`: heat that is carried along a way l over that which is conducted across the
-//! film. Around the bearing `u = U, l = R`; over the land beside a feed of the pressure p_f `u = h^2 (p_f - p_e)/(12 mu l)`,
-//! l the distance of the feed from the nearer end.
+//! film. Around the bearing `u = U, l = R`; over the land beside a feed of the pressure p_f `u = h^2 (p_f - p_e)/(12 mu
+//! l)`, l the distance of the feed from the nearer end.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

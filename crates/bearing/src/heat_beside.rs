@@ -1,5 +1,5 @@
-//! The temperatures of a film by another discretisation, which show what the one that is reported leaves open: with more
-//! layers across the film, and on the vertices of the mesh alone.
+//! The temperatures of a film by another discretisation, which show what the one that is reported leaves open: with
+//! more layers across the film, and on the vertices of the mesh alone.
 
 use std::sync::Arc;
 

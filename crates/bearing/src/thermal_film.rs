@@ -1,4 +1,4 @@
-//! # LayerTemperatures across the film, closed around it
+//! # Temperatures across the film, closed around it
 //!
 //! **Equation.** The temperatures T at the points across the film give its viscosities; the film of those viscosities,
 //! in balance with its load, has flows and friction; these give temperatures G(T) ([`oilwedge_heat`], linear). What is
@@ -11,9 +11,9 @@
 //!
 //! **Method.** Anderson's mixing: the next T is the combination of the last few G(T) whose residuals, weighed by area,
 //! combine to the least one. Without it the temperatures go round for ever: hot oil thins the film there, which then
-//! carries its heat elsewhere. A point whose residual goes back and forth takes a part of it: where oil turns back beside a
-//! feed, it is caught in a few cells, whose temperature answers to nothing else. The friction of a round falls as its oil
-//! warms ([`oilwedge_heat::Thinning`]).
+//! carries its heat elsewhere. A point whose residual goes back and forth takes a part of it: where oil turns back
+//! beside a feed, it is caught in a few cells, whose temperature answers to nothing else. The friction of a round falls
+//! as its oil warms ([`oilwedge_heat::Thinning`]).
 //!
 //! **Source.** Anderson, J. ACM 12 (1965) 547; Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715. **Range.** Steady films
 //! that conserve oil. **Verified by** `tests/tests/thermal_film.rs`.
@@ -56,9 +56,9 @@ const CLOSED_GROWTH: f64 = 1e-6;
 /// The film that a round asks for.
 #[derive(Debug, Clone)]
 pub struct HeatRound {
-    /// Its viscosity.
+    /// Viscosity of that film.
     pub across: Arc<ViscosityAcross>,
-    /// What its clearance grows by [m].
+    /// Growth of its clearance [m].
     pub growth: f64,
     /// How far the temperatures were from balanced in the round before [K]; infinite in the first one.
     pub change: f64,
@@ -93,8 +93,8 @@ pub struct HeatSearch<'a> {
     pub layers: &'a Layers,
     /// Temperatures at these points of every dof with which it begins [K].
     pub start: Vec<f64>,
-    /// Temperatures are found where those of the next round differ by no more than this [K], in the mean of squares over
-    /// the film.
+    /// Temperatures are found where those of the next round differ by no more than this [K], in the mean of squares
+    /// over the film.
     pub closed: f64,
 }
 

@@ -2,9 +2,10 @@
 //!
 //! **Equation.** The temperature of a cell is the polynomial through its values at the points across the film. Each
 //! layer has its own flow G_j = w_j h u_j to each neighbour, upwind; what a layer receives and does not pass on goes to
-//! the next, with the velocity V across the film, by Galerkin's method with the Gauss points g:
+//! the next, with the velocity V across the film, by the skew-symmetric form with the Gauss points g:
 //! ```text
-//! rho c { sum of G_j T over what leaves, less what comes - sum_g w_g V_g psi_j'(g) T(g) }
+//! rho c { sum of G_j T over what leaves, less what comes - D_j T_j/2
+//!         + sum_g w_g V_g [psi_j(g) T'(g) - psi_j'(g) T(g)]/2 }
 //!   + theta k A/h sum_g w_g psi_j'(g) T'(g) = Phi_j            sum_g w_g psi_j'(g) V_g = D_j, net outflow of layer j
 //! ```
 //! The last are N + 1 equations for N values, one redundant since the oil of a cell balances. So a constant

@@ -11,8 +11,8 @@ pub struct FilmPoint {
     pub rate: f64,
     /// Viscosity mu0 at zero gauge pressure, by which pressure drives oil [Pa s].
     pub viscosity: f64,
-    /// Viscosity at zero gauge pressure that the shear of the whole gap meets [Pa s]; another one than `viscosity` where
-    /// the temperature varies across the film.
+    /// Viscosity at zero gauge pressure that the shear of the whole gap meets [Pa s]; another one than `viscosity`
+    /// where the temperature varies across the film.
     pub shear_viscosity: f64,
     /// Mean velocity of the oil that the journal drags along, over that of its surface [1]: a half where the viscosity
     /// does not vary across the film.

@@ -1,14 +1,15 @@
 //! # Viscosity that varies across the film
 //!
-//! **Equation.** With `eta = y/h` from the bearing to the journal, `F0 = Int 1/mu`, `F1 = Int eta/mu`, `F2 = Int eta^2/mu
+//! **Equation.** With `eta = y/h` from the bearing to the journal, `F0 = Int 1/mu`, `F1 = Int eta/mu`, `F2 = Int
+//! eta^2/mu
 //! - F1^2/F0`, all over eta from 0 to 1, the flow per width and the stresses on the walls are
 //!
 //! ```text
 //! J = theta s U h - h^3 F2 grad p,   s = 1 - F1/F0        tau_j = theta U/(h F0) + s h grad p
 //!                                                         tau_b = theta U/(h F0) - (1 - s) h grad p
 //! ```
-//! so that two viscosities and s describe a film: `1/(12 F2)` where pressure drives oil, `1/F0` where the gap is sheared.
-//! Both are mu, and s is 1/2, where mu is even.
+//! so that two viscosities and s describe a film: `1/(12 F2)` where pressure drives oil, `1/F0` where the gap is
+//! sheared. Both are mu, and s is 1/2, where mu is even.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -16,8 +17,8 @@
 //! | 1/F0 | Pa s | `shear_viscosity` |
 //! | s | 1 | `drag` |
 //!
-//! **Source.** Dowson, Int. J. Mech. Sci. 4 (1962) 159. **Range.** Viscosities at zero gauge pressure: a law of pressure
-//! multiplies all of them. **Verified by** the tests below; `heat`: films whose walls have two temperatures.
+//! **Source.** Dowson, Int. J. Mech. Sci. 4 (1962) 159. **Range.** Viscosities at zero gauge pressure: a law of
+//! pressure multiplies all of them. **Verified by** the tests below; `heat`: films whose walls have two temperatures.
 
 use oilwedge_fem::Space;
 use oilwedge_fem::control_volumes::sub_triangles;

@@ -32,7 +32,7 @@ pub struct Film {
     pub problem: FilmProblem,
     /// Mesh, unknowns and given pressures.
     pub system: Arc<FilmSystem>,
-    /// Its temperatures, where they were found across the film.
+    /// Temperatures of the film, where they were found across it.
     pub heat: Option<Arc<FilmHeat>>,
     /// What is known of the position under a load.
     pub start: Start,

@@ -45,8 +45,8 @@ impl Compared<'_> {
         Some((quantity.value, accuracy))
     }
 
-    /// Temperature of the film [degrees C], the greatest where it varies across the film, with the bar of the one found; a
-    /// given one is exact.
+    /// Temperature of the film [degrees C], the greatest where it varies across the film, with the bar of the one
+    /// found; a given one is exact.
     fn temperature(&self) -> Option<Judged> {
         if let Some(hottest) = self.value(&[&TEMPERATURE_MAX]) {
             return Some(hottest);

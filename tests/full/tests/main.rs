@@ -36,5 +36,6 @@ mod shipped_scenes;
 mod short_crankshaft_page;
 mod stability;
 mod standstill;
+mod thermal_films;
 mod toy_effect;
 mod twenty_turns;

@@ -14,13 +14,13 @@ const KEPT: f64 = 1e-3;
 const DIFFERENCE: f64 = 1e-6;
 
 /// Logarithm of a model at each point.
-pub(super) type Fit<'a> = &'a dyn Fn([f64; PARAMETERS]) -> Option<Vec<f64>>;
+pub(super) type FitModel<'a> = &'a dyn Fn([f64; PARAMETERS]) -> Option<Vec<f64>>;
 
 /// The parameters, from the best of several starts, and their greatest error over what is allowed. `logarithms` are
 /// those of the data, `allowed` the relative error allowed at each point. `None` where no start leads to a model that
 /// is positive everywhere.
 pub(super) fn minimax(
-    model: Fit<'_>,
+    model: FitModel<'_>,
     logarithms: &[f64],
     allowed: &[f64],
     starts: &[[f64; PARAMETERS]],
@@ -29,7 +29,7 @@ pub(super) fn minimax(
     fits.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-fn from(model: Fit<'_>, data: &[f64], allowed: &[f64], start: [f64; PARAMETERS]) -> Option<([f64; PARAMETERS], f64)> {
+fn from(model: FitModel<'_>, data: &[f64], allowed: &[f64], start: [f64; PARAMETERS]) -> Option<([f64; PARAMETERS], f64)> {
     let errors = |at| Some(errors(&model(at)?, data, allowed));
     let mut at = start;
     let mut weights = vec![1.0; data.len()];

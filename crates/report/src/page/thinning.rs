@@ -11,7 +11,7 @@ const FEW: usize = 50;
 const RELAXED: usize = 3;
 
 /// Triangles that are thinned out.
-struct Thinning<'a> {
+struct MeshThinning<'a> {
     /// Place of each vertex [m].
     places: &'a [[f64; 2]],
     /// Length of the circumference [m]: places differ by less than half of it within a triangle.
@@ -34,7 +34,7 @@ pub(super) fn thinned(
     for (t, corners) in (0..).zip(triangles) {
         corners.iter().for_each(|corner| around[*corner as usize].push(t));
     }
-    let mut thinning = Thinning { places, period, triangles: triangles.iter().copied().map(Some).collect(), around };
+    let mut thinning = MeshThinning { places, period, triangles: triangles.iter().copied().map(Some).collect(), around };
     let mut order: Vec<u32> = (0..places.len() as u32).filter(|v| !must_stay[*v as usize]).collect();
     order.retain(|v| !thinning.around[*v as usize].is_empty());
     // All over the area, however far a pass comes; the same each time.
@@ -52,7 +52,7 @@ pub(super) fn thinned(
     thinning.triangles.into_iter().flatten().collect()
 }
 
-impl Thinning<'_> {
+impl MeshThinning<'_> {
     /// Removes vertices that are not neighbours of each other; returns how many.
     fn pass(&mut self, order: &mut Vec<u32>, wanted: usize, limits: [f64; 2]) -> usize {
         let mut is_touched = vec![false; self.places.len()];

@@ -1,8 +1,8 @@
 //! # Oil at a temperature: its viscosity by one law, its density by another
 //!
-//! **Equation.** `mu(T)` by [`Vogel`] or [`ExponentialLaw`], or `nu(T)` by [`Walther`], by several such lines between the points of a table;
-//! `mu = rho nu`. At each temperature viscosity may grow with pressure by a [`super::PressureLaw`], whose coefficients
-//! do not depend on temperature here.
+//! **Equation.** `mu(T)` by [`Vogel`] or [`ExponentialLaw`], or `nu(T)` by [`Walther`], by several such lines between
+//! the points of a table; `mu = rho nu`. At each temperature viscosity may grow with pressure by a
+//! [`super::PressureLaw`], whose coefficients do not depend on temperature here.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

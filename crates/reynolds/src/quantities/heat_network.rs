@@ -10,9 +10,9 @@
 //! |---|---|---|
 //! | B, K | m3/s, m3/(Pa s) | `transport`, `stiffness` |
 //!
-//! **Source.** `docs/theory/thermal_film.md`. **Range.** Steady films that conserve oil, without squeeze. Triangles that
-//! a feed covers are none of it. **Verified by** `tests/tests/thermal_film.rs`: the cells conserve oil, and their heat
-//! is the power of the film.
+//! **Source.** `docs/theory/thermal_film.md`. **Range.** Steady films that conserve oil, without squeeze. Triangles
+//! that a feed covers are none of it. **Verified by** `tests/tests/thermal_film.rs`: the cells conserve oil, and their
+//! heat is the power of the film.
 
 use oilwedge_fem::Error;
 use oilwedge_heat::{FilmCell, FilmLink, FilmPort, PortKind};

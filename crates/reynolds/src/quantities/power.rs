@@ -142,8 +142,8 @@ pub struct PressurePower {
 }
 
 impl PressurePower {
-    /// `None` where the film has a thickness of its own beside that of the journal, lines that stand by themselves, or a
-    /// viscosity that varies across it.
+    /// `None` where the film has a thickness of its own beside that of the journal, lines that stand by themselves, or
+    /// a viscosity that varies across it.
     pub fn of(problem: &FilmProblem) -> Option<Self> {
         let mut contributions = problem.film_thickness.iter();
         let is_of_journal = contributions.all(|contribution| contribution.follows() != Follows::Nothing);

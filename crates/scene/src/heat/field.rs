@@ -153,12 +153,6 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "remove it, or remove heat.field",
     );
     complaints.refuse_if(
-        scene.journal.motion().is_some(),
-        "journal.squeeze",
-        "moves the journal, but heat.field finds the temperature of a film at rest",
-        "remove it, or remove heat.field",
-    );
-    complaints.refuse_if(
         scene.orbit.is_some(),
         "orbit",
         "follows a journal that moves, but heat.field finds the temperature of a film at rest",

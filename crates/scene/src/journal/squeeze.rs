@@ -43,6 +43,12 @@ pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
     super::refuse_beside_a_cycle("journal.squeeze", scene, complaints);
+    complaints.refuse_if(
+        scene.journal.motion().is_some() && scene.heat.is_some_and(|heat| heat.field.is_some()),
+        "journal.squeeze",
+        "moves the journal, but heat.field finds the temperature of a film at rest",
+        "remove it, or remove heat.field",
+    );
     let key = "journal.min_film_angle";
     complaints.refuse_if(
         is_centred && scene.journal.motion().is_some() && complaints.has("journal") && !complaints.has(key),
