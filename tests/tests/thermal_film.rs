@@ -75,9 +75,15 @@ fn a_viscosity_that_does_not_fall_is_one_viscosity() {
     let plain = format!("{}[oil]\nviscosity = \"27.7 mPa.s\"\n{}", &field[..oil], &field[heat..]);
     let plain = plain.split("[heat]").next().expect("a part").to_owned();
     let [field, plain] = [field, plain].map(|text| ThermalFilm::of(&text));
-    for name in
-        ["eccentricity", "attitude_angle", "pressure_max", "friction_power", "feed_flow.groove", "side_flow", "cavity_share"]
-    {
+    for name in [
+        "eccentricity",
+        "attitude_angle",
+        "pressure_max",
+        "friction_power",
+        "feed_flow.groove",
+        "side_flow",
+        "cavity_share",
+    ] {
         let [found, expected] = [&field, &plain].map(|film| film.value(name));
         assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found}, not {expected}");
     }
@@ -146,7 +152,10 @@ fn what_does_not_go_with_a_field_is_refused() {
         ("heat.mixing", vec![(field, "field = true\nmixing = { ratio = 0.4 }")]),
         ("heat.layers", vec![("layers = 6", "layers = 5")]),
         ("heat.bush.outer_diameter", vec![("outer_diameter = \"200 mm\"", "outer_diameter = \"100 mm\"")]),
-        ("heat.bush", vec![("length = \"80 mm\"", "length = \"80 mm\"\narc = { from = \"20 deg\", to = \"200 deg\" }")]),
+        (
+            "heat.bush",
+            vec![("length = \"80 mm\"", "length = \"80 mm\"\narc = { from = \"20 deg\", to = \"200 deg\" }")],
+        ),
         ("bearing.theory", vec![("length = \"80 mm\"", "length = \"80 mm\"\ntheory = \"short\"")]),
         ("heat.bush", vec![("field = true\nlayers = 6", "")]),
         ("heat.layers", vec![("field = true", ""), (BUSH, "")]),
