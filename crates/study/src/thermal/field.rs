@@ -25,11 +25,11 @@ const ROUGHLY_CLOSED: f64 = 0.05;
 /// Dofs below which a coarser mesh shows nothing of the temperatures.
 const LEAST_DOFS: usize = 1000;
 /// Force and load of films of a round differ by this part of the load, for each kelvin of the change before.
-const PER_KELVIN: f64 = 1e-4;
+const PER_KELVIN: f64 = 2e-3;
 /// Least such part.
-const BALANCED: f64 = 1e-10;
+const BALANCED: f64 = 1e-8;
 /// Greatest such part.
-const ROUGHLY_BALANCED: f64 = 1e-5;
+const ROUGHLY_BALANCED: f64 = 1e-3;
 /// A film of N layers follows Graetz numbers up to this part of N^4 well.
 const WELL: f64 = 0.5;
 /// Layers that there may be.
