@@ -12,7 +12,7 @@ pub(crate) struct Bounds {
     /// Whether the end itself is no such number.
     is_open: [bool; 2],
     /// Whether a number must be whole.
-    is_whole: bool,
+    pub(crate) is_whole: bool,
 }
 
 impl Bounds {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use toml::de::DeTable;
@@ -15,11 +15,11 @@ use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
     Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
-    Feed, Heat, Journal, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
+    Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
     ShaftScene, Support, Tolerance,
 };
 use crate::{
-    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, limits, liner, load,
+    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance, limits, liner, load,
     mesh, oil, orbit, roughness, shaft, support,
 };
 
@@ -127,6 +127,10 @@ pub struct Scene {
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
+    /// Tolerances of its numbers, which are the nominal ones, in the order of the tables; empty where it has none.
+    pub tolerances: Vec<KeyTolerance>,
+    /// Where it stands, or would stand: relative files count from its folder.
+    pub path: PathBuf,
     /// The text that was read; empty in a case of a sweep.
     pub text: String,
     /// SHA-256 of the scene's text, 64 hexadecimal digits; empty in a case of a sweep.
@@ -231,8 +235,10 @@ impl Scene {
         checks: &[Check],
     ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
-        let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
+        let mut scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
+        let tolerances = std::mem::take(&mut complaints.tolerances);
+        scene.tolerances = key_tolerance::named(tolerances, &scene, &mut complaints);
         scene.check(&mut complaints, checks);
         for (key, path, help) in scene.files() {
             let is_named = complaints.has(&key) && !complaints.concern(&key);
@@ -335,6 +341,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
+        tolerances: Vec::new(),
+        path: path.to_owned(),
         text: String::new(),
         sha256: String::new(),
     }

@@ -209,8 +209,7 @@ impl SweepReport {
         let number = |text: &String| text.parse::<f64>().ok();
         let columns = &self.columns;
         let case: usize = row[0].parse().unwrap_or(0);
-        let indices = self.plan.indices(case.saturating_sub(1));
-        let inputs = self.plan.axes.iter().zip(indices);
+        let inputs = self.plan.inputs(case.saturating_sub(1)).into_iter();
         let quantities = columns.quantities.iter().enumerate().filter_map(|(place, column)| {
             let error = row.get(columns.place(place) + 1).filter(|_| columns.bars).and_then(number);
             let value = self.value(row, place)?;
@@ -220,7 +219,7 @@ impl SweepReport {
         let list = |name: &str| entries(columns.tail(row, name)).map(str::to_owned).collect();
         CaseRecord {
             case,
-            inputs: inputs.map(|(axis, index)| (axis.name.clone(), axis.values[index].clone())).collect(),
+            inputs: inputs.map(|(name, value)| (name.to_owned(), value)).collect(),
             status: row[columns.status()].clone(),
             reason: Some(tail(REASON)).filter(|reason| !reason.is_empty()),
             quantities: quantities.collect(),
