@@ -9,6 +9,7 @@ mod cost;
 mod mobility;
 pub mod records;
 mod standard;
+pub mod statistics;
 pub mod sweep;
 mod theories;
 

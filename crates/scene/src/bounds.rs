@@ -112,11 +112,12 @@ mod tests {
     }
 
     /// Keys whose readers judge their numbers themselves.
-    const LEFT_TO_READERS: [&str; 7] = [
+    const LEFT_TO_READERS: [&str; 8] = [
         "bearing.arc.to",
         "journal.speed",
         "load.period",
         "oil.vogel.c",
+        "heat.layers",
         "cap.bolts.count",
         "crankshaft.period",
         "crankshaft.counterweight.web",

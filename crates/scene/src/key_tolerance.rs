@@ -3,12 +3,14 @@
 //! A scene holds the nominal number, which is the middle of a range, and the list of all tolerances beside. Keys of
 //! numerics, limits and whole numbers have none.
 
+use std::ops::Range;
+
 use crate::bounds::Bounds;
 use crate::complaint::Complaints;
 use crate::criteria::SHARED;
 use crate::keys::Key;
 use crate::unit::{self, Dimension};
-use crate::{Check, Scene, SceneError};
+use crate::{Check, Complaint, Scene, SceneError};
 
 /// How a tolerance is written, in a message.
 const EXAMPLES: &str = "\"27 um +- 3 um\", \"27 +- 3 um\", \"27 um +- 10 %\" or \"24 um .. 30 um\"";
@@ -41,6 +43,8 @@ pub struct KeyTolerance {
     pub unit: String,
     /// Kind of quantity; `None` for plain numbers.
     pub dimension: Option<Dimension>,
+    /// Bytes of the scene's text where it is written.
+    pub span: Range<usize>,
 }
 
 impl KeyTolerance {
@@ -55,21 +59,10 @@ impl KeyTolerance {
         self.dimension.and_then(|dimension| unit::unit_size(&self.unit, dimension).ok()).unwrap_or(1.0)
     }
 
-    /// The number and its half width in words: `27 +- 3 um`.
-    pub fn told(&self) -> String {
-        let [nominal, half] = [self.in_unit(self.nominal), self.half_width / self.unit_size()].map(short);
-        format!("{nominal} +- {half} {}", self.unit).trim_end().to_owned()
-    }
-
     /// Both ends, in SI.
     pub(crate) fn ends(&self) -> [f64; 2] {
         [self.nominal - self.half_width, self.nominal + self.half_width]
     }
-}
-
-/// The number to nine digits.
-fn short(number: f64) -> f64 {
-    format!("{number:.8e}").parse().unwrap_or(number)
 }
 
 impl Scene {
@@ -78,13 +71,22 @@ impl Scene {
     /// # Errors
     /// The numbers make no scene that can be computed.
     pub fn with_values(&self, values: &[(&KeyTolerance, f64)], checks: &[Check]) -> Result<Self, SceneError> {
-        let fail = |complaints| SceneError::Complaints {
-            path: self.path.clone(),
-            text: self.text.clone(),
-            complaints,
-        };
+        let fail = |complaints| SceneError::Complaints { path: self.path.clone(), text: self.text.clone(), complaints };
         crate::sweep::of_values(&self.text, &self.path, values, checks).map_err(fail)
     }
+}
+
+/// What is wrong with a scene at the ends of its tolerances, one after the other.
+pub(crate) fn complaints_at_ends(scene: &Scene, text: &str, checks: &[Check]) -> Vec<Complaint> {
+    let mut found: Vec<Complaint> = Vec::new();
+    for tolerance in &scene.tolerances {
+        let ends = tolerance.ends().into_iter();
+        let refused =
+            ends.filter_map(|end| crate::sweep::of_values(text, &scene.path, &[(tolerance, end)], checks).err());
+        let first = refused.flatten().next();
+        found.extend(first.map(|complaint| Complaint { key: tolerance.key.clone(), ..complaint }));
+    }
+    found
 }
 
 /// The two numbers of a tolerance, as they are written.
@@ -120,11 +122,7 @@ impl<'t> WrittenTolerance<'t> {
 }
 
 /// The tolerance of a number with a half width.
-fn around(
-    [nominal, width]: [&str; 2],
-    row: &Key,
-    dimension: Option<Dimension>,
-) -> Result<KeyTolerance, [String; 2]> {
+fn around([nominal, width]: [&str; 2], row: &Key, dimension: Option<Dimension>) -> Result<KeyTolerance, [String; 2]> {
     let (half, width_unit) = parts(width);
     let half = half.ok_or_else(|| no_number(width))?;
     let (_, own) = parts(nominal);
@@ -149,11 +147,7 @@ fn around(
 }
 
 /// The tolerance of a number between two ends.
-fn between(
-    [from, to]: [&str; 2],
-    row: &Key,
-    dimension: Option<Dimension>,
-) -> Result<KeyTolerance, [String; 2]> {
+fn between([from, to]: [&str; 2], row: &Key, dimension: Option<Dimension>) -> Result<KeyTolerance, [String; 2]> {
     let [(_, first), (_, last)] = [from, to].map(parts);
     let shared = if first.is_empty() { last } else { "" };
     let least = quantity(&format!("{from} {shared}"), row, dimension)?;
@@ -178,20 +172,19 @@ fn relative(percent: f64, value: f64, dimension: Option<Dimension>) -> Result<f6
     }
 }
 
-fn found(
-    nominal: f64,
-    half_width: f64,
-    unit: &str,
-    dimension: Option<Dimension>,
-) -> Result<KeyTolerance, [String; 2]> {
+fn found(nominal: f64, half_width: f64, unit: &str, dimension: Option<Dimension>) -> Result<KeyTolerance, [String; 2]> {
     if !(half_width > 0.0 && half_width.is_finite()) {
         let help = format!("give a half width above zero, as in {EXAMPLES}, or remove it");
         return Err(["has no width".to_owned(), help]);
     }
-    let tolerance = KeyTolerance { key: String::new(), nominal, half_width, unit: unit.to_owned(), dimension };
+    let tolerance =
+        KeyTolerance { key: String::new(), nominal, half_width, unit: unit.to_owned(), dimension, span: 0..0 };
     match dimension.filter(|dimension| !tolerance.ends().iter().all(|end| dimension.holds(*end))) {
         Some(dimension) => Err([
-            format!("has an end that no {} reaches", dimension.name().trim_start_matches("an ").trim_start_matches("a ")),
+            format!(
+                "has an end that no {} reaches",
+                dimension.name().trim_start_matches("an ").trim_start_matches("a ")
+            ),
             "check exponents and units of both numbers".to_owned(),
         ]),
         None => Ok(tolerance),
@@ -201,9 +194,7 @@ fn found(
 /// A number in SI.
 fn quantity(text: &str, row: &Key, dimension: Option<Dimension>) -> Result<f64, [String; 2]> {
     match dimension {
-        Some(dimension) => {
-            unit::parse(text, dimension).map_err(|error| [error.to_string(), error.help(row.example)])
-        }
+        Some(dimension) => unit::parse(text, dimension).map_err(|error| [error.to_string(), error.help(row.example)]),
         None => match parts(text.trim()) {
             (Some(number), "") => Ok(number),
             _ => Err(no_number(text.trim())),
@@ -220,6 +211,13 @@ fn parts(text: &str) -> (Option<f64>, &str) {
     match unit::split(text) {
         Some((number, unit)) => (Some(number), unit),
         None => (text.parse().ok().filter(|number: &f64| number.is_finite()), ""),
+    }
+}
+
+impl Key {
+    /// Whether its number may have a tolerance.
+    pub fn may_have_tolerance(&self) -> bool {
+        no_tolerance(self).is_none()
     }
 }
 
@@ -278,11 +276,10 @@ pub(crate) fn refuse_all(found: &[KeyTolerance], complaints: &mut Complaints) {
     }
 }
 
-
 #[cfg(test)]
 mod tests {
-    use crate::Scene;
     use crate::scene::tests::{STUDY, good, read};
+    use crate::{Position, Scene};
 
     const CLEARANCE: &str = "clearance = \"37.5 um\"";
 
@@ -310,16 +307,17 @@ mod tests {
             assert!((tolerance.nominal - 27e-6).abs() < 1e-18 && (tolerance.half_width - 3e-6).abs() < 1e-18, "{text}");
             assert!((scene.bearing.clearance - 27e-6).abs() < 1e-18, "{text}");
         }
-        let [plain, scene] = [with(CLEARANCE, "clearance = \"27 um\""), with(CLEARANCE, "clearance = \"27 um +- 10 %\"")];
+        let [plain, scene] =
+            [with(CLEARANCE, "clearance = \"27 um\""), with(CLEARANCE, "clearance = \"27 um +- 10 %\"")];
         assert_eq!(scene.bearing, plain.bearing);
         assert_eq!((scene.tolerances[0].half_width, plain.tolerances.len()), (0.1 * 27.0 * 1e-6, 0));
-        assert_eq!(scene.tolerances[0].told(), "27 +- 2.7 um");
     }
 
     #[test]
     fn feeds_are_named_by_their_group_and_plain_numbers_have_no_unit() {
         let scene = with("eccentricity = 0.6", "eccentricity = \"0.6 +- 0.05\"");
-        assert_eq!((scene.tolerances[0].key.as_str(), scene.journal.eccentricity()), ("journal.eccentricity", Some(0.6)));
+        assert_eq!(scene.tolerances[0].key, "journal.eccentricity");
+        assert!(matches!(scene.journal.position, Position::Given { eccentricity: 0.6, .. }));
         let scene = with("pressure = \"1.96 bar\"", "pressure = \"1.96 bar +- 5 %\"");
         assert_eq!(scene.tolerances[0].key, format!("feed.{}.pressure", scene.feeds[0].group));
         let values = [(&scene.tolerances[0], 2e5)];
@@ -345,9 +343,17 @@ mod tests {
             good::told_one(CLEARANCE, &format!("clearance = \"{value}\""), wanted);
         }
         for (from, to, wanted) in [
-            ("eccentricity = 0.6", "eccentricity = \"0.6 +- 0.5\"", "journal.eccentricity: at an end of its tolerance"),
-            ("eccentricity = 0.6", "eccentricity = \"0.6 +- 0.1 mm\"", "journal.eccentricity: \"0.1 mm\" is no number"),
-            ("file = \"liner.msh\"", "size = \"3 mm +- 1 mm\"", "mesh.size: has a tolerance, but is a choice of the mesh"),
+            (
+                "eccentricity = 0.6",
+                "eccentricity = \"0.6 +- 0.5\"",
+                "journal.eccentricity: with journal.eccentricity = 1.1, ",
+            ),
+            ("eccentricity = 0.6", "eccentricity = \"0.6 +- 0.1 mm\"", "journal.eccentricity: \"0.6 mm\" is no number"),
+            (
+                "file = \"liner.msh\"",
+                "size = \"3 mm +- 1 mm\"",
+                "mesh.size: has a tolerance, but is a choice of the mesh",
+            ),
         ] {
             good::told_one(from, to, wanted);
         }

@@ -15,12 +15,12 @@ use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
     Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
-    Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
-    ShaftScene, Support, Tolerance,
+    Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError,
+    Shaft, ShaftScene, Support, Tolerance,
 };
 use crate::{
-    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance, limits, liner, load,
-    mesh, oil, orbit, roughness, shaft, support,
+    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance,
+    limits, liner, load, mesh, oil, orbit, roughness, shaft, support,
 };
 
 /// The largest scene file that is read [bytes].
@@ -214,7 +214,12 @@ impl Scene {
         if ShaftScene::is_meant(document.get_ref()) {
             return Err(SceneError::Crankshaft { path: path.to_path_buf() });
         }
-        match Self::of_document(document.get_ref(), text, path, no_file, checks) {
+        let read = Self::of_document(document.get_ref(), text, path, no_file, checks);
+        let at_ends = read.and_then(|scene| match key_tolerance::complaints_at_ends(&scene, text, checks) {
+            none if none.is_empty() => Ok(scene),
+            complaints => Err(complaints),
+        });
+        match at_ends {
             Ok(scene) => Ok(Self {
                 text: text.to_owned(),
                 sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),

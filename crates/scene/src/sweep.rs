@@ -17,4 +17,6 @@ pub use draws::{DrawLaw, DrawOptions, Draws};
 pub use plan::Plan;
 
 pub(crate) use plan::of_values;
+pub use read::MOST_CASES;
+
 pub(crate) use read::{KEYS, OF_BEARING, OF_SHAFT, plan};

@@ -13,7 +13,7 @@ const COARSELY: &str = "the film is not resolved where it is thin";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 34] = [
+const SCENES: [(&str, &[&str]); 35] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -66,6 +66,7 @@ const SCENES: [(&str, &[&str]); 34] = [
         &[COARSELY, "an assumption does not hold: slices of the wall that move by themselves", HEATED],
     ),
     ("35_squeeze_film_damper", &[]),
+    ("37_tolerances", &[]),
 ];
 
 /// Scenes that are solved on one thread too: a linear film, one that breaks, a balance of heat, a tangent, a wall.

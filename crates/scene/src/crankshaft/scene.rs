@@ -12,7 +12,10 @@ use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
 use crate::sweep::{self, Plan};
 use crate::wording;
-use crate::{Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, key_tolerance, mesh, orbit};
+use crate::{
+    Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, key_tolerance, mesh,
+    orbit,
+};
 
 /// A shaft on the films of its bearings, as its scene describes it, in SI.
 #[derive(Debug, Clone, PartialEq)]

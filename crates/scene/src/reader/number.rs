@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use toml::de::DeValue;
 
 use super::{TableReader, kind};
-use crate::bounds::{Bounds, usual};
 use crate::KeyTolerance;
+use crate::bounds::{Bounds, usual};
 use crate::key_tolerance::WrittenTolerance;
 use crate::keys::Key;
 use crate::unit::{self, Dimension};
@@ -59,7 +59,10 @@ impl<'a> TableReader<'a> {
         dimension: Option<Dimension>,
     ) -> Option<KeyTolerance> {
         match written.read(row, dimension) {
-            Ok(tolerance) => Some(KeyTolerance { key: self.key(key), ..tolerance }),
+            Ok(tolerance) => {
+                let span = self.peek(key).map_or(0..0, |value| value.span());
+                Some(KeyTolerance { key: self.key(key), span, ..tolerance })
+            }
             Err([message, help]) => {
                 self.complain(key, message, help);
                 None

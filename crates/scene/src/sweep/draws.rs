@@ -98,9 +98,14 @@ pub(super) fn fixed(input: &KeyTolerance, value: f64) -> SweepAxis {
         name: input.key.clone(),
         path: input.key.clone(),
         unit: input.unit.clone(),
-        values: vec![AxisValue::Number(input.in_unit(value))],
-        span: 0..0,
+        values: vec![AxisValue::Number(short(input.in_unit(value)))],
+        span: input.span.clone(),
     }
+}
+
+/// The number to fifteen digits, so that a tenth of a unit is written as one.
+fn short(number: f64) -> f64 {
+    format!("{number:.14e}").parse().unwrap_or(number)
 }
 
 /// The function that spreads the bits of a number in splitmix64.
@@ -115,7 +120,14 @@ mod tests {
     use super::*;
 
     fn input(key: &str) -> KeyTolerance {
-        KeyTolerance { key: key.to_owned(), nominal: 10.0, half_width: 2.0, unit: String::new(), dimension: None }
+        KeyTolerance {
+            key: key.to_owned(),
+            nominal: 10.0,
+            half_width: 2.0,
+            unit: String::new(),
+            dimension: None,
+            span: 0..0,
+        }
     }
 
     fn draws(law: DrawLaw, seed: u64) -> Vec<f64> {

@@ -115,14 +115,10 @@ impl Plan {
     pub fn inputs(&self, number: usize) -> Vec<(&str, AxisValue)> {
         let indices = self.indices(number);
         let axes = self.axes.iter().zip(&indices);
-        let mut inputs: Vec<_> =
-            axes.map(|(axis, &index)| (axis.name.as_str(), axis.values[index].clone())).collect();
+        let mut inputs: Vec<_> = axes.map(|(axis, &index)| (axis.name.as_str(), axis.values[index].clone())).collect();
         if let (Some(draws), Some(&draw)) = (&self.draws, indices.last()) {
-            let drawn = draws.inputs.iter().map(|input| {
-                let value = input.in_unit(draws.value(input, draw));
-                (input.key.as_str(), AxisValue::Number(value))
-            });
-            inputs.extend(drawn);
+            let drawn = draws.axes(draw).into_iter().flat_map(|axis| axis.values);
+            inputs.extend(draws.inputs.iter().map(|input| input.key.as_str()).zip(drawn));
         }
         inputs
     }
@@ -233,7 +229,8 @@ pub(crate) fn of_values(
     let axes = values.iter().map(|(input, value)| fixed(input, *value)).collect::<Vec<_>>();
     let indices = vec![0; axes.len()];
     let plan = Plan { axes, columns: None, draws: None, text: text.to_owned(), path: path.to_owned() };
-    plan.case(&indices, |document| Scene::of_document(document, text, path, no_file, checks))
+    // Its files are those of the scene, which were looked for when that was read.
+    plan.case(&indices, |document| Scene::of_document(document, text, path, |_| None, checks))
 }
 
 /// Sets the key of an axis in a scene's document. Tables that are not there are made.

@@ -29,7 +29,7 @@ keys! {
 }
 
 /// Most cases of one sweep.
-const MOST_CASES: usize = 100_000;
+pub const MOST_CASES: usize = 100_000;
 /// Most axes of one sweep.
 const MOST_AXES: usize = 32;
 /// How an axis is written.
