@@ -30,6 +30,7 @@ pub mod shaft;
 mod shaft_sheet;
 pub mod shaft_view;
 pub mod sheet;
+mod spread_sheet;
 mod sketch;
 pub mod sweep;
 pub mod tables;

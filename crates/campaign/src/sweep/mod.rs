@@ -58,6 +58,14 @@ impl Walk<'_> {
     }
 }
 
+/// What is found of scenes that are solved one after the other, each from the film before; on the mesh of the first one
+/// as far as it suits.
+pub fn chain_of(scenes: &[Scene], options: &RunOptions) -> Vec<CaseOutcome> {
+    let mut walker = Walker::new(options);
+    walker.begin();
+    scenes.iter().map(|scene| walker.case(scene, 0.0)).collect()
+}
+
 /// A sweep that can be run: every case is a good scene.
 pub struct Sweep {
     /// The axes.
