@@ -144,12 +144,7 @@ fn spread_of(effects: &[f64], inputs: &[KeyTolerance]) -> QuantitySpread {
 }
 
 /// The quantity at the corners at which it is least and greatest to first order.
-fn corners(
-    scene: &Scene,
-    effects: &[f64],
-    quantity: &Quantity,
-    options: &RunOptions,
-) -> Result<[f64; 2], NoSpread> {
+fn corners(scene: &Scene, effects: &[f64], quantity: &Quantity, options: &RunOptions) -> Result<[f64; 2], NoSpread> {
     let corner = |sign: f64| {
         let at = |(input, effect): (&KeyTolerance, &f64)| input.nominal + sign * effect.signum() * input.half_width;
         let values: Vec<_> = scene.tolerances.iter().zip(effects).map(|pair| (pair.0, at(pair))).collect();

@@ -15,9 +15,10 @@ const DIGITS: usize = 3;
 
 /// The tolerances that spread a film most; `None` where the scene has none. The quantity is the least film or, where
 /// that is not spread, the first one of short tables.
-pub fn spread_sheet(result: &RunResult) -> Option<Sheet> {
+pub(crate) fn spread_sheet(result: &RunResult) -> Option<Sheet> {
     let candidates = [result.quantity(&FILM_THICKNESS_MIN), main_of(result)];
-    let spread = |quantity: Option<&'_ Quantity>| quantity.and_then(|it| it.spread.as_ref()).is_some_and(|it| it.rss > 0.0);
+    let spread =
+        |quantity: Option<&'_ Quantity>| quantity.and_then(|it| it.spread.as_ref()).is_some_and(|it| it.rss > 0.0);
     let others = result.quantities.iter().map(Some);
     let quantity = candidates.into_iter().chain(others).find(|it| spread(*it))??;
     let own = quantity.spread.as_ref()?;
@@ -58,7 +59,9 @@ fn linearity(quantity: &Quantity) -> Option<String> {
         Some([low, high]) => {
             let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
             let [low, high] = [low, high].map(|value| significant(value / size, DIGITS));
-            format!("{name} is not linear: at its worst corners it is {low} and {high} {unit}, {percent} % from the sum")
+            format!(
+                "{name} is not linear: at its worst corners it is {low} and {high} {unit}, {percent} % from the sum"
+            )
         }
     })
 }

@@ -127,7 +127,7 @@ pub struct Scene {
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
-    /// Tolerances of its numbers, which are the nominal ones, in the order of the tables; empty where it has none.
+    /// Tolerances of its numbers, which are the nominal ones, in the order of the text; empty where it has none.
     pub tolerances: Vec<KeyTolerance>,
     /// Where it stands, or would stand: relative files count from its folder.
     pub path: PathBuf,
