@@ -17,7 +17,7 @@ const ERRORS: f64 = 1.96;
 
 /// A number that was estimated from draws.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
+pub struct SampleEstimate {
     /// The number.
     pub value: f64,
     /// Half width of the interval that holds the true one for 95 % of all seeds; `None` where there are too few draws.
@@ -28,11 +28,11 @@ pub struct Estimate {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Statistics {
     /// Mean.
-    pub mean: Estimate,
+    pub mean: SampleEstimate,
     /// Standard deviation.
-    pub deviation: Estimate,
+    pub deviation: SampleEstimate,
     /// The [`PERCENTILES`].
-    pub percentiles: [Estimate; PERCENTILES.len()],
+    pub percentiles: [SampleEstimate; PERCENTILES.len()],
 }
 
 impl Statistics {
@@ -50,15 +50,18 @@ impl Statistics {
         let kurtosis = count * moment(4) / moment(2).powi(2);
         let of_deviation = ERRORS * deviation * ((kurtosis - 1.0) / (4.0 * count)).sqrt();
         Some(Self {
-            mean: Estimate { value: mean, error: Some(ERRORS * deviation / count.sqrt()) },
-            deviation: Estimate { value: deviation, error: Some(if deviation > 0.0 { of_deviation } else { 0.0 }) },
+            mean: SampleEstimate { value: mean, error: Some(ERRORS * deviation / count.sqrt()) },
+            deviation: SampleEstimate {
+                value: deviation,
+                error: Some(if deviation > 0.0 { of_deviation } else { 0.0 }),
+            },
             percentiles: PERCENTILES.map(|percent| percentile(&sorted, 1e-2 * percent)),
         })
     }
 }
 
 /// The percentile `part` (from 0 to 1) of numbers in their order.
-fn percentile(sorted: &[f64], part: f64) -> Estimate {
+fn percentile(sorted: &[f64], part: f64) -> SampleEstimate {
     let count = sorted.len() as f64;
     let at = |rank: f64| {
         let below = rank.floor();
@@ -69,18 +72,18 @@ fn percentile(sorted: &[f64], part: f64) -> Estimate {
     let reach = ERRORS * (count * part * (1.0 - part)).sqrt();
     let ends = [rank - reach, rank + reach];
     let is_known = ends[0] >= 0.0 && ends[1] <= count - 1.0;
-    Estimate { value: at(rank), error: is_known.then(|| 0.5 * (at(ends[1]) - at(ends[0]))) }
+    SampleEstimate { value: at(rank), error: is_known.then(|| 0.5 * (at(ends[1]) - at(ends[0]))) }
 }
 
 /// The share of `count` draws that `hits` are.
-pub fn share(hits: usize, count: usize) -> Option<Estimate> {
+pub fn share(hits: usize, count: usize) -> Option<SampleEstimate> {
     let (part, draws) = (hits as f64 / count as f64, count as f64);
     let error = match hits {
         0 => 3.0 / draws,
         _ if hits == count => 3.0 / draws,
         _ => ERRORS * (part * (1.0 - part) / draws).sqrt(),
     };
-    (count > 0).then_some(Estimate { value: part, error: Some(error) })
+    (count > 0).then_some(SampleEstimate { value: part, error: Some(error) })
 }
 
 #[cfg(test)]

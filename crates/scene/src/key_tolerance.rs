@@ -233,7 +233,8 @@ fn no_tolerance(row: &Key) -> Option<&'static str> {
     }
 }
 
-/// The tolerances of a scene in the order of its text, with the names that axes of sweeps have; a complaint about each that has none.
+/// The tolerances of a scene in the order of its text, with the names that axes of sweeps have; a complaint about each
+/// that has none.
 pub(crate) fn named(found: Vec<KeyTolerance>, scene: &Scene, complaints: &mut Complaints) -> Vec<KeyTolerance> {
     let mut list = Vec::with_capacity(found.len());
     for tolerance in found {

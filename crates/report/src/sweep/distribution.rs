@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use oilwedge_campaign::statistics::Estimate;
+use oilwedge_campaign::statistics::SampleEstimate;
 use oilwedge_scene::KeyTolerance;
 use oilwedge_scene::sweep::AxisValue;
 use serde::{Deserialize, Serialize};
@@ -58,14 +58,14 @@ pub struct Distribution {
     /// Share of the draws that meet all criteria, with its sampling error; `None` where the scene has no criteria. A
     /// draw without an answer does not meet them.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub meet_criteria: Option<Sampled>,
+    pub meet_criteria: Option<SampledNumber>,
     /// How each quantity is distributed, by the name of its column.
     pub quantities: BTreeMap<String, SampledQuantity>,
 }
 
 /// A number that was estimated from draws.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Sampled {
+pub struct SampledNumber {
     /// The number.
     pub value: f64,
     /// Half width of the interval that holds the true one for 95 % of all seeds; `None` where there are too few draws.
@@ -79,15 +79,15 @@ pub struct SampledQuantity {
     /// Unit of all numbers.
     pub unit: String,
     /// Mean.
-    pub mean: Sampled,
+    pub mean: SampledNumber,
     /// Standard deviation.
-    pub deviation: Sampled,
+    pub deviation: SampledNumber,
     /// Percentiles, by `p1` to `p99`.
-    pub percentiles: BTreeMap<String, Sampled>,
+    pub percentiles: BTreeMap<String, SampledNumber>,
 }
 
-impl From<Estimate> for Sampled {
-    fn from(estimate: Estimate) -> Self {
+impl From<SampleEstimate> for SampledNumber {
+    fn from(estimate: SampleEstimate) -> Self {
         Self { value: estimate.value, error: estimate.error }
     }
 }

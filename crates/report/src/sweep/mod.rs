@@ -28,7 +28,7 @@ use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
 use sha2::{Digest, Sha256};
 
-pub use distribution::{Distribution, Sampled, SampledQuantity, ToleranceRecord};
+pub use distribution::{Distribution, SampledNumber, SampledQuantity, ToleranceRecord};
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use parts::{PARTS_FOLDER, part_folder};

@@ -4,7 +4,7 @@ use oilwedge_campaign::statistics::{PERCENTILES, Statistics, share};
 use oilwedge_scene::sweep::DrawLaw;
 use oilwedge_study::result::Verdict;
 
-use super::distribution::{Distribution, Sampled, SampledQuantity, ToleranceRecord};
+use super::distribution::{Distribution, SampledNumber, SampledQuantity, ToleranceRecord};
 use super::report::{CaseRecord, SweepResult};
 use crate::digits::significant;
 use crate::sheet::{Sheet, none, number_as, of_axis, text, with_bar};
@@ -49,7 +49,7 @@ fn distribution(sweep: &SweepResult, names: &[String], rows: &[CaseRecord]) -> D
         inputs: inputs.collect(),
         draws: rows.len(),
         answered: rows.iter().filter(|row| !row.quantities.is_empty()).count(),
-        meet_criteria: share(hits, rows.len()).filter(|_| is_judged).map(Sampled::from),
+        meet_criteria: share(hits, rows.len()).filter(|_| is_judged).map(SampledNumber::from),
         quantities: names.iter().filter(|name| sweep.varies(name)).filter_map(of_name).collect(),
     }
 }
@@ -75,7 +75,7 @@ impl SweepResult {
                 let inputs = points.iter().map(|axis| at.inputs.get(*axis).map_or_else(none, of_axis));
                 let numbers = [Some(&found.mean), Some(&found.deviation)].into_iter();
                 let numbers = numbers.chain(PERCENTILES.iter().map(|it| found.percentiles.get(&self::name(*it))));
-                let cell = |it: Option<&Sampled>| it.map_or_else(none, |it| number_as(it.value, told(*it, size)));
+                let cell = |it: Option<&SampledNumber>| it.map_or_else(none, |it| number_as(it.value, told(*it, size)));
                 Some(inputs.chain([text(heading)]).chain(numbers.map(cell)).collect::<Vec<_>>())
             };
             names.iter().filter_map(of_name).collect::<Vec<_>>()
@@ -113,7 +113,7 @@ impl SweepResult {
 }
 
 /// A number with its sampling error, in a unit of this size.
-fn told(it: Sampled, size: f64) -> String {
+fn told(it: SampledNumber, size: f64) -> String {
     match it.error {
         Some(_) => with_bar(it.value, it.error, size),
         None => significant(it.value / size, DIGITS),
