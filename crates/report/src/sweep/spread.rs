@@ -61,7 +61,7 @@ impl SweepResult {
         let points: Vec<&str> = self.axes.iter().rev().skip(1).rev().map(|axis| axis.name.as_str()).collect();
         let mut header: Vec<String> =
             self.axes[..points.len()].iter().map(|axis| axis.heading().replace(['_', '.'], " ")).collect();
-        header.extend(["quantity", "mean", "deviation"].map(str::to_owned));
+        header.extend(["quantity", "mean", "standard deviation"].map(str::to_owned));
         header.extend(PERCENTILES.map(|percent| format!("{percent} %")));
         let names = self.names(&[]);
         let rows = self.distributions.iter().flat_map(|at| {

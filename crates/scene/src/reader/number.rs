@@ -27,7 +27,7 @@ pub(crate) struct Number<'t, 'a> {
     table: &'t mut TableReader<'a>,
     key: &'a str,
     value: Option<f64>,
-    /// Its tolerance, where it is written with one.
+    /// Tolerance of the number, where it is written with one.
     tolerance: Option<KeyTolerance>,
     is_checked: bool,
 }

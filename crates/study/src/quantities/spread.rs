@@ -30,7 +30,7 @@ pub struct QuantitySpread {
 pub struct Sensitivity {
     /// Quantity over number, in the unit of the quantity and the unit of the key.
     pub value: f64,
-    /// Its unit.
+    /// Unit of the derivative.
     pub unit: String,
     /// Relative change of the quantity over that of the number [1]; `None` where one of them is zero, an angle or a
     /// temperature.

@@ -80,7 +80,7 @@ fn each_point_of_a_sweep_has_its_draws() {
     bench.write("scene.toml", scene(&NUMBERS, axes));
     let report = done(&bench.run(&["sweep", "scene.toml", "--draws", "20", "--bars", "none", "--json", "--report"]));
     let points = report["distributions"].as_array().expect("distributions");
-    let means: Vec<f64> = points.iter().map(|it| number(it, &["quantities", "W kN", "mean", "value"])).collect();
+    let means: Vec<f64> = points.iter().map(|it| number(it, &["quantities", "W", "mean", "value"])).collect();
     assert_eq!((points.len(), report["tolerances"].as_array().map(Vec::len)), (2, Some(1)));
     // The same draws of the viscosity: W goes with 1 / c^2.
     assert!((means[0] / means[1] - (39.0f64 / 36.0).powi(2)).abs() < 1e-2, "{means:?}");
