@@ -1,5 +1,5 @@
-//! The catalogue of keys, quantities, effects, fields and warnings: every row has all its columns, and its words are
-//! written once.
+//! The catalogue of keys, quantities, effects, fields, warnings and parts of results: every row has all its columns,
+//! and its words are written once.
 
 use oilwedge_report::catalogue::{CatalogueEntry, entries};
 use oilwedge_tests::house::sources;
@@ -18,6 +18,7 @@ fn columns(entry: &CatalogueEntry) -> &'static [&'static str] {
         "effect" => &["without it"],
         "field" => &["symbol", "unit"],
         "warning" => &[],
+        "result" => &["parts"],
         kind => panic!("another kind: {kind}"),
     }
 }

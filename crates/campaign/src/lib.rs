@@ -8,7 +8,9 @@ pub mod convergence;
 mod cost;
 mod mobility;
 pub mod records;
+mod spread;
 mod standard;
+pub mod statistics;
 pub mod sweep;
 mod theories;
 
@@ -17,6 +19,7 @@ pub use compare::{Compare, comparisons, shafts};
 pub use comparison::{Alternative, Comparison, QuantityPair};
 pub use convergence::converge;
 pub use records::Records;
+pub use spread::{NoSpread, main_of, with_spread};
 
 use oilwedge_study::CompileError;
 

@@ -3,6 +3,7 @@
 use crate::readable::significant;
 use oilwedge_report::check::CheckReport;
 use oilwedge_report::sheet::{Sheet, numeral, text};
+use oilwedge_report::sweep::ToleranceRecord;
 use oilwedge_report::tables::{duration, effects, heading, mesh, printable};
 
 /// Everything about a scene or mesh that can be used.
@@ -43,6 +44,7 @@ fn facts(found: &CheckReport) -> String {
         ),
     ];
     lines.extend(tolerance(&found.tolerance));
+    lines.extend(key_tolerances(&found.key_tolerances));
     lines.extend(sweep(&found.sweep));
     lines.extend(found.cost.map(|cost| {
         let factor = significant(8e-6 * cost.factor_entries as f64, 3);
@@ -71,6 +73,12 @@ fn tolerance(targets: &[(String, f64)]) -> Option<String> {
     (!parts.is_empty()).then(|| format!("tolerance {}", parts.join(", ")))
 }
 
+/// The tolerances of numbers of the scene; nothing without one.
+fn key_tolerances(tolerances: &[ToleranceRecord]) -> Option<String> {
+    let parts: Vec<_> = tolerances.iter().map(|it| printable(&it.told())).collect();
+    (!parts.is_empty()).then(|| format!("widths    {}", parts.join(", ")))
+}
+
 /// The cases of a sweep; nothing without one.
 fn sweep(axes: &[(String, usize)]) -> Option<String> {
     let cases: usize = axes.iter().map(|(_, values)| values).product();
@@ -94,6 +102,12 @@ mod tests {
             effects: None,
             mesh: MeshFacts::default(),
             tolerance: vec![("load".into(), 0.001), ("attitude_angle".into(), 1e-4)],
+            key_tolerances: vec![ToleranceRecord {
+                key: "bearing.clearance".into(),
+                nominal: 27.000000000000004,
+                half_width: 3.0,
+                unit: "um".into(),
+            }],
             sweep: vec![("speed [rpm]".into(), 5), ("eccentricity".into(), 18)],
             liner: Vec::new(),
             sketch: String::new(),
@@ -106,6 +120,7 @@ mod tests {
         assert!(text.contains("liner.msh: can be used") && text.contains("end_low"), "{text}");
         let tolerance = "tolerance load to 0.1 %, attitude_angle to 0.01 % of 1 rad\n";
         assert!(text.contains(tolerance), "{text}");
+        assert!(text.contains("widths    bearing.clearance 27 +- 3 um\n"), "{text}");
         let sweep = "sweep     90 cases: 5 of speed [rpm] by 18 of eccentricity\n";
         assert!(text.contains(sweep), "{text}");
     }

@@ -8,7 +8,7 @@ use crate::progress::ProgressLine;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
-use oilwedge_campaign::{Compare, Records};
+use oilwedge_campaign::{Compare, Records, with_spread};
 use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
@@ -24,7 +24,7 @@ use oilwedge_study::orbit::{Frame, no_map};
 use oilwedge_study::picture::{FieldChoice, FilmPicture, PictureOptions, Surface};
 use oilwedge_study::result::Status;
 use oilwedge_study::shaft::Variant;
-use oilwedge_study::{RunOptions, compile, run_telling};
+use oilwedge_study::{Run, RunOptions, compile, run_telling};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -195,6 +195,18 @@ impl Solve {
                 self.run.folder().display()
             )));
         }
+        let is_spread = !scene.tolerances.is_empty() && scene.orbit.is_none();
+        let run = match is_spread && run.result.head.status == Status::Converged {
+            true => {
+                working.turns_to("the films at the ends of the tolerances");
+                let result = with_spread(&scene, run.result.clone(), &options).unwrap_or_else(|reason| {
+                    complain::warn(&[format!("the tolerances have no spread: {reason}")]);
+                    run.result.clone()
+                });
+                Run { result, ..run }
+            }
+            false => run,
+        };
         let mut records = Records::default();
         for kind in self.compared() {
             working.turns_to(kind.task());

@@ -13,7 +13,8 @@ use oilwedge_report::json;
 use oilwedge_report::page::{SWEEP_PAGE_FILE, SceneFile, sweep_page};
 use oilwedge_report::sweep::{Notice, SweepError, SweepOptions, SweepReport, SweepResult, part_folder};
 use oilwedge_report::tables::{counted, duration, sweep_report};
-use oilwedge_scene::ShaftScene;
+use oilwedge_scene::sweep::{DrawLaw, DrawOptions, MOST_CASES, Plan};
+use oilwedge_scene::{Scene, ShaftScene};
 use oilwedge_study::RunOptions;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -24,6 +25,19 @@ use std::process::ExitCode;
 pub(crate) struct SweepCommand {
     #[command(flatten)]
     run: RunArguments,
+
+    /// Draw the tolerances of the scene N times, at each point of its [sweep] or, without one, of the scene itself, and
+    /// report how the quantities are distributed.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    draws: Option<u32>,
+
+    /// Number by which other draws are made.
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "draws")]
+    seed: u64,
+
+    /// Draw from normal distributions, half of a tolerance being three deviations, and not uniformly.
+    #[arg(long, requires = "draws")]
+    normal: bool,
 
     /// Replace a sweep that stands in the folder, also if it is that of another scene.
     #[arg(long)]
@@ -53,6 +67,7 @@ Examples:
   oilwedge sweep bearing.toml --bars none --out results/map
   oilwedge sweep bearing.toml --part 3/40 --out map      one of 40 jobs of a cluster
   oilwedge sweep bearing.toml --join map                 the table of all their cases
+  oilwedge sweep bearing.toml --draws 500 --bars none    numbers as \"27 um +- 3 um\" are drawn
   oilwedge sweep bearing.toml --json | jq '.rows[] | [.inputs.speed, .quantities.load.value]'
 
 In the scene, each axis a list or a range, the last one running fastest:
@@ -102,6 +117,12 @@ impl SweepCommand {
         let path = &self.run.scene;
         let (cases, options, example) = match oilwedge_study::read(path) {
             Err(error) if is_crankshaft(&error) => {
+                if self.draws.is_some() {
+                    let path = path.display();
+                    return Err(Failure::Message(format!(
+                        "the scene {path} is one of a crankshaft, whose numbers have no tolerances; leave out --draws"
+                    )));
+                }
                 let scene = ShaftScene::read(path)?;
                 let options = RunOptions { interrupt: interrupt::listen_in_time(KEPT)?, ..self.run.options_of_shaft() };
                 let example = "speed = { from = \"1000 rpm\", to = \"6000 rpm\", steps = 6 }";
@@ -110,6 +131,9 @@ impl SweepCommand {
             scene => {
                 let scene = scene?;
                 let options = self.run.options(&scene, interrupt::listen_in_time(KEPT)?)?;
+                if let Some(count) = self.draws {
+                    return Ok((self.drawn(&scene, count as usize)?, options));
+                }
                 (Cases::of(&scene)?, options, "eccentricity = { from = 0.1, to = 0.95, steps = 18 }")
             }
         };
@@ -118,6 +142,23 @@ impl SweepCommand {
             Failure::Message(format!("the scene {path} has no [sweep]; write for example\n\n[sweep]\n{example}"))
         })?;
         Ok((cases, options))
+    }
+
+    /// The cases in which the tolerances of a scene are drawn so many times.
+    fn drawn(&self, scene: &Scene, count: usize) -> Result<Cases, Failure> {
+        let law = if self.normal { DrawLaw::Normal } else { DrawLaw::Uniform };
+        let points = scene.sweep.as_ref().map_or(1, Plan::cases);
+        if points * count > MOST_CASES {
+            let message =
+                format!("{points} points with {count} draws are more than {MOST_CASES} cases; give fewer --draws");
+            return Err(Failure::Message(message));
+        }
+        Cases::drawn(scene, DrawOptions { count, seed: self.seed, law })?.ok_or_else(|| {
+            let path = self.run.scene.display();
+            Failure::Message(format!(
+                "the scene {path} has no tolerances to draw; write for example clearance = \"27 um +- 3 um\""
+            ))
+        })
     }
 
     /// The folder of the sweep.

@@ -33,10 +33,24 @@ static WORDS: [(&str, &[&str]); 8] = [
     ("stribeck", &[FRICTION_COEFFICIENT.name, SOMMERFELD_NUMBER.name, CONTACT_SHARE.name, "contact"]),
 ];
 
+/// What stands beside the value of a quantity in results, with its parts.
+static BESIDE_VALUES: [(&str, &str, &str); 2] = [
+    (
+        "spread",
+        "how far a quantity is spread by the tolerances of the scene: half of the difference between films at both ends of each",
+        "worst_case: the sum of all effects; rss: the root of the sum of their squares; shares: the part of each key in that sum; nonlinearity: how far the worst corners miss the sum; corners: the values there where that is more than 0.2",
+    ),
+    (
+        "sensitivity",
+        "the derivative of a quantity by the number of a key that has a tolerance",
+        "value: in units of quantity and key; log: the relative change over that of the number",
+    ),
+];
+
 /// One row of a catalogue in words.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CatalogueEntry {
-    /// The catalogue that the entry is of: `key`, `quantity`, `effect`, `field` or `warning`.
+    /// The catalogue that the entry is of: `key`, `quantity`, `effect`, `field`, `warning` or `result`.
     pub kind: &'static str,
     /// Name of the entry in its catalogue.
     pub name: String,
@@ -58,7 +72,10 @@ pub fn entries() -> Vec<CatalogueEntry> {
     let effects = EFFECTS.iter().map(|effect| of_effect(effect));
     let fields = FILE_FIELDS.iter().map(|field| of_field(field));
     let warnings = KINDS.iter().map(|kind| of_warning(kind));
-    keys.chain(quantities).chain(effects).chain(fields).chain(warnings).collect()
+    let beside = BESIDE_VALUES.iter();
+    let beside =
+        beside.map(|(name, what, parts)| CatalogueEntry::new("result", name, what, [("parts", (*parts).to_owned())]));
+    keys.chain(quantities).chain(effects).chain(fields).chain(warnings).chain(beside).collect()
 }
 
 impl CatalogueEntry {

@@ -20,6 +20,7 @@ use oilwedge_study::warnings::mesh_warnings;
 use crate::Error;
 use crate::folder::replace;
 use crate::sketch::{sketch, words};
+use crate::sweep::ToleranceRecord;
 
 /// What stands for a file name where the liner described is meshed.
 const DRAWN: &str = "made of the liner described";
@@ -49,6 +50,9 @@ pub struct CheckReport {
     /// How small error bars would be made by refinement, relative, by name of quantity; empty without a tolerance.
     #[serde(serialize_with = "in_order::serialize")]
     pub tolerance: Vec<(String, f64)>,
+    /// Tolerances of numbers of the scene; absent in JSON where it has none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub key_tolerances: Vec<ToleranceRecord>,
     /// The axes of the sweep and their numbers of values; empty without one.
     #[serde(serialize_with = "in_order::serialize")]
     pub sweep: Vec<(String, usize)>,
@@ -110,6 +114,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     report.tolerance = (model.targets.iter().flat_map(|targets| &targets.required))
         .map(|target| (target.quantity.clone(), target.relative))
         .collect();
+    report.key_tolerances = scene.tolerances.iter().map(ToleranceRecord::from).collect();
     report.title = Some(scene.title.clone());
     report.sweep =
         (scene.sweep.iter()).flat_map(|plan| &plan.axes).map(|axis| (axis.heading(), axis.values.len())).collect();
@@ -213,6 +218,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
             .collect(),
         quality,
         tolerance: Vec::new(),
+        key_tolerances: Vec::new(),
         sweep: Vec::new(),
         liner: Vec::new(),
         sketch: String::new(),

@@ -32,6 +32,7 @@ mod shaft_sheet;
 pub mod shaft_view;
 pub mod sheet;
 mod sketch;
+mod spread_sheet;
 pub mod sweep;
 pub mod tables;
 pub mod vtu;

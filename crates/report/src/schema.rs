@@ -17,6 +17,8 @@ use std::collections::BTreeSet;
 pub const TITLE: &str = "Scene of oilwedge";
 /// A finite decimal number.
 const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
+/// The beginning of a number with a tolerance, or of a range.
+const TOLERANCE: &str = r"^\s*[+-]?[0-9.][^+±]*(\+-|\+/-|±|\.\.)\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?";
 /// A product: a point, a star or a space.
 const TIMES: &str = r"[\s.*·⋅]";
 
@@ -50,7 +52,7 @@ fn quantity(dimension: Dimension) -> Value {
     units.retain(|unit| known.insert(unit.clone()));
     json!({
         "type": "string",
-        "pattern": format!(r"^\s*{NUMBER}\s*({})\s*$", units.join("|")),
+        "pattern": format!(r"^\s*{NUMBER}\s*({})\s*$|{TOLERANCE}\s*\S.*$", units.join("|")),
         "description": format!("{} with its unit: {}", dimension.name(), dimension.unit_names()),
         "examples": [dimension.example()],
     })
@@ -189,6 +191,10 @@ fn example(key: &Key) -> Value {
 fn of_form(key: &Key, form: &KeyForm<'_>) -> Value {
     match form {
         KeyForm::Quantity(dimension) => json!({ "allOf": [reference(*dimension)] }),
+        KeyForm::Number if key.may_have_tolerance() => json!({ "anyOf": [
+            { "type": "number" },
+            { "type": "string", "pattern": format!(r"{TOLERANCE}\s*%?\s*$") },
+        ] }),
         KeyForm::Number => json!({ "type": "number" }),
         KeyForm::Numbers => json!({ "type": "array", "items": { "type": "number" }, "minItems": 1 }),
         KeyForm::Text => json!({ "type": "string", "pattern": r"\S" }),

@@ -12,7 +12,7 @@ pub(crate) struct Bounds {
     /// Whether the end itself is no such number.
     is_open: [bool; 2],
     /// Whether a number must be whole.
-    is_whole: bool,
+    pub(crate) is_whole: bool,
 }
 
 impl Bounds {
@@ -112,11 +112,12 @@ mod tests {
     }
 
     /// Keys whose readers judge their numbers themselves.
-    const LEFT_TO_READERS: [&str; 7] = [
+    const LEFT_TO_READERS: [&str; 8] = [
         "bearing.arc.to",
         "journal.speed",
         "load.period",
         "oil.vogel.c",
+        "heat.layers",
         "cap.bolts.count",
         "crankshaft.period",
         "crankshaft.counterweight.web",

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::Scene;
+use crate::{KeyTolerance, Scene};
 
 /// No more complaints are collected than this: a hostile text causes a million.
 const MOST_COLLECTED: usize = 1000;
@@ -46,6 +46,8 @@ pub struct Complaints {
     text: String,
     spans: BTreeMap<String, Range<usize>>,
     names: Vec<(String, String)>,
+    /// Tolerances of the numbers that were read, by their keys as they stand in the text.
+    pub(crate) tolerances: Vec<KeyTolerance>,
     list: Vec<Complaint>,
 }
 

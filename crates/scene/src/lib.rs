@@ -8,7 +8,8 @@
 //! `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`,
 //! `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`, `cavitation.rs`, `contact.rs`, `roughness.rs`,
 //! `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them;
-//! [`periodic_table`] and [`surface_table`] read the tables in files that a scene names.
+//! `key_tolerance.rs` is about the tolerances of their numbers; [`periodic_table`] and [`surface_table`] read the
+//! tables in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong
 //! with it collected), [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
@@ -35,6 +36,7 @@ mod error;
 mod feed;
 mod heat;
 mod journal;
+mod key_tolerance;
 mod limits;
 mod liner;
 mod load;
@@ -69,6 +71,7 @@ pub use error::SceneError;
 pub use feed::{Feed, Groove, Hole};
 pub use heat::*;
 pub use journal::*;
+pub use key_tolerance::KeyTolerance;
 pub use liner::{Layer, Liner, Material, OuterSurface};
 pub use load::cycle::{CrankBearing, Harmonic, LoadCycle, LoadFrame, LoadSource};
 pub use mesh::{Layout, MeshSource};

@@ -6,7 +6,7 @@
 
 mod number;
 
-pub(crate) use number::{Number, plain_number};
+pub(crate) use number::{Number, plain_number, written_tolerance};
 
 use std::cell::RefCell;
 use std::ops::Range;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use toml::de::DeTable;
@@ -15,12 +15,12 @@ use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
     Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
-    Feed, Heat, Journal, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
-    ShaftScene, Support, Tolerance,
+    Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError,
+    Shaft, ShaftScene, Support, Tolerance,
 };
 use crate::{
-    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, limits, liner, load,
-    mesh, oil, orbit, roughness, shaft, support,
+    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance,
+    limits, liner, load, mesh, oil, orbit, roughness, shaft, support,
 };
 
 /// The largest scene file that is read [bytes].
@@ -127,6 +127,10 @@ pub struct Scene {
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
+    /// Tolerances of its numbers, which are the nominal ones, in the order of the text; empty where it has none.
+    pub tolerances: Vec<KeyTolerance>,
+    /// Where it stands, or would stand: relative files count from its folder.
+    pub path: PathBuf,
     /// The text that was read; empty in a case of a sweep.
     pub text: String,
     /// SHA-256 of the scene's text, 64 hexadecimal digits; empty in a case of a sweep.
@@ -210,7 +214,12 @@ impl Scene {
         if ShaftScene::is_meant(document.get_ref()) {
             return Err(SceneError::Crankshaft { path: path.to_path_buf() });
         }
-        match Self::of_document(document.get_ref(), text, path, no_file, checks) {
+        let read = Self::of_document(document.get_ref(), text, path, no_file, checks);
+        let at_ends = read.and_then(|scene| match key_tolerance::complaints_at_ends(&scene, text, checks) {
+            none if none.is_empty() => Ok(scene),
+            complaints => Err(complaints),
+        });
+        match at_ends {
             Ok(scene) => Ok(Self {
                 text: text.to_owned(),
                 sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
@@ -231,8 +240,10 @@ impl Scene {
         checks: &[Check],
     ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
-        let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
+        let mut scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
+        let tolerances = std::mem::take(&mut complaints.tolerances);
+        scene.tolerances = key_tolerance::named(tolerances, &scene, &mut complaints);
         scene.check(&mut complaints, checks);
         for (key, path, help) in scene.files() {
             let is_named = complaints.has(&key) && !complaints.concern(&key);
@@ -335,6 +346,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
+        tolerances: Vec::new(),
+        path: path.to_owned(),
         text: String::new(),
         sha256: String::new(),
     }

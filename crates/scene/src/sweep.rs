@@ -6,12 +6,17 @@
 mod axis;
 mod change;
 mod column;
+mod draws;
 mod plan;
 mod read;
 
 pub use axis::{AxisValue, BEARING, SHAFT_SHORT_NAMES, SHORT_NAMES, SweepAxis};
 pub use change::{changed, with_axes};
 pub use column::WantedColumn;
+pub use draws::{DrawLaw, DrawOptions, Draws};
 pub use plan::Plan;
+
+pub(crate) use plan::of_values;
+pub use read::MOST_CASES;
 
 pub(crate) use read::{KEYS, OF_BEARING, OF_SHAFT, plan};

@@ -14,6 +14,7 @@ mod meshes;
 mod oil;
 mod shipped;
 mod solve;
+mod spread;
 mod standard;
 mod sweep;
 mod theories;

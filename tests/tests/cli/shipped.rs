@@ -13,7 +13,7 @@ const COARSELY: &str = "the film is not resolved where it is thin";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 36] = [
+const SCENES: [(&str, &[&str]); 37] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -67,6 +67,7 @@ const SCENES: [(&str, &[&str]); 36] = [
     ),
     ("35_squeeze_film_damper", &[]),
     ("36_thermal_engine_main", &[]),
+    ("37_tolerances", &[]),
     ("38_thermal_turbine", &[]),
 ];
 

@@ -41,7 +41,13 @@ mod tests {
             values: vec![AxisValue::Number(0.0); *length],
             span: 0..0,
         };
-        Plan { axes: lengths.iter().map(axis).collect(), columns: None, text: String::new(), path: "".into() }
+        Plan {
+            axes: lengths.iter().map(axis).collect(),
+            columns: None,
+            draws: None,
+            text: String::new(),
+            path: "".into(),
+        }
     }
 
     #[test]

@@ -17,7 +17,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-use oilwedge_scene::sweep::Plan;
+use oilwedge_scene::sweep::{DrawOptions, Plan};
 use oilwedge_scene::{Scene, SceneError, ShaftScene};
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
@@ -58,6 +58,14 @@ impl Walk<'_> {
     }
 }
 
+/// What is found of scenes that are solved one after the other, each from the film before; on the mesh of the first one
+/// as far as it suits.
+pub fn chain_of(scenes: &[Scene], options: &RunOptions) -> Vec<CaseOutcome> {
+    let mut walker = Walker::new(options);
+    walker.begin();
+    scenes.iter().map(|scene| walker.case(scene, 0.0)).collect()
+}
+
 /// A sweep that can be run: every case is a good scene.
 pub struct Sweep {
     /// The axes.
@@ -78,14 +86,26 @@ impl Sweep {
     /// # Errors
     /// Everything that is wrong with a case.
     pub fn of(scene: &Scene) -> Result<Option<Self>, SceneError> {
-        let Some(plan) = &scene.sweep else { return Ok(None) };
-        Ok(Some(Self {
+        scene.sweep.clone().map(|plan| Self::planned(scene, plan)).transpose()
+    }
+
+    /// The sweep of a scene, with or without axes, in which its tolerances are drawn; `None` where nothing is left to
+    /// draw.
+    ///
+    /// # Errors
+    /// Everything that is wrong with a case.
+    pub fn drawn(scene: &Scene, options: DrawOptions) -> Result<Option<Self>, SceneError> {
+        Plan::drawn(scene, options).map(|plan| Self::planned(scene, plan)).transpose()
+    }
+
+    fn planned(scene: &Scene, plan: Plan) -> Result<Self, SceneError> {
+        Ok(Self {
             scenes: plan.scenes(&CHECKS)?,
             shafts: Vec::new(),
-            plan: plan.clone(),
+            plan,
             title: scene.title.clone(),
             scene_sha256: scene.sha256.clone(),
-        }))
+        })
     }
 
     /// The sweep of a crankshaft; `None` where its scene has none. The bearings are its last axis.
@@ -254,8 +274,11 @@ impl Sweep {
         }
     }
 
-    /// Place of a case on the axis along which chains run.
+    /// Place of a case on the axis along which chains run; draws have no order, and all have the same.
     fn coordinate(&self, case: usize) -> f64 {
+        if self.plan.draws.is_some() {
+            return 0.0;
+        }
         let indices = self.plan.indices(case);
         match (self.plan.axes.last(), indices.last()) {
             (Some(axis), Some(&index)) => axis.coordinate(index),

@@ -224,6 +224,7 @@ pub fn sweep_page(sweep: &SweepResult, files: &[SceneFile]) -> Result<String, Er
         status: studies::cases_in_words(&sweep.rows),
         verdict: Outcome::of_cases(&sweep.rows),
         maps: drawn(&figures),
+        tables: sweep.distribution_sheet().into_iter().collect(),
         cases: SweepData::of(sweep).map(|data| embedded(&data)).transpose()?,
         lead: Lead { title: "All cases", table: studies::sweep_rows(sweep), ..Lead::default() },
         command: command("sweep", true),

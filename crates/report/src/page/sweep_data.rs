@@ -47,6 +47,9 @@ struct QuantityData {
 impl SweepData {
     /// Data of a sweep; `None` where there is nothing to choose from.
     pub(super) fn of(sweep: &SweepResult) -> Option<Self> {
+        if sweep.identity.draws.is_some() {
+            return None;
+        }
         let mut names = sweep.names(&[]);
         let others: Vec<String> = quantity_names(sweep);
         names.extend(others.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());

@@ -71,7 +71,7 @@ impl SweepResult {
     }
 
     /// Whether a quantity is not the same in all cases.
-    fn varies(&self, name: &str) -> bool {
+    pub(crate) fn varies(&self, name: &str) -> bool {
         let [low, high] = least_and_greatest(self.quantities(name).map(|it| it.value));
         high - low > ROUND_OFF * low.abs().max(high.abs())
     }
@@ -130,6 +130,10 @@ pub(crate) fn quantity_names(sweep: &SweepResult) -> Vec<String> {
 
 /// The pictures of a sweep by name, of the quantities selected or the headlines.
 pub(super) fn sweep_figures(sweep: &SweepResult, selected: &[String], width: f64) -> Vec<(String, Figure)> {
+    // Draws have no order that a curve could follow.
+    if sweep.identity.draws.is_some() {
+        return Vec::new();
+    }
     let axes = &sweep.axes;
     let names = sweep.names(selected);
     let numeric: Vec<usize> = (0..axes.len()).filter(|k| axes[*k].values.len() > 1 && axes[*k].is_numeric()).collect();

@@ -197,6 +197,8 @@ fn difference(about: &Identity, identity: &Identity) -> Option<&'static str> {
             true => "without error bars",
             false => "with error bars",
         })
+    } else if about.draws != identity.draws {
+        Some("of other draws")
     } else {
         (about.part != identity.part).then_some("of which another part is computed")
     }

@@ -1,13 +1,17 @@
 //! The folder of a sweep: rows are written as cases end, and a sweep that was ended is taken up again.
 //!
 //! `table.rs` (columns and rows), `rotor_table.rs` (stiffness and damping for programs of rotors), `files.rs` (a table
-//! that can be taken up again), `parts.rs` (a sweep that several runs share), `report.rs` (for scripts).
+//! that can be taken up again), `parts.rs` (a sweep that several runs share), `report.rs` (for scripts), `record.rs`
+//! (from rows to that), `distribution.rs` and `spread.rs` (what draws of tolerances say).
 
+mod distribution;
 mod error;
 mod files;
 mod parts;
+mod record;
 mod report;
 mod rotor_table;
+mod spread;
 mod table;
 
 use std::cell::RefCell;
@@ -24,6 +28,7 @@ use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
 use sha2::{Digest, Sha256};
 
+pub use distribution::{Distribution, SampledNumber, SampledQuantity, ToleranceRecord};
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use parts::{PARTS_FOLDER, part_folder};
@@ -206,6 +211,7 @@ fn begun(sweep: &Sweep, options: &SweepOptions) -> Result<SweepReport, SweepErro
         tables_sha256: tables_sha256(sweep)?,
         bars: options.case.bars,
         cases: sweep.scenes.len(),
+        draws: sweep.plan.draws.as_ref().map(|draws| draws.options),
         part: options.part,
     };
     Ok(SweepReport {

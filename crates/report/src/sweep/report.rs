@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
-use super::table::{Columns, LIMITS, REASON, SECONDS, SEPARATOR, TextRow, UNKNOWNS, VERDICT, WARNINGS};
+use super::distribution::{Distribution, ToleranceRecord};
+use super::table::{Columns, SECONDS, SEPARATOR, TextRow, UNKNOWNS};
 use oilwedge_campaign::sweep::Part;
-use oilwedge_scene::sweep::{AxisValue, Plan, SweepAxis};
+use oilwedge_scene::sweep::{AxisValue, DrawOptions, Plan, SweepAxis};
 use oilwedge_study::effects::Effects;
 use oilwedge_study::result::Verdict;
 
@@ -35,6 +36,9 @@ pub struct Identity {
     pub bars: bool,
     /// Number of cases of the whole sweep.
     pub cases: usize,
+    /// The draws of tolerances; `None` where nothing is drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub draws: Option<DrawOptions>,
     /// The part of it that is computed; `None` where it is all of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<Part>,
@@ -121,6 +125,13 @@ pub struct SweepResult {
     /// The columns that the scene asks for; absent in JSON where it asks for none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub columns: Vec<ColumnRecord>,
+    /// The tolerances that were drawn; absent in JSON without draws.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tolerances: Vec<ToleranceRecord>,
+    /// How the main quantities are distributed over the draws at each point of the other axes; absent in JSON without
+    /// draws.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub distributions: Vec<Distribution>,
     /// The cases, in their order.
     pub rows: Vec<CaseRecord>,
 }
@@ -173,64 +184,7 @@ pub struct CaseQuantity {
     pub value: f64,
 }
 
-impl From<&SweepReport> for SweepResult {
-    fn from(report: &SweepReport) -> Self {
-        let columns = report.columns.quantities.iter().map(|column| ColumnRecord {
-            name: column.name.to_string(),
-            quantity: column.quantity.to_string(),
-            unit: column.unit.to_string(),
-        });
-        Self {
-            identity: report.identity.clone(),
-            complete: true,
-            scene: report.plan.text.clone(),
-            effects: report.effects.clone(),
-            axes: report.plan.axes.clone(),
-            columns: columns.filter(|_| report.plan.columns.is_some()).collect(),
-            rows: report.rows.iter().map(|row| report.record(row)).collect(),
-        }
-    }
-}
-
-impl Serialize for SweepReport {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        SweepResult::from(self).serialize(serializer)
-    }
-}
-
 /// The entries of a cell that lists several.
-fn entries(cell: &str) -> impl Iterator<Item = &str> {
+pub(super) fn entries(cell: &str) -> impl Iterator<Item = &str> {
     cell.split(SEPARATOR).filter(|entry| !entry.is_empty())
-}
-
-impl SweepReport {
-    /// A row as the file has it.
-    fn record(&self, row: &TextRow) -> CaseRecord {
-        let number = |text: &String| text.parse::<f64>().ok();
-        let columns = &self.columns;
-        let case: usize = row[0].parse().unwrap_or(0);
-        let indices = self.plan.indices(case.saturating_sub(1));
-        let inputs = self.plan.axes.iter().zip(indices);
-        let quantities = columns.quantities.iter().enumerate().filter_map(|(place, column)| {
-            let error = row.get(columns.place(place) + 1).filter(|_| columns.bars).and_then(number);
-            let value = self.value(row, place)?;
-            Some((column.name.to_string(), CaseQuantity { error, unit: column.unit.to_string(), value }))
-        });
-        let tail = |name: &str| columns.tail(row, name).to_owned();
-        let list = |name: &str| entries(columns.tail(row, name)).map(str::to_owned).collect();
-        CaseRecord {
-            case,
-            inputs: inputs.map(|(axis, index)| (axis.name.clone(), axis.values[index].clone())).collect(),
-            status: row[columns.status()].clone(),
-            reason: Some(tail(REASON)).filter(|reason| !reason.is_empty()),
-            quantities: quantities.collect(),
-            warnings: list(WARNINGS),
-            verdict: [Verdict::Pass, Verdict::Fail, Verdict::Undecided]
-                .into_iter()
-                .find(|it| it.name() == columns.tail(row, VERDICT)),
-            limits: list(LIMITS),
-            unknowns: tail(UNKNOWNS).parse().ok(),
-            seconds: number(&tail(SECONDS)),
-        }
-    }
 }

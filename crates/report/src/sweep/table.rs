@@ -33,7 +33,7 @@ impl Columns {
         let wanted = |wanted: &WantedColumn| Column::wanted_in(scenes, wanted)?.ok();
         let quantities = (plan.columns.as_ref()).map(|columns| columns.iter().filter_map(wanted).collect());
         Self {
-            inputs: plan.axes.iter().map(|axis| axis.heading()).collect(),
+            inputs: plan.input_headings(),
             quantities: quantities.unwrap_or_else(|| all().map(|(name, row)| Column::of(name, row)).collect()),
             bars,
         }
@@ -97,12 +97,10 @@ impl Columns {
 /// Number and inputs of a case.
 fn inputs(plan: &Plan, number: usize) -> TextRow {
     let mut row = vec![(number + 1).to_string()];
-    for (axis, index) in plan.axes.iter().zip(plan.indices(number)) {
-        row.push(match &axis.values[index] {
-            AxisValue::Number(number) => format!("{number:?}"),
-            AxisValue::Word(word) => word.clone(),
-        });
-    }
+    row.extend(plan.inputs(number).into_iter().map(|(_, value)| match value {
+        AxisValue::Number(number) => format!("{number:?}"),
+        AxisValue::Word(word) => word,
+    }));
     row
 }
 

@@ -11,7 +11,7 @@ use super::pieces::{counted, effects, heading, printable, time};
 use crate::digits::significant;
 use crate::readable::readable_unit;
 use crate::sheet::{Sheet, none, numeral, text};
-use crate::sweep::{LIMITS, REASON, SweepReport, TextRow, VERDICT, WARNINGS};
+use crate::sweep::{LIMITS, REASON, SweepReport, SweepResult, TextRow, VERDICT, WARNINGS};
 
 /// How many cases have each code.
 fn tally(report: &SweepReport, column: &str) -> String {
@@ -44,7 +44,7 @@ pub fn sweep_report(report: &SweepReport, folder: Option<&Path>) -> String {
     let part = report.identity.part.map(|part| format!("part {part}"));
     let status: Vec<String> = (part.into_iter()).chain([counted(cases, "case")]).chain(counts).collect();
     let mut parts =
-        vec![heading(&report.identity.title, &status.join(", ")), effects(&report.effects), rows(report, folder)];
+        vec![heading(&report.identity.title, &status.join(", ")), effects(&report.effects), body(report, folder)];
     let own = cases - report.kept;
     let mut lines = Vec::new();
     if report.kept > 0 {
@@ -121,6 +121,14 @@ fn headed(name: &str, unit: &str) -> String {
     match unit {
         "" | "1" => name.to_owned(),
         unit => format!("{name} [{unit}]"),
+    }
+}
+
+/// The rows or, of draws, how the quantities are distributed.
+fn body(report: &SweepReport, folder: Option<&Path>) -> String {
+    match SweepResult::from(report).distribution_sheet() {
+        Some(sheet) => sheet.terminal(),
+        None => rows(report, folder),
     }
 }
 

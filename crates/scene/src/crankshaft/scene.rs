@@ -12,7 +12,10 @@ use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
 use crate::sweep::{self, Plan};
 use crate::wording;
-use crate::{Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, mesh, orbit};
+use crate::{
+    Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, key_tolerance, mesh,
+    orbit,
+};
 
 /// A shaft on the films of its bearings, as its scene describes it, in SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,6 +92,8 @@ impl ShaftScene {
         let complaints = RefCell::new(Complaints::new(text));
         let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
+        let tolerances = std::mem::take(&mut complaints.tolerances);
+        key_tolerance::refuse_all(&tolerances, &mut complaints);
         check::check(&scene, &mut complaints);
         for (key, path, help) in scene.files() {
             let is_named = complaints.has(&key) && !complaints.concern(&key);

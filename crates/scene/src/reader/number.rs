@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 use toml::de::DeValue;
 
 use super::{TableReader, kind};
+use crate::KeyTolerance;
 use crate::bounds::{Bounds, usual};
+use crate::key_tolerance::WrittenTolerance;
 use crate::keys::Key;
 use crate::unit::{self, Dimension};
 
@@ -25,6 +27,8 @@ pub(crate) struct Number<'t, 'a> {
     table: &'t mut TableReader<'a>,
     key: &'a str,
     value: Option<f64>,
+    /// Tolerance of the number, where it is written with one.
+    tolerance: Option<KeyTolerance>,
     is_checked: bool,
 }
 
@@ -34,11 +38,36 @@ impl<'a> TableReader<'a> {
         let row = self.row(key);
         let is_bare = self.peek(key).is_some_and(|it| matches!(it.get_ref(), DeValue::Integer(_) | DeValue::Float(_)));
         let dimension = row.and_then(Key::dimension).filter(|_| !(is_bare && row.is_some_and(Key::is_plain)));
-        let value = self.take(key).map(|value| match dimension {
-            Some(dimension) => self.in_si(key, value, dimension, self.example(key)),
-            None => self.plain(key, value, &row.map(Key::written_example).unwrap_or_default()),
+        let mut tolerance = None;
+        let value = self.take(key).map(|value| match (written_tolerance(value).zip(row), dimension) {
+            (Some((written, row)), _) => {
+                tolerance = self.toleranced(key, written, row, dimension);
+                tolerance.as_ref().map_or(f64::NAN, |tolerance| tolerance.nominal)
+            }
+            (None, Some(dimension)) => self.in_si(key, value, dimension, self.example(key)),
+            (None, None) => self.plain(key, value, &row.map(Key::written_example).unwrap_or_default()),
         });
-        Number { key, value, table: self, is_checked: false }
+        Number { key, value, tolerance, table: self, is_checked: false }
+    }
+
+    /// The number of a key with its tolerance; `None` where it was refused.
+    fn toleranced(
+        &self,
+        key: &str,
+        written: WrittenTolerance<'_>,
+        row: &Key,
+        dimension: Option<Dimension>,
+    ) -> Option<KeyTolerance> {
+        match written.read(row, dimension) {
+            Ok(tolerance) => {
+                let span = self.peek(key).map_or(0..0, |value| value.span());
+                Some(KeyTolerance { key: self.key(key), span, ..tolerance })
+            }
+            Err([message, help]) => {
+                self.complain(key, message, help);
+                None
+            }
+        }
     }
 
     /// The numbers that the row of a key accepts.
@@ -147,8 +176,12 @@ impl Number<'_, '_> {
         help: &str,
     ) -> Self {
         self.is_checked = true;
+        let ends = self.tolerance.as_ref().map(KeyTolerance::ends);
         if let Some(value) = self.value.filter(|value| !value.is_nan() && !holds(*value)) {
             self.table.complain(self.key, message(value), help);
+            self.value = Some(f64::NAN);
+        } else if let Some(end) = ends.into_iter().flatten().find(|end| !holds(*end)) {
+            self.table.complain(self.key, format!("at an end of its tolerance {}", message(end)), help);
             self.value = Some(f64::NAN);
         }
         self
@@ -173,11 +206,19 @@ impl Number<'_, '_> {
 
     /// The number, if it is written.
     pub(crate) fn given(self) -> Option<f64> {
-        match !self.is_checked && self.table.bounds(self.key).are_positive() {
-            true => self.positive().value,
-            false => self.value,
+        if !self.is_checked && self.table.bounds(self.key).are_positive() {
+            return self.positive().given();
         }
+        if let Some(tolerance) = self.tolerance.filter(|_| self.value.is_some_and(|value| !value.is_nan())) {
+            self.table.complaints.borrow_mut().tolerances.push(tolerance);
+        }
+        self.value
     }
+}
+
+/// The tolerance that a value is, if it is one.
+pub(crate) fn written_tolerance<'t>(value: &'t DeValue<'_>) -> Option<WrittenTolerance<'t>> {
+    WrittenTolerance::of(value.as_str()?)
 }
 
 fn is_out_of_range(number: f64) -> bool {

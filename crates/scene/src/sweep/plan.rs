@@ -2,16 +2,17 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::axis::{AxisValue, BEARING, SweepAxis};
 use super::column::WantedColumn;
+use super::draws::{DRAW, DrawOptions, Draws, fixed};
 use crate::complaint::in_order;
 use crate::mesh::no_file;
-use crate::{Check, Complaint, Scene, SceneError, ShaftScene};
+use crate::{Check, Complaint, KeyTolerance, Scene, SceneError, ShaftScene};
 
 /// How many complaints about cases are reported.
 const MOST_COMPLAINTS: usize = 5;
@@ -19,10 +20,12 @@ const MOST_COMPLAINTS: usize = 5;
 /// The sweep of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The axes, in the order of the text.
+    /// The axes, in the order of the text; that of the draws comes last.
     pub axes: Vec<SweepAxis>,
     /// The columns of its table that are asked for; `None` for the usual ones.
     pub columns: Option<Vec<WantedColumn>>,
+    /// What is drawn for each place on the last axis; `None`: nothing is.
+    pub draws: Option<Draws>,
     /// Text of the scene.
     pub text: String,
     /// Path of the scene.
@@ -90,6 +93,42 @@ impl Plan {
         plan
     }
 
+    /// The sweep of a scene, with or without axes, in which tolerances are drawn at each of its points. A key that is
+    /// an axis is not drawn. `None` where nothing is left to draw.
+    pub fn drawn(scene: &Scene, options: DrawOptions) -> Option<Self> {
+        let mut plan = scene.sweep.clone().unwrap_or_else(|| Self {
+            axes: Vec::new(),
+            columns: None,
+            draws: None,
+            text: scene.text.clone(),
+            path: scene.path.clone(),
+        });
+        let is_axis = |input: &&KeyTolerance| plan.axes.iter().any(|axis| axis.path == input.key);
+        let inputs: Vec<_> = scene.tolerances.iter().filter(|input| !is_axis(input)).cloned().collect();
+        let draws = Some(Draws { options, inputs }).filter(|draws| !draws.inputs.is_empty())?;
+        plan.axes.push(draws.axis());
+        plan.draws = Some(draws);
+        Some(plan)
+    }
+
+    /// What is set in case `number` (from 0), by name: the values of its axes, then what is drawn.
+    pub fn inputs(&self, number: usize) -> Vec<(&str, AxisValue)> {
+        let indices = self.indices(number);
+        let axes = self.axes.iter().zip(&indices);
+        let mut inputs: Vec<_> = axes.map(|(axis, &index)| (axis.name.as_str(), axis.values[index].clone())).collect();
+        if let (Some(draws), Some(&draw)) = (&self.draws, indices.last()) {
+            let drawn = draws.axes(draw).into_iter().flat_map(|axis| axis.values);
+            inputs.extend(draws.inputs.iter().map(|input| input.key.as_str()).zip(drawn));
+        }
+        inputs
+    }
+
+    /// Headings of the columns of [`Self::inputs`].
+    pub fn input_headings(&self) -> Vec<String> {
+        let drawn = self.draws.iter().flat_map(|draws| &draws.inputs).map(|input| fixed(input, input.nominal));
+        self.axes.iter().map(SweepAxis::heading).chain(drawn.map(|axis| axis.heading())).collect()
+    }
+
     /// The scene of every case, which `of_case` makes of its document.
     fn read<S>(&self, of_case: impl Fn(&DeTable<'_>) -> Result<S, Vec<Complaint>>) -> Result<Vec<S>, SceneError> {
         let mut complaints: Vec<Complaint> = Vec::new();
@@ -132,13 +171,17 @@ impl Plan {
         let (mut document, _) = DeTable::parse_recoverable(&self.text);
         let document = document.get_mut();
         document.remove("sweep");
-        let numbers: Vec<String> = (self.axes.iter().zip(indices))
-            .map(|(axis, &index)| match &axis.values[index] {
+        let draw = indices.last().copied().unwrap_or_default();
+        let drawn = self.draws.as_ref().map_or_else(Vec::new, |draws| draws.axes(draw));
+        let swept = self.axes.iter().zip(indices.iter().copied()).filter(|(axis, _)| axis.path != DRAW);
+        let set: Vec<(&SweepAxis, usize)> = swept.chain(drawn.iter().map(|axis| (axis, 0))).collect();
+        let numbers: Vec<String> = (set.iter())
+            .map(|(axis, index)| match &axis.values[*index] {
                 AxisValue::Number(number) if axis.unit.is_empty() => format!("{number:?}"),
                 _ => String::new(),
             })
             .collect();
-        for ((axis, &index), number) in self.axes.iter().zip(indices).zip(&numbers) {
+        for (&(axis, index), number) in set.iter().zip(&numbers) {
             let value = match &axis.values[index] {
                 AxisValue::Number(_) if axis.unit.is_empty() => match DeValue::parse(number) {
                     Ok(value) => value.into_inner(),
@@ -171,6 +214,23 @@ impl Plan {
             span: complaint.span,
         }
     }
+}
+
+/// The scene of a text with other values, in SI, of keys that have tolerances.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub(crate) fn of_values(
+    text: &str,
+    path: &Path,
+    values: &[(&KeyTolerance, f64)],
+    checks: &[Check],
+) -> Result<Scene, Vec<Complaint>> {
+    let axes = values.iter().map(|(input, value)| fixed(input, *value)).collect::<Vec<_>>();
+    let indices = vec![0; axes.len()];
+    let plan = Plan { axes, columns: None, draws: None, text: text.to_owned(), path: path.to_owned() };
+    // Its files are those of the scene, which were looked for when that was read.
+    plan.case(&indices, |document| Scene::of_document(document, text, path, |_| None, checks))
 }
 
 /// Sets the key of an axis in a scene's document. Tables that are not there are made.

@@ -6,7 +6,7 @@ use toml::de::DeValue;
 use std::path::Path;
 
 use super::{AxisValue, Plan, SHAFT_SHORT_NAMES, SHORT_NAMES, SweepAxis, WantedColumn, column};
-use crate::reader::{TableReader, kind, plain_number};
+use crate::reader::{TableReader, kind, plain_number, written_tolerance};
 use crate::scene::{SWEPT, SWEPT_OF_SHAFT};
 use crate::spelling::nearest;
 use crate::unit;
@@ -29,7 +29,7 @@ keys! {
 }
 
 /// Most cases of one sweep.
-const MOST_CASES: usize = 100_000;
+pub const MOST_CASES: usize = 100_000;
 /// Most axes of one sweep.
 const MOST_AXES: usize = 32;
 /// How an axis is written.
@@ -59,7 +59,7 @@ pub(crate) static OF_SHAFT: Swept = Swept {
 /// The sweep of a scene `text` that stands at `path`, which the table describes.
 pub(crate) fn plan(table: TableReader<'_>, swept: &Swept, text: &str, path: &Path) -> Plan {
     let (axes, columns) = read(table, swept);
-    Plan { axes, columns, text: text.to_owned(), path: path.to_owned() }
+    Plan { axes, columns, draws: None, text: text.to_owned(), path: path.to_owned() }
 }
 
 /// Reads the table: its axes in the order of the text, and the columns that it asks for, if any.
@@ -171,6 +171,10 @@ fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) 
     let mut unit: Option<String> = None;
     let mut values = Vec::new();
     for item in list {
+        if written_tolerance(item.get_ref()).is_some() {
+            refuse_tolerance(table, key);
+            return None;
+        }
         let Some((own, value)) = read_value(item.get_ref()) else {
             let message = format!("{} is no value of an axis", kind(item.get_ref()));
             table.complain(key, message, format!("write for example {EXAMPLE}"));
@@ -198,6 +202,12 @@ fn of_unit(unit: Option<&str>) -> String {
     }
 }
 
+/// Complains about a value of an axis that has a tolerance.
+fn refuse_tolerance(table: &TableReader<'_>, key: &str) {
+    let help = "give one number; the tolerance stands at the key itself, and draws are made by --draws";
+    table.complain(key, "has a value with a tolerance, but an axis takes its values as they are", help);
+}
+
 /// A value and its unit.
 fn read_value(value: &DeValue<'_>) -> Option<(String, AxisValue)> {
     if let Some(number) = plain_number(value) {
@@ -222,6 +232,10 @@ fn read_range(mut range: TableReader<'_>, name: &str) -> Option<ReadValues> {
     ["from", "to", "steps"].into_iter().for_each(|key| range.require(key));
     let [from, to] = ["from", "to"].map(|end| {
         let written = range.written(end)?;
+        if written_tolerance(written.get_ref()).is_some() {
+            refuse_tolerance(&range, end);
+            return None;
+        }
         match read_value(written.get_ref()) {
             Some((unit, AxisValue::Number(number))) => Some((unit, number)),
             _ => {

@@ -1,10 +1,12 @@
 //! A reported number.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use oilwedge_reynolds::error_bar::Bar;
 
 use super::row::Row;
+use super::spread::{QuantitySpread, Sensitivity};
 
 /// One reported number.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +19,10 @@ pub struct Quantity {
     pub value: f64,
     /// Error bar of the quantity; `None` where it is not estimated or not resolved.
     pub bar: Option<Bar>,
+    /// What the tolerances of the scene make of it; `None` where it has none.
+    pub spread: Option<QuantitySpread>,
+    /// Derivatives by the keys that have tolerances.
+    pub sensitivity: BTreeMap<String, Sensitivity>,
 }
 
 impl Quantity {
@@ -31,7 +37,7 @@ impl Quantity {
     }
 
     fn named(row: &'static Row, name: Cow<'static, str>, value: f64) -> Self {
-        Self { row, name, value, bar: None }
+        Self { row, name, value, bar: None, spread: None, sensitivity: BTreeMap::new() }
     }
 
     /// Name of the region of a member of a family; else empty.

@@ -1,11 +1,13 @@
 //! Quantities as an object of JSON by their names: a module for `serde(with)`. Names that the catalogue of this version
 //! of the program does not have are left out.
 
+use std::collections::BTreeMap;
+
 use oilwedge_reynolds::error_bar::Bar;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::in_order;
-use crate::quantities::{Quantity, row};
+use crate::quantities::{Quantity, QuantitySpread, Sensitivity, row};
 
 /// The entry of a quantity.
 #[derive(Serialize, Deserialize)]
@@ -19,6 +21,10 @@ struct Entry {
     error: Option<f64>,
     #[serde(default)]
     error_parts: Option<Parts>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    spread: Option<QuantitySpread>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    sensitivity: BTreeMap<String, Sensitivity>,
 }
 
 /// Parts of a bar by their names.
@@ -43,9 +49,15 @@ struct PartsOfBar {
 
 pub(crate) fn serialize<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(quantities.iter().map(|quantity| {
-        let (error, error_parts) = (quantity.error(), quantity.bar.map(Parts));
-        let entry =
-            Entry { symbol: quantity.row.symbol, value: quantity.value, unit: quantity.unit(), error, error_parts };
+        let entry = Entry {
+            symbol: quantity.row.symbol,
+            value: quantity.value,
+            unit: quantity.unit(),
+            error: quantity.error(),
+            error_parts: quantity.bar.map(Parts),
+            spread: quantity.spread.clone(),
+            sensitivity: quantity.sensitivity.clone(),
+        };
         (&quantity.name, entry)
     }))
 }
@@ -54,7 +66,8 @@ pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<
     let entries: Vec<(String, Entry)> = in_order::deserialize(deserializer)?;
     let quantity = |(name, entry): (String, Entry)| {
         let bar = entry.error_parts.map(|Parts(bar)| bar).or(entry.error.map(Bar::of));
-        Some(Quantity { row: row(&name)?, name: name.into(), value: entry.value, bar })
+        let Entry { value, spread, sensitivity, .. } = entry;
+        Some(Quantity { row: row(&name)?, name: name.into(), value, bar, spread, sensitivity })
     };
     Ok(entries.into_iter().filter_map(quantity).collect())
 }

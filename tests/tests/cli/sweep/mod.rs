@@ -2,6 +2,7 @@
 
 mod cases;
 mod columns;
+mod draws;
 mod forecast;
 mod rotor;
 mod rows;

@@ -1,0 +1,38 @@
+//! What the tolerances of a scene make of a quantity.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// How far a quantity is spread by the tolerances of a scene, to first order.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct QuantitySpread {
+    /// Half width where all numbers are at their worst ends, in the unit of the quantity: the sum of all effects.
+    pub worst_case: f64,
+    /// Root of the sum of the squared effects, in the unit of the quantity.
+    pub rss: f64,
+    /// Share of each key in the square of `rss` [1]; none where nothing is spread.
+    pub shares: BTreeMap<String, f64>,
+    /// How far the quantity at its worst corners departs from `worst_case`, relative to it; absent in JSON of all
+    /// quantities but the main one, for which the corners are solved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nonlinearity: Option<f64>,
+    /// The quantity at the corners at which it is least and greatest, to first order; absent in JSON where it was not
+    /// solved there, or is linear enough.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corners: Option<[f64; 2]>,
+}
+
+/// The derivative of a quantity by the number of a key.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Sensitivity {
+    /// Quantity over number, in the unit of the quantity and the unit of the key.
+    pub value: f64,
+    /// Unit of the derivative.
+    pub unit: String,
+    /// Relative change of the quantity over that of the number [1]; `None` where one of them is zero, an angle or a
+    /// temperature.
+    pub log: Option<f64>,
+}
