@@ -88,20 +88,20 @@ impl FilmHeat {
         Ok(HeatBeside { heat, across })
     }
 
-    /// These temperatures less what those on the vertices alone differ by: what a finer mesh is expected to give, to
-    /// first order.
+    /// The viscosity across the film of these temperatures less what those on the vertices alone differ by: what a finer
+    /// mesh is expected to give, to first order.
     pub fn extrapolated(
         &self,
         fine: &Space,
-        on_vertices: &HeatBeside,
+        on_vertices: &Self,
         viscosity: &(dyn Fn(f64) -> f64 + Sync),
-    ) -> HeatBeside {
-        let (points, coarse) = (self.layers.points.len(), &on_vertices.heat);
+    ) -> Arc<ViscosityAcross> {
+        let points = self.layers.points.len();
         let mut off = vec![f64::NAN; self.at_dofs.len()];
         for vertex in 0..fine.mesh().points().len() as u32 {
             // A space of linear elements has one dof a vertex.
             let (to, from) = (fine.vertex_dof(vertex) * points, vertex as usize * points);
-            (0..points).for_each(|k| off[to + k] = coarse.at_dofs[from + k] - self.at_dofs[to + k]);
+            (0..points).for_each(|k| off[to + k] = on_vertices.at_dofs[from + k] - self.at_dofs[to + k]);
         }
         for t in 0..fine.mesh().triangles().len() {
             let dofs = fine.element_dofs(t);
@@ -110,29 +110,7 @@ impl FilmHeat {
                 (0..points).for_each(|k| off[to + k] = 0.5 * (off[a + k] + off[b + k]));
             }
         }
-        let mut heat = self.clone();
-        heat.at_dofs.iter_mut().zip(&off).for_each(|(t, off)| *t -= off);
-        let of_cells = self.dofs.iter().flat_map(|&dof| &heat.at_dofs[dof * points..][..points]);
-        heat.temperatures.layers = of_cells.copied().collect();
-        let beyond = |here: &mut f64, there: f64| *here = 2.0 * *here - there;
-        for (here, there) in heat.temperatures.feeds.iter_mut().zip(&coarse.temperatures.feeds) {
-            beyond(here, *there);
-        }
-        for (here, there) in heat.temperatures.bush.iter_mut().zip(&coarse.temperatures.bush) {
-            beyond(here, *there);
-        }
-        if let (Some(here), Some(there)) = (&mut heat.temperatures.journal, coarse.temperatures.journal) {
-            beyond(here, there);
-        }
-        let (here, there) = (&mut heat.sheet, &coarse.sheet);
-        beyond(&mut here.power, there.power);
-        beyond(&mut here.carried, there.carried);
-        beyond(&mut here.bush, there.bush);
-        beyond(&mut here.journal, there.journal);
-        if let (Some(here), Some(there)) = (&mut here.outlet, there.outlet) {
-            beyond(here, there);
-        }
-        let layered = LayeredFilm { layers: &self.layers, temperatures: heat.at_dofs.clone(), viscosity };
-        HeatBeside { across: layered.across(fine), heat }
+        let temperatures = self.at_dofs.iter().zip(&off).map(|(t, off)| t - off).collect();
+        LayeredFilm { layers: &self.layers, temperatures, viscosity }.across(fine)
     }
 }

@@ -31,7 +31,7 @@ use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
 /// Films whose temperatures are combined.
 const DEPTH: usize = 4;
 /// Single temperatures differ by no more than so many times what all differ by in the mean of squares.
-const ANYWHERE: f64 = 25.0;
+const ANYWHERE: f64 = 40.0;
 /// Most films.
 const MOST_ROUNDS: usize = 60;
 /// Residuals of a point that change their sign, and keep this part of their size, go back and forth.

@@ -127,7 +127,7 @@ impl Regime {
                 warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
             }),
         ];
-        let rise = self.temperature_rise.filter(|rise| film.model.sockets.thermal.is_none() && film.heat.is_none() && *rise > WARM);
+        let rise = self.temperature_rise.filter(|rise| !film.model.sockets.finds_temperature() && *rise > WARM);
         let heated = rise.map(|rise| {
             warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; check that oil.viscosity (or oil.temperature) is that of the film, or give [heat] with a grade or another law of temperature", rounded(rise)))
         });

@@ -363,7 +363,10 @@ fn counts(solved: &Solved) -> Counts {
             Some(found) => found.positions,
             None => solved.balance.map_or(0, |balance| balance.steps),
         },
-        temperature_steps: (solved.temperature.as_ref()).map_or(0, |found| found.balanced.films),
+        temperature_steps: match (&solved.film.heat, &solved.temperature) {
+            (Some(heat), _) => heat.changes.len(),
+            (None, found) => found.as_ref().map_or(0, |found| found.balanced.films),
+        },
         deflection_steps: closing.map(|closing| closing.outer),
         deflection_products: closing.map(|closing| closing.inner),
     }

@@ -163,6 +163,13 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
             Some((_, film)) => film.clone(),
             None => {
                 let mut model = compile(&on_shaft(path, scene)?).map_err(failed(path))?;
+                if model.sockets.heat_field.is_some() {
+                    return Err(ShaftError::Refused {
+                        path: path.clone(),
+                        reason: "heat.field finds the temperatures of one film at rest, not of the films of a shaft",
+                        help: "remove field: each film has one temperature then",
+                    });
+                }
                 if scene.crank.is_none() {
                     // The loads do not change: the journal moves on the way to its place alone.
                     Arc::make_mut(&mut model).scope.orbit = None;

@@ -19,7 +19,7 @@ use crate::solved::{Errors, SolveOptions, Solved};
 use crate::thermal_model::HeatFieldModel;
 
 /// Temperatures are found where those of the next round differ by no more than this [K].
-const CLOSED: f64 = 2e-4;
+const CLOSED: f64 = 5e-4;
 /// On coarser meshes, which only give a start, this is enough [K].
 const ROUGHLY_CLOSED: f64 = 0.05;
 /// Dofs below which a coarser mesh shows nothing of the temperatures.

@@ -1,8 +1,9 @@
 //! What layers and mesh leave open of a film whose temperatures are found across it.
 //!
 //! Two films stand beside the one that is reported, in balance with the same load: one with the temperatures of more
-//! layers, and one with those that a finer mesh is expected to give, by the first order of the scheme, from those on
-//! the vertices alone. What each number changes by is added to its bar.
+//! layers, and one with those that a finer mesh is expected to give, by the first order of the scheme, from those on the
+//! vertices alone. What each number changes by is added to its bar; temperatures themselves are compared with those on
+//! the vertices.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -49,7 +50,8 @@ fn open(
     let layers = Layers::new(count + MORE).or_else(|| Layers::new(count - MORE))?;
     let by_layers = heat.with_layers(&model.surroundings, &solved.primary, &layers, &viscosity).ok()?;
     let on_vertices = heat.on_vertices(&model.surroundings, (space, coarse), &viscosity).ok()?;
-    let by_mesh = heat.extrapolated(space, &on_vertices, &viscosity);
+    let across = heat.extrapolated(space, &on_vertices.heat, &viscosity);
+    let by_mesh = HeatBeside { across, ..on_vertices };
     let here = numbers(&solved.film, &solved.primary);
     let mut open: HashMap<Cow<'static, str>, f64> = here.iter().map(|quantity| (quantity.name.clone(), 0.0)).collect();
     for HeatBeside { heat, across } in [by_layers, by_mesh] {
