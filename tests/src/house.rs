@@ -13,7 +13,7 @@ pub const EFFECTS: [(&str, usize); 12] = [
     ("barus", 5),
     ("squeeze", 7),
     ("jfo", 8),
-    ("heat", 33),
+    ("heat", 34),
     ("iso7902", 4),
     ("roughness", 15),
     ("contact", 67),
