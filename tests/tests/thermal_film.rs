@@ -153,7 +153,10 @@ fn what_does_not_go_with_a_field_is_refused() {
         ("heat.mixing", vec![(field, "field = true\nmixing = { ratio = 0.4 }")]),
         ("heat.layers", vec![("layers = 6", "layers = 5")]),
         ("heat.bush.outer_diameter", vec![("outer_diameter = \"200 mm\"", "outer_diameter = \"100 mm\"")]),
-        ("heat.bush", vec![("length = \"80 mm\"", "length = \"80 mm\"\narc = { from = \"20 deg\", to = \"200 deg\" }")]),
+        (
+            "heat.bush",
+            vec![("length = \"80 mm\"", "length = \"80 mm\"\narc = { from = \"20 deg\", to = \"200 deg\" }")],
+        ),
         ("heat.bush", vec![("field = true\nlayers = 6", "")]),
         ("heat.layers", vec![("field = true", ""), (BUSH, "")]),
     ];

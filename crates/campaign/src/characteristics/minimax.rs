@@ -29,7 +29,12 @@ pub(super) fn minimax(
     fits.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-fn from(model: FitModel<'_>, data: &[f64], allowed: &[f64], start: [f64; PARAMETERS]) -> Option<([f64; PARAMETERS], f64)> {
+fn from(
+    model: FitModel<'_>,
+    data: &[f64],
+    allowed: &[f64],
+    start: [f64; PARAMETERS],
+) -> Option<([f64; PARAMETERS], f64)> {
     let errors = |at| Some(errors(&model(at)?, data, allowed));
     let mut at = start;
     let mut weights = vec![1.0; data.len()];

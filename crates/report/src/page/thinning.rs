@@ -34,7 +34,8 @@ pub(super) fn thinned(
     for (t, corners) in (0..).zip(triangles) {
         corners.iter().for_each(|corner| around[*corner as usize].push(t));
     }
-    let mut thinning = MeshThinning { places, period, triangles: triangles.iter().copied().map(Some).collect(), around };
+    let mut thinning =
+        MeshThinning { places, period, triangles: triangles.iter().copied().map(Some).collect(), around };
     let mut order: Vec<u32> = (0..places.len() as u32).filter(|v| !must_stay[*v as usize]).collect();
     order.retain(|v| !thinning.around[*v as usize].is_empty());
     // All over the area, however far a pass comes; the same each time.
