@@ -93,6 +93,8 @@ pub struct HeatSearch<'a> {
     pub layers: &'a Layers,
     /// Temperatures at these points of every dof with which it begins [K].
     pub start: Vec<f64>,
+    /// Growth of the clearance with which it begins [m].
+    pub growth: f64,
     /// Temperatures are found where those of the next round differ by no more than this [K], in the mean of squares
     /// over the film.
     pub closed: f64,
@@ -106,13 +108,13 @@ pub struct HeatSearch<'a> {
 pub fn balance_heat<E>(
     surroundings: &HeatSurroundings,
     space: &Space,
-    HeatSearch { layers, start, closed }: HeatSearch<'_>,
+    HeatSearch { layers, start, growth, closed }: HeatSearch<'_>,
     viscosity: &(dyn Fn(f64) -> f64 + Sync),
     mut solve: impl FnMut(&HeatRound) -> Result<SolvedFilm, E>,
 ) -> Result<FilmHeat, NoHeat<E>> {
     let mut layered = LayeredFilm { layers, temperatures: start, viscosity };
     let mut mixing = Mixing::default();
-    let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, 0.0);
+    let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, growth);
     loop {
         let before = changes.last().copied().unwrap_or(f64::INFINITY);
         let film =

@@ -20,7 +20,10 @@ rows! {
     /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`, and
     /// with `heat.field` the mean over its oil; none where the oil has one viscosity
     TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "mean temperature of the film":
-        One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
+        One(|film| match heat(film) {
+            Some(heat) => Some(heat.mean() - ZERO_CELSIUS),
+            None => Some(film.base.oil.temperature? - ZERO_CELSIUS),
+        }),
         ErrorRule::Temperature(|_| Some(1.0)), only(|scope| scope.is_by_temperature) headline(Headline::Always(8));
 
     /// `mu0 = mu(t_m, p = 0)`; none where the oil has one viscosity

@@ -59,23 +59,24 @@ fn on_levels(
     let start = coarser.and_then(|coarser| {
         let (last, heat) = on_levels(&film.on_coarser(), model, options, ROUGHLY_CLOSED).ok()?;
         let at_dofs = coarser.prolonged(&heat.at_dofs, heat.layers.points.len());
-        let mut near = film.at_temperature(last.film.oil.temperature?);
+        let mut near = film.with_clearance(film.problem.bearing.clearance + heat.growth);
         near.problem.journal = last.film.problem.journal;
         near.problem = near.problem.deflected(last.film.problem.deflection());
+        let near = near.at_temperature(last.film.oil.temperature?);
         let leading = SolveOptions { guess: InitialGuess::NearlyBalanced, ..leading(options) };
-        Some((isothermal(&near, &leading).ok()?, at_dofs, heat.layers))
+        Some((isothermal(&near, &leading).ok()?, at_dofs, heat.growth, heat.layers))
     });
-    let (first, at_dofs, layers) = match start {
+    let (first, at_dofs, growth, layers) = match start {
         Some(start) => start,
         None => {
             let first = of_one_temperature(film, model, options)?;
             let layers = layers(&first.primary, model)?;
             let temperature = first.film.oil.temperature.unwrap_or(model.surroundings.inlet);
             let at_dofs = vec![temperature; film.system.space().dofs() * layers.points.len()];
-            (first, at_dofs, layers)
+            (first, at_dofs, 0.0, layers)
         }
     };
-    balanced((film, first), model, options, HeatSearch { layers: &layers, start: at_dofs, closed })
+    balanced((film, first), model, options, HeatSearch { layers: &layers, start: at_dofs, growth, closed })
 }
 
 /// The film of the last round from a `first` one, and its temperatures.
@@ -85,13 +86,13 @@ fn balanced(
     options: &SolveOptions,
     search: HeatSearch<'_>,
 ) -> Result<(Solved, FilmHeat), NoAnswer> {
-    let (base, mut last, mut rounds) = (first.film.clone(), first, 0);
+    let base = first.film.oil.temperature.map_or(film.clone(), |temperature| film.at_temperature(temperature));
+    let mut last = first;
     let viscosity = |temperature: f64| base.viscosity_at(temperature);
     let round = |round: &HeatRound| {
         if options.deadline.is_over() {
             return Err(NoAnswer::Temperature(NoTemperature::Ended { nearest: None }));
         }
-        rounds += 1;
         let near = last.film.in_round(&base, round);
         let accuracy = Some((PER_KELVIN * round.change).clamp(BALANCED, ROUGHLY_BALANCED));
         let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
