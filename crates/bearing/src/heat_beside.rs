@@ -88,8 +88,8 @@ impl FilmHeat {
         Ok(HeatBeside { heat, across })
     }
 
-    /// The viscosity across the film of these temperatures less what those on the vertices alone differ by: what a finer
-    /// mesh is expected to give, to first order.
+    /// The viscosity across the film of these temperatures less what those on the vertices alone differ by: what a
+    /// finer mesh is expected to give, to first order.
     pub fn extrapolated(
         &self,
         fine: &Space,

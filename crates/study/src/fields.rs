@@ -85,7 +85,7 @@ pub static TEMPERATURE: FieldRow = FieldRow {
 };
 /// Temperature at the bush.
 pub static BUSH_TEMPERATURE: FieldRow = FieldRow {
-    name: "temperature_bush",
+    name: "temperature_at_bush",
     label: "temperature at the bush",
     symbol: "T_b",
     unit: "degC",
@@ -94,7 +94,7 @@ pub static BUSH_TEMPERATURE: FieldRow = FieldRow {
 };
 /// Temperature at the journal.
 pub static JOURNAL_TEMPERATURE: FieldRow = FieldRow {
-    name: "temperature_journal",
+    name: "temperature_at_journal",
     label: "temperature at the journal",
     symbol: "T_j",
     unit: "degC",
@@ -103,7 +103,7 @@ pub static JOURNAL_TEMPERATURE: FieldRow = FieldRow {
 };
 /// Greatest temperature across the film.
 pub static GREATEST_TEMPERATURE: FieldRow = FieldRow {
-    name: "temperature_max",
+    name: "temperature_greatest",
     label: "greatest temperature",
     symbol: "T_max",
     unit: "degC",

@@ -27,7 +27,10 @@ pub fn arrows() -> BTreeMap<String, BTreeSet<String>> {
         toml::from_str(&text).expect("a manifest")
     };
     let used = |manifest: toml::Table| {
-        let names = manifest["dependencies"].as_table().map_or(Vec::new(), |table| table.keys().cloned().collect());
+        let names = manifest
+            .get("dependencies")
+            .and_then(toml::Value::as_table)
+            .map_or(Vec::new(), |table| table.keys().cloned().collect());
         names.iter().filter_map(|name| name.strip_prefix("oilwedge-").map(str::to_owned)).collect()
     };
     folders.map(|folder| (folder.file_name().to_string_lossy().into_owned(), used(manifest(&folder)))).collect()

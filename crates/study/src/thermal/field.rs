@@ -59,10 +59,7 @@ fn on_levels(
     let start = coarser.and_then(|coarser| {
         let (last, heat) = on_levels(&film.on_coarser(), model, options, ROUGHLY_CLOSED).ok()?;
         let at_dofs = coarser.prolonged(&heat.at_dofs, heat.layers.points.len());
-        let mut near = film.with_clearance(film.problem.bearing.clearance + heat.growth);
-        near.problem.journal = last.film.problem.journal;
-        near.problem = near.problem.deflected(last.film.problem.deflection());
-        let near = near.at_temperature(last.film.oil.temperature?);
+        let near = film.with_clearance(film.problem.bearing.clearance + heat.growth).as_found(&last.film.problem);
         let leading = SolveOptions { guess: InitialGuess::NearlyBalanced, ..leading(options) };
         Some((isothermal(&near, &leading).ok()?, at_dofs, heat.growth, heat.layers))
     });
@@ -141,9 +138,8 @@ impl Film {
 
     /// The film of a round: that of `base` with the viscosity and the clearance of the round, the journal of this one.
     fn in_round(&self, base: &Self, round: &HeatRound) -> Self {
-        let mut film = base.with_clearance(base.problem.bearing.clearance + round.growth);
-        film.problem.journal = self.problem.journal;
-        film.problem = film.problem.deflected(self.problem.deflection());
+        let clearance = base.problem.bearing.clearance + round.growth;
+        let mut film = base.with_clearance(clearance).as_found(&self.problem);
         film.problem.viscosity_across = Some(round.across.clone());
         film
     }

@@ -1,9 +1,9 @@
 //! What layers and mesh leave open of a film whose temperatures are found across it.
 //!
 //! Two films stand beside the one that is reported, in balance with the same load: one with the temperatures of more
-//! layers, and one with those that a finer mesh is expected to give, by the first order of the scheme, from those on the
-//! vertices alone. What each number changes by is added to its bar; temperatures themselves are compared with those on
-//! the vertices.
+//! layers, and one with those that a finer mesh is expected to give, by the first order of the scheme, from those on
+//! the vertices alone. What each number changes by is added to its bar; temperatures themselves are compared with those
+//! on the vertices.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
