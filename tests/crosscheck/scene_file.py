@@ -15,8 +15,13 @@ UNITS = {
 
 
 def si(quantity):
-    """Value in SI units of a text such as "75 mm"; angles in radians."""
-    number, unit = quantity.split()
+    """Value in SI units of a text such as "75 mm", the nominal one of "75 mm +- 1 mm"; angles in radians."""
+    if ".." in quantity:
+        low, high = (si(end.strip()) for end in quantity.split(".."))
+        return 0.5 * (low + high)
+    nominal, _, width = quantity.partition("+-")
+    # The unit may stand behind the half width alone.
+    number, unit = nominal.split() if len(nominal.split()) == 2 else (nominal, width.split()[-1])
     return float(number) * UNITS[unit]
 
 

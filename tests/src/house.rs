@@ -20,7 +20,7 @@ pub const EFFECTS: [(&str, usize); 12] = [
     ("deflection", 73),
     ("liner", 56),
     ("tilt", 79),
-    ("orbit", 94),
+    ("orbit", 96),
     ("crankshaft", 28),
 ];
 

@@ -69,6 +69,8 @@ fn finite(scene: &Scene) -> bool {
     if let Viscosity::ByTemperature(TemperatureLaw::Grade(name)) = &mut scene.oil.viscosity {
         name.clear();
     }
+    // A tolerance of a feed has the name of its group.
+    scene.tolerances.iter_mut().for_each(|tolerance| tolerance.key.clear());
     // Words that the user chose may be any.
     scene.text.clear();
     let told = format!("{scene:?}");

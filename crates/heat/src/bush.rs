@@ -25,6 +25,9 @@ use std::f64::consts::PI;
 
 use crate::bessel::{bessel_i, bessel_k};
 
+/// Waves along with a greater product of wave number and radius are so short that the ring is a plate to them.
+const SHORT_WAVE: f64 = 1e4;
+
 /// Dimensions and conductivity of a ring around the film.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BushShape {
@@ -49,6 +52,16 @@ impl BushShape {
         if n == 0 && m == 0 {
             return 1.0 / (inner * ((outer / inner).ln() / conductivity + 1.0 / (transfer * outer)));
         }
+        let wave = PI * m as f64 / self.length;
+        if !(wave * inner).is_finite() {
+            return f64::NAN;
+        }
+        if wave * inner > SHORT_WAVE {
+            // The ring is a plate to waves much shorter than its radius.
+            let (decay, thickness) = ((n as f64 / inner).hypot(wave), outer - inner);
+            let (slope, tanh) = (conductivity * decay, (decay * thickness).tanh());
+            return slope * (slope * tanh + transfer) / (slope + transfer * tanh);
+        }
         // Of the two solutions, one grows with the radius and is 1 outside, and one falls and is 1 inside: slopes over
         // values, both sides, and the ratio of the lesser value to 1.
         let (grows, falls);
@@ -59,7 +72,6 @@ impl BushShape {
             (grows, falls) = ([inner, outer].map(slope), [inner, outer].map(|radius| -slope(radius)));
             (least_grows, least_falls) = (power, power);
         } else {
-            let wave = PI * m as f64 / self.length;
             let i = [inner, outer].map(|radius| bessel_i(n, wave * radius));
             let k = [inner, outer].map(|radius| bessel_k(n, wave * radius));
             (grows, falls) = (i.map(|i| wave * i.slope), k.map(|k| wave * k.slope));

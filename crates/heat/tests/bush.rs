@@ -49,3 +49,45 @@ fn temperature_is_the_sum_of_the_modes() {
     let expected = 313.15 + 5.0 + 2.0 * angle.cos() * axial + (2.0 * angle).sin();
     assert!((ring.temperature(&modes, angle, along) - expected).abs() < 1e-12);
 }
+
+/// Numbers that no scene should have end in a conductance that is none, and do not go on for ever.
+#[test]
+fn conductances_of_hostile_rings_end() {
+    let ring = |length: f64, inner_radius: f64, transfer: f64| BushShape {
+        inner_radius,
+        outer_radius: 2.0 * inner_radius,
+        length,
+        conductivity: 45.0,
+        transfer,
+        ambient: 300.0,
+    };
+    for (length, radius, transfer) in [
+        (f64::NAN, 0.05, 80.0),
+        (0.08, f64::NAN, 80.0),
+        (0.08, 0.05, f64::NAN),
+        (1e-22, 0.05, 80.0),
+        (0.08, 1e12, 80.0),
+        (1e12, 1e-12, 80.0),
+        (0.0, 0.05, 80.0),
+    ] {
+        for (n, m) in [(0, 0), (3, 0), (0, 1), (24, 4)] {
+            let conductance = ring(length, radius, transfer).conductance(n, m);
+            assert!(conductance.is_nan() || conductance >= 0.0, "{length} {radius} {transfer}: {conductance}");
+        }
+    }
+}
+
+/// The plate and the ring agree where the one takes over from the other.
+#[test]
+fn short_waves_see_a_plate() {
+    let shape = |length: f64| BushShape {
+        inner_radius: 0.05,
+        outer_radius: 0.0501,
+        length,
+        conductivity: 45.0,
+        transfer: 80.0,
+        ambient: 300.0,
+    };
+    let [ring, plate] = [1.001, 0.999].map(|part| shape(std::f64::consts::PI * 0.05 / 1e4 * part).conductance(3, 1));
+    assert!((ring / plate - 0.999 / 1.001).abs() < 1e-4, "{ring} {plate}");
+}

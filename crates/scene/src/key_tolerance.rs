@@ -19,7 +19,7 @@ const SIGNS: [&str; 3] = ["+-", "\u{b1}", "+/-"];
 /// The sign between the ends of a range.
 const RANGE: &str = "..";
 /// Whole numbers whose rows list them.
-const COUNTS: [&str; 3] = ["cap.bolts.count", "heat.layers", "load.harmonics.order"];
+const COUNTS: [&str; 2] = ["cap.bolts.count", "load.harmonics.order"];
 /// Tables whose numbers have no tolerance, and why.
 const EXACT: [(&str, &str); 6] = [
     ("mesh", "is a choice of the mesh, and no dimension of the bearing"),
@@ -223,11 +223,11 @@ impl Key {
 
 /// Why a key has no tolerance; `None` where it may have one.
 fn no_tolerance(row: &Key) -> Option<&'static str> {
-    let (table, name) = row.table_and_name();
+    let (_, name) = row.table_and_name();
     let exact = EXACT.iter().find(|(exact, _)| row.path.split('.').next() == Some(exact));
     match exact {
         Some((_, reason)) => Some(reason),
-        None if table == "heat" && SHARED.contains(&name) => Some("is a limit, with which answers are compared"),
+        None if SHARED.contains(&name) => Some("is a limit, with which answers are compared"),
         None if Bounds::of(row).is_whole || COUNTS.contains(&row.path) => Some("is a whole number"),
         None => None,
     }

@@ -97,7 +97,8 @@ impl Measured {
         if let Some(load) = by.load {
             self.load.total = load;
             let of_oil = self.load.of_oil().resultant();
-            self.power.pressure = self.power.with_moment(problem, of_oil).pressure;
+            let Power { pressure, on_bearing, .. } = self.power.with_moment(problem, of_oil);
+            self.power = Power { pressure, on_bearing, ..self.power };
         }
         if let Some(greatest) = by.greatest {
             self.extremes.greatest = greatest;
