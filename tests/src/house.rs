@@ -21,7 +21,7 @@ pub const EFFECTS: [(&str, usize); 12] = [
     ("liner", 56),
     ("tilt", 79),
     ("orbit", 96),
-    ("crankshaft", 28),
+    ("crankshaft", 29),
 ];
 
 /// A file of production code.

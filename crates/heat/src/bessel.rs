@@ -18,8 +18,8 @@ fn scaled_k(x: f64) -> [f64; 2] {
     let mut t = STEP;
     loop {
         let exponent = -x * 2.0 * (0.5 * t).sinh().powi(2);
-        // A number that is none ends it too.
-        if !(exponent + t >= LEAST) {
+        let left = exponent + t;
+        if left < LEAST || left.is_nan() {
             return sums.map(|sum| sum * STEP);
         }
         let weight = exponent.exp();
