@@ -35,7 +35,9 @@ fn plain_ring_with(fragment: &str) -> toml::Table {
     {
         journal.retain(|key, _| key == "speed");
     }
-    let is_law = |oil: &toml::Table| ["grade", "walther", "vogel", "table"].iter().any(|law| oil.contains_key(*law));
+    let is_law = |oil: &toml::Table| {
+        ["grade", "walther", "vogel", "exponential", "table"].iter().any(|law| oil.contains_key(*law))
+    };
     if let (Some(own), Some(oil)) = (table_of(&mut scene, "oil"), fragment.get("oil").and_then(toml::Value::as_table))
         && is_law(oil)
     {

@@ -1,5 +1,5 @@
 //! `validation [PART..]`: writes the computed tables and figures of the pages in `docs` anew; or those of pages in
-//! whose names a part is.
+//! whose names a part is. `validation gallery SCENE..` writes the entries of these scenes alone.
 
 use oilwedge_full::{
     cavitation_page, crankshafts_page, docs_images, engine_page, flexpde_page, gallery, mesh_page, notation_page,
@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>
     write("validation/orbits.md", &orbits_page::page)?;
     write("validation/crankshafts.md", &crankshafts_page::page)?;
     if is_wanted("gallery.md") {
-        write_gallery()?;
+        write_gallery(&arguments[arguments.len().min(1)..])?;
     }
     if !arguments.is_empty() {
         return Ok(());
@@ -49,15 +49,22 @@ pub(crate) fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>
     Ok(())
 }
 
-/// Solves all scenes, and writes their page and pictures.
-fn write_gallery() -> std::io::Result<()> {
+/// Solves all scenes, or those that are named, and writes their page and pictures.
+fn write_gallery(named: &[String]) -> std::io::Result<()> {
+    let file = repository().join("docs/gallery.md");
     std::fs::create_dir_all(repository().join("docs").join(gallery::PICTURES))?;
+    let before = std::fs::read_to_string(&file).unwrap_or_default();
     let mut parts = Vec::new();
     for (name, picture) in gallery::scenes() {
+        let written = before.split("\n## ").find(|part| part.contains(&format!("`scenes/{name}.toml`")));
+        if let Some(part) = written.filter(|_| !named.is_empty() && !named.iter().any(|it| it == name)) {
+            parts.push(format!("## {}\n", part.trim_end()));
+            continue;
+        }
         eprintln!("{name}");
         let exhibit = gallery::exhibit(name, picture);
         std::fs::write(gallery::picture_file(name), exhibit.svg)?;
         parts.push(exhibit.text);
     }
-    std::fs::write(repository().join("docs/gallery.md"), gallery::page(parts.iter().map(String::as_str)))
+    std::fs::write(file, gallery::page(parts.iter().map(String::as_str)))
 }
