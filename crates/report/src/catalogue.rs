@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(found("jfo"), ["effect cavitation: jfo"]);
         assert_eq!(found("unresolved"), ["warning unresolved"]);
         assert_eq!(found("volume_flow"), ["field volume_flow [m2/s]"]);
-        assert_eq!(found("beta"), ["quantity attitude_angle"]);
+        assert_eq!(found("beta"), ["key oil.exponential.beta", "quantity attitude_angle"]);
         assert_eq!(found("attitude")[0], "quantity attitude_angle");
         assert_eq!(found("attitude angle"), ["quantity attitude_angle"]);
         assert_eq!(explain("pressure_mx"), Err(Some("pressure_max".to_owned())));

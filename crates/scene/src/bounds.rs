@@ -117,7 +117,6 @@ mod tests {
         "journal.speed",
         "load.period",
         "oil.vogel.c",
-        "heat.layers",
         "cap.bolts.count",
         "crankshaft.period",
         "crankshaft.counterweight.web",

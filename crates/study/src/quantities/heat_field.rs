@@ -33,7 +33,7 @@ rows! {
         in_table(Table::Temperature) only(|scope| scope.has_heat_field) headline(Headline::Always(8));
 
     /// Greatest temperature of the bore; none without `heat.bush`
-    TEMPERATURE_BUSH_MAX = "temperature_bush_max", "T_b,max", Celsius, "greatest temperature of the bore":
+    TEMPERATURE_BUSH_MAX = "temperature_bush_max", "T_bmax", Celsius, "greatest temperature of the bore":
         One(|film| heat(film)?.hottest_of_bush().map(|spot| spot.temperature - ZERO_CELSIUS)), OF_FIELD,
         in_table(Table::Temperature) only(|scope| scope.has_heat_bush);
 
@@ -43,7 +43,7 @@ rows! {
         in_table(Table::Temperature) only(|scope| scope.has_heat_bush);
 
     /// Mean temperature of the bore, feeds included; none without `heat.bush`
-    TEMPERATURE_BUSH_MEAN = "temperature_bush_mean", "T_b", Celsius, "mean temperature of the bore":
+    TEMPERATURE_BUSH_MEAN = "temperature_bush_mean", "T_bm", Celsius, "mean temperature of the bore":
         One(|film| heat(film)?.mean_of_bush().map(|t| t - ZERO_CELSIUS)), OF_FIELD,
         in_table(Table::Temperature) only(|scope| scope.has_heat_bush);
 
