@@ -188,8 +188,8 @@ impl ThermalFilm {
         let off = |name: &str| self.0.quantities.iter().find(|it| it.name == name).map_or(0.0, |it| it.value);
         let leaves = self.value("heat_carried") + off("heat_bush") + self.value("heat_journal");
         let power = self.value("heat_power");
-        assert!((leaves - power).abs() < 1e-7 * power, "{leaves} W of {power} W");
-        assert!(self.0.balances.thermal.abs() < 1e-7, "{:e}", self.0.balances.thermal);
+        assert!((leaves - power).abs() < 1e-9 * power, "{leaves} W of {power} W");
+        assert!(self.0.balances.thermal.abs() < 1e-9, "{:e}", self.0.balances.thermal);
     }
 }
 

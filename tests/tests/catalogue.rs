@@ -1,5 +1,5 @@
-//! The catalogue of keys, quantities, effects, fields, warnings and parts of results: every row has all its columns,
-//! and its words are written once.
+//! The catalogue of keys, quantities, effects, fields, warnings and parts of results: every row has all its
+//! columns, and words that stand once in the code.
 
 use oilwedge_report::catalogue::{CatalogueEntry, entries};
 use oilwedge_tests::house::sources;

@@ -75,9 +75,15 @@ fn a_viscosity_that_does_not_fall_is_one_viscosity() {
     let plain = format!("{}[oil]\nviscosity = \"27.7 mPa.s\"\n{}", &field[..oil], &field[heat..]);
     let plain = plain.split("[heat]").next().expect("a part").to_owned();
     let [field, plain] = [field, plain].map(|text| ThermalFilm::of(&text));
-    for name in
-        ["eccentricity", "attitude_angle", "pressure_max", "friction_shear_power", "feed_flow.groove", "cavity_share"]
-    {
+    for name in [
+        "eccentricity",
+        "attitude_angle",
+        "pressure_max",
+        "friction_power",
+        "side_flow",
+        "feed_flow.groove",
+        "cavity_share",
+    ] {
         let [found, expected] = [&field, &plain].map(|film| film.value(name));
         assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found}, not {expected}");
     }
@@ -111,8 +117,8 @@ fn a_film_turned_and_a_film_mirrored_are_the_same() {
     }
 }
 
-/// The clearance grows by `R (a_bush (T_bush - t) - a_shaft (T_journal - t))`: by nothing with coefficients of zero,
-/// and with equal ones at whatever temperature it is measured; it shrinks where the journal alone expands.
+/// The clearance grows by `R (a_bush (T_bush - t) - a_shaft (T_journal - t))`. Coefficients of zero leave it as it is,
+/// equal ones make the temperature of the measurement irrelevant, a journal that expands alone makes it smaller.
 #[test]
 fn the_clearance_follows_the_temperatures_of_the_walls() {
     let base = edited(FERRON, &[AT_POSITION.as_slice(), &[COARSE, FOUR]].concat());

@@ -24,7 +24,30 @@ const SETTLING: usize = 3;
 /// Tolerance of their linear systems.
 const SETTLED: f64 = 1e-9;
 
+/// Tolerance of the linear system by which the heat of a film is balanced at last.
+const BALANCED: f64 = 1e-12;
+
 impl FilmHeat {
+    /// The temperatures that balance the heat of a `film` which differs a little from that of the last round.
+    ///
+    /// # Errors
+    /// [`NoRound`]: the reason why there are none.
+    pub fn balanced_on(
+        self,
+        surroundings: &HeatSurroundings,
+        film: &SolvedFilm,
+        viscosity: &(dyn Fn(f64) -> f64 + Sync),
+    ) -> Result<Self, NoRound> {
+        let Self { layers, temperatures, growth, changes, at_dofs, .. } = self;
+        let mut layered = LayeredFilm { layers: &layers, temperatures: at_dofs, viscosity };
+        let RoundHeat { network, dofs, feeds, solved, .. } =
+            layered.round(surroundings, film, Some(&temperatures), (BALANCED, false))?;
+        layered.set(&dofs, &solved.temperatures.layers);
+        let at_dofs = layered.temperatures;
+        let (temperatures, sheet) = (solved.temperatures, solved.sheet);
+        Ok(Self { layers, network, dofs, at_dofs, feeds, temperatures, sheet, growth, changes })
+    }
+
     /// The temperatures of a `film` at the points of other `layers`, near those found.
     ///
     /// # Errors

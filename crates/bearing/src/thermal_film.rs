@@ -48,8 +48,6 @@ const ROUNDING: f64 = 1e-10;
 const OF_CHANGE: f64 = 1e-5;
 /// Tolerance of the linear system of the last round.
 const SOLVED: f64 = 1e-10;
-/// Tolerance of that by which the heat sheet closes.
-const SHEET: f64 = 1e-12;
 /// Tolerance of that of the first round.
 const ROUGHLY_SOLVED: f64 = 1e-5;
 /// The clearance is found where its growth differs by no more than this part of it.
@@ -130,15 +128,14 @@ pub fn balance_heat<E>(
         let grown = surroundings.growth(&film, (layers, &network), &found);
         let is_grown = (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance;
         if change < closed && greatest < ANYWHERE * closed && is_grown {
-            let RoundHeat { solved, .. } = layered.round(surroundings, &film, Some(&found), (SHEET, false))?;
-            layered.set(&dofs, &solved.temperatures.layers);
+            layered.set(&dofs, &found.layers);
             return Ok(FilmHeat {
                 layers: layers.clone(),
                 network,
                 dofs,
                 at_dofs: layered.temperatures,
                 feeds,
-                temperatures: solved.temperatures,
+                temperatures: found,
                 sheet: solved.sheet,
                 growth,
                 changes,

@@ -29,7 +29,7 @@ pub enum NoSpread {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// There is no film at an end of a tolerance.
-    #[error("there is no film at an end of the tolerance of {key}: {reason}")]
+    #[error("there is no film at an end of the tolerance of {key}: {reason}; give a narrower tolerance")]
     Film {
         /// Key of the tolerance.
         key: String,
@@ -154,7 +154,10 @@ fn corners(scene: &Scene, effects: &[f64], quantity: &Quantity, options: &RunOpt
     let mut found = chain_of(&[low?, high?], options).into_iter();
     let mut end = || -> Result<f64, NoSpread> {
         let films = quantities(found.next(), "all keys at once")?;
-        Ok(value(&films, &quantity.name).unwrap_or(quantity.value))
+        value(&films, &quantity.name).ok_or_else(|| NoSpread::Film {
+            key: "all keys at once".to_owned(),
+            reason: format!("it has no {}", quantity.name),
+        })
     };
     Ok([end()?, end()?])
 }

@@ -97,8 +97,7 @@ impl Measured {
         if let Some(load) = by.load {
             self.load.total = load;
             let of_oil = self.load.of_oil().resultant();
-            let Power { pressure, on_bearing, .. } = self.power.with_moment(problem, of_oil);
-            self.power = Power { pressure, on_bearing, ..self.power };
+            self.power.pressure = self.power.with_moment(problem, of_oil).pressure;
         }
         if let Some(greatest) = by.greatest {
             self.extremes.greatest = greatest;

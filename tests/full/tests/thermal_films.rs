@@ -1,5 +1,5 @@
-//! Thermal films of the reference on finer meshes: a turbine bearing with two grooves, a slow one under a high load,
-//! and one whose shaft takes heat away.
+//! Thermal films of the reference on finer meshes: a turbine bearing with two grooves, a slow bearing under a high
+//! load, a bearing whose shaft takes heat away.
 
 use oilwedge_tests::thermal_films::{BUSH, FERRON, ReferenceRow, TURBINE, ThermalFilm, edited};
 

@@ -33,7 +33,7 @@ pub fn friction(journal: &JournalState, power: &Power) -> Option<Friction> {
     let speed = journal.speed.abs();
     (speed > 0.0).then(|| Friction {
         on_journal: power.friction() / speed,
-        on_bearing: (power.shear - power.on_bearing + power.contact) / speed,
+        on_bearing: (power.shear - power.pressure + 2.0 * power.uneven + power.contact) / speed,
     })
 }
 

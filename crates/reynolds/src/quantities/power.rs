@@ -48,9 +48,9 @@ pub struct Power {
     pub cavity_shear: f64,
     /// Put in by the turning journal against the pressure on it.
     pub pressure: f64,
-    /// What the pressure on the bearing would take, were the bearing to turn as the journal does; equal to `pressure`
-    /// where the viscosity does not vary across the film.
-    pub on_bearing: f64,
+    /// The part `Int (s - 1/2) h U . grad P dA` of `pressure` that a viscosity adds which varies across the film
+    /// ([`crate::ViscosityAcross`]); zero for others.
+    pub uneven: f64,
     /// Put in by the turning journal against the friction of contact; all of it becomes heat. Zero where no contact is
     /// simulated.
     pub contact: f64,
@@ -84,11 +84,11 @@ impl Power {
             return self;
         };
         let product = |[a, b]: [f64; 2], [x, y]: [f64; 2]| a * x + b * y;
-        let by_moment = product(per.force, carries.force) + product(per.moment, carries.moment);
+        let even = product(per.force, carries.force) + product(per.moment, carries.moment);
+        let by_moment = even + self.uneven;
         let put_in = self.shear + self.pressure.abs();
         Self {
             pressure: by_moment,
-            on_bearing: by_moment,
             moment_imbalance: match put_in > 0.0 {
                 true => (self.pressure - by_moment).abs() / put_in,
                 false => 0.0,
@@ -109,8 +109,8 @@ pub(crate) struct PowerIntegrals {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
-    /// Power of the pressure against the bearing, were that to turn with the journal.
-    pub(crate) on_bearing: f64,
+    /// Part of it for a viscosity that varies across the film.
+    pub(crate) uneven: f64,
     /// Power of what is dragged along; equal to that against the pressure, unless the oil has another gap than the
     /// shear.
     pub(crate) dragged: f64,
@@ -123,7 +123,7 @@ impl std::ops::AddAssign for PowerIntegrals {
         self.shear += other.shear;
         self.cavity_shear += other.cavity_shear;
         self.pressure += other.pressure;
-        self.on_bearing += other.on_bearing;
+        self.uneven += other.uneven;
         self.dragged += other.dragged;
         self.motion += other.motion;
         self.driven += other.driven;
@@ -148,7 +148,7 @@ impl PressurePower {
         let mut contributions = problem.film_thickness.iter();
         let is_of_journal = contributions.all(|contribution| contribution.follows() != Follows::Nothing);
         let arm = |[a_x, a_y]: [f64; 2]| [a_y, -a_x].map(|arm| 0.5 * problem.journal.speed * arm);
-        (is_of_journal && problem.theory != Theory::Short && problem.viscosity_across.is_none())
+        (is_of_journal && problem.theory != Theory::Short)
             .then(|| Self { force: arm(problem.journal.offset), moment: arm(problem.journal.tilt) })
     }
 }
@@ -162,8 +162,8 @@ pub fn power(film: &SolvedFilm) -> Power {
     let mut work = integrate(system.space().mesh(), of_triangle(film, &excess, carriage.as_ref()));
     match &carriage {
         Some(carriage) => {
-            let (nominal, on_bearing) = (work.pressure, work.on_bearing);
-            work = PowerIntegrals { on_bearing, ..cavitation::work(carriage, solution, &excess, work.shear) };
+            let (nominal, uneven) = (work.pressure, work.uneven);
+            work = PowerIntegrals { uneven, ..cavitation::work(carriage, solution, &excess, work.shear) };
             if !problem.flow_factors.is_empty() {
                 work.pressure = nominal;
             }
@@ -179,8 +179,7 @@ pub fn power(film: &SolvedFilm) -> Power {
             cavity += inflow * excess;
         }
     }
-    let PowerIntegrals { shear, cavity_shear, pressure, dragged, motion, driven, on_bearing } = work;
-    let on_bearing = if problem.viscosity_across.is_some() { on_bearing } else { pressure };
+    let PowerIntegrals { shear, cavity_shear, pressure, dragged, motion, driven, uneven } = work;
     // Shear stands on both sides.
     let parts = [dragged, motion, supplied, cavity, -driven];
     let scale = shear + parts.iter().map(|part| part.abs()).sum::<f64>();
@@ -189,7 +188,7 @@ pub fn power(film: &SolvedFilm) -> Power {
         shear,
         cavity_shear,
         pressure,
-        on_bearing,
+        uneven,
         contact: 0.0,
         motion,
         supplied,
@@ -266,7 +265,7 @@ fn cell_work(
             cavity_shear: 0.0,
             shear: area * shear_viscosity(problem, &film[q], p) / thickness * dot(velocity, velocity),
             pressure,
-            on_bearing: area * (1.0 - drag) * thickness * dot(velocity, of_pressure),
+            uneven: area * (drag - 0.5) * thickness * dot(velocity, of_pressure),
             dragged: match problem.flow_factors.is_empty() {
                 true => pressure,
                 false => area * dot(flows[q].flux, of_pressure),

@@ -41,10 +41,12 @@ const LAYERS: [usize; 3] = [4, 6, 8];
 /// [`NoAnswer`]: there is no film, no position, or no such temperatures.
 pub(crate) fn solve(film: &Film, model: &HeatFieldModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     let (last, heat) = on_levels(film, model, options, CLOSED)?;
-    let mean = last.film.at_temperature(heat.mean());
-    let film = Film { heat: Some(Arc::new(heat)), ..mean };
+    let film = last.film.at_temperature(heat.mean());
     let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
-    let solved = isothermal(&film, &SolveOptions { guess, ..*options })?;
+    let mut solved = isothermal(&film, &SolveOptions { guess, ..*options })?;
+    let viscosity = |temperature: f64| film.viscosity_at(temperature);
+    let heat = heat.balanced_on(&model.surroundings, &solved.primary, &viscosity);
+    solved.film.heat = Some(Arc::new(heat.map_err(NoHeat::from).map_err(none)?));
     Ok(super::field_bars::widened(solved, model, options))
 }
 

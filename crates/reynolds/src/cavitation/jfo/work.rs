@@ -125,7 +125,7 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
             shear: 0.0,
             pressure,
             dragged: pressure,
-            on_bearing: pressure,
+            uneven: 0.0,
             motion,
             driven: driven(block, p, q),
         };
