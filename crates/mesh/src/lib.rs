@@ -13,9 +13,9 @@
 //! [`error`]; what can be wrong with triangles, a [`defect`].
 //!
 //! ```no_run
-//! use oilwedge_mesh::{Circle, Liner, Quality, developed, rim};
+//! use oilwedge_mesh::{Circle, LinerDomain, Quality, developed, rim};
 //!
-//! let liner = Liner { radius: 0.0375, length: 0.075, arc: None };
+//! let liner = LinerDomain { radius: 0.0375, length: 0.075, arc: None };
 //! let metre = 1.0;
 //! let mesh = developed::read("liner.msh", &liner, metre)?;
 //! let hole = Circle { centre: [0.0851, 0.0], radius: 0.0085 };
