@@ -67,6 +67,11 @@ impl FilmHeat {
         }
     }
 
+    /// Heat of the film [W], of shear and of the flow that pressure drives.
+    pub fn heating(&self) -> f64 {
+        self.network.cells.iter().map(|cell| cell.shear_power + cell.driven_power).sum()
+    }
+
     /// Mean temperature of the oil in the film [K].
     pub fn mean(&self) -> f64 {
         let (mut volume, mut sum) = (0.0, 0.0);

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use oilwedge_fem::Space;
 use oilwedge_heat::Layers;
-use oilwedge_reynolds::{SolvedFilm, ViscosityAcross};
+use oilwedge_reynolds::ViscosityAcross;
+use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 
 use crate::film_heat::FilmHeat;
 use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
@@ -28,74 +29,80 @@ const SETTLED: f64 = 1e-9;
 const BALANCED: f64 = 1e-12;
 
 impl FilmHeat {
-    /// The temperatures that balance the heat of a `film` which differs a little from that of the last round.
+    /// The viscosity across the film that these temperatures make.
+    pub fn viscosity_across(&self, space: &Space, viscosity: &(dyn Fn(f64) -> f64 + Sync)) -> Arc<ViscosityAcross> {
+        LayeredFilm { layers: &self.layers, temperatures: self.at_dofs.clone(), viscosity }.across(space)
+    }
+
+    /// The temperatures that balance the heat of a film which differs a little from that of the last round.
     ///
     /// # Errors
     /// [`NoRound`]: the reason why there are none.
     pub fn balanced_on(
         self,
         surroundings: &HeatSurroundings,
-        film: &SolvedFilm,
+        nodes: NodeNetwork,
         viscosity: &(dyn Fn(f64) -> f64 + Sync),
     ) -> Result<Self, NoRound> {
         let Self { layers, temperatures, growth, changes, at_dofs, .. } = self;
         let mut layered = LayeredFilm { layers: &layers, temperatures: at_dofs, viscosity };
         let RoundHeat { network, dofs, feeds, solved, .. } =
-            layered.round(surroundings, film, Some(&temperatures), (BALANCED, false))?;
+            layered.round(surroundings, nodes, Some(&temperatures), (BALANCED, false))?;
         layered.set(&dofs, &solved.temperatures.layers);
         let at_dofs = layered.temperatures;
         let (temperatures, sheet) = (solved.temperatures, solved.sheet);
         Ok(Self { layers, network, dofs, at_dofs, feeds, temperatures, sheet, growth, changes })
     }
 
-    /// The temperatures of a `film` at the points of other `layers`, near those found.
+    /// The temperatures of a film at the points of other `layers`, near those found.
     ///
     /// # Errors
     /// [`NoRound`]: the reason why there are none.
     pub fn with_layers(
         &self,
         surroundings: &HeatSurroundings,
-        film: &SolvedFilm,
+        (space, nodes): (&Space, NodeNetwork),
         layers: &Layers,
         viscosity: &(dyn Fn(f64) -> f64 + Sync),
     ) -> Result<HeatBeside, NoRound> {
         let at = |at: &[f64]| layers.points.iter().map(|&eta| self.layers.at(at, eta)).collect::<Vec<f64>>();
         let temperatures = self.at_dofs.chunks_exact(self.layers.points.len()).flat_map(at).collect();
-        self.settled(surroundings, film, LayeredFilm { layers, temperatures, viscosity })
+        self.settled(surroundings, (space, nodes), LayeredFilm { layers, temperatures, viscosity })
     }
 
-    /// The temperatures of a film on the vertices of the mesh alone, near those found.
+    /// The temperatures of a film on the vertices of the mesh alone, which is a network there, near those found.
     ///
     /// # Errors
     /// [`NoRound`]: the reason why there are none.
     pub fn on_vertices(
         &self,
         surroundings: &HeatSurroundings,
-        (fine, coarse): (&Space, &SolvedFilm),
+        (fine, space): (&Space, &Space),
+        nodes: NodeNetwork,
         viscosity: &(dyn Fn(f64) -> f64 + Sync),
     ) -> Result<HeatBeside, NoRound> {
-        let (points, space) = (self.layers.points.len(), coarse.system.space());
+        let points = self.layers.points.len();
         let mut temperatures = vec![0.0; space.dofs() * points];
         for vertex in 0..fine.mesh().points().len() as u32 {
             let (from, to) = (fine.vertex_dof(vertex) * points, space.vertex_dof(vertex) * points);
             temperatures[to..to + points].copy_from_slice(&self.at_dofs[from..from + points]);
         }
-        self.settled(surroundings, coarse, LayeredFilm { layers: &self.layers, temperatures, viscosity })
+        self.settled(surroundings, (space, nodes), LayeredFilm { layers: &self.layers, temperatures, viscosity })
     }
 
     fn settled(
         &self,
         surroundings: &HeatSurroundings,
-        film: &SolvedFilm,
+        (space, nodes): (&Space, NodeNetwork),
         mut layered: LayeredFilm<'_>,
     ) -> Result<HeatBeside, NoRound> {
-        let mut found = layered.round(surroundings, film, None, (SETTLED, true))?;
+        let mut found = layered.round(surroundings, nodes.clone(), None, (SETTLED, true))?;
         for _ in 1..SETTLING {
             layered.set(&found.dofs, &found.solved.temperatures.layers);
-            found = layered.round(surroundings, film, Some(&found.solved.temperatures), (SETTLED, true))?;
+            found = layered.round(surroundings, nodes.clone(), Some(&found.solved.temperatures), (SETTLED, true))?;
         }
         layered.set(&found.dofs, &found.solved.temperatures.layers);
-        let across = layered.across(film.system.space());
+        let across = layered.across(space);
         let RoundHeat { network, dofs, feeds, solved, .. } = found;
         let heat = Self {
             layers: layered.layers.clone(),

@@ -33,6 +33,8 @@ pub struct HeatSurroundings {
 /// Expansion of journal and bush by their mean temperatures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WallExpansion {
+    /// Radius of the bore [m].
+    pub radius: f64,
     /// Coefficient of the journal [1/K].
     pub journal: f64,
     /// Coefficient of the bush [1/K].
@@ -92,20 +94,18 @@ impl LayeredFilm<'_> {
         Arc::new(ViscosityAcross::new(space, self.profiles().iter().map(across_film).collect()))
     }
 
-    /// The temperatures that balance the heat of a `film` with these profiles. Those of a round before are where the
-    /// linear system begins; with `thins` friction falls as the oil warms.
+    /// The temperatures that balance the heat of a film, as a network, with these profiles. Those of a round before are
+    /// where the linear system begins; with `thins` friction falls as the oil warms.
     ///
     /// # Errors
     /// [`NoRound`]: the reason why there are none.
     pub(crate) fn round(
         &self,
         surroundings: &HeatSurroundings,
-        film: &SolvedFilm,
+        NodeNetwork { dofs, cells, links, ports, feeds }: NodeNetwork,
         before: Option<&LayerTemperatures>,
         (tolerance, thins): (f64, bool),
     ) -> Result<RoundHeat, NoRound> {
-        let found = heat_network(film, surroundings.inlet).map_err(NoRound::TooLarge)?;
-        let NodeNetwork { dofs, cells, links, ports, feeds } = found.ok_or(NoRound::MakesOil)?;
         let network = FilmNetwork {
             oil: surroundings.oil,
             cells,
@@ -142,14 +142,17 @@ fn across_film(profile: &LayerProfile) -> AcrossFilm {
 }
 
 impl HeatSurroundings {
+    /// A film as a network between whose cells oil carries heat.
+    ///
+    /// # Errors
+    /// [`NoRound`]: the film makes oil, or does not fit in memory.
+    pub fn network(&self, film: &SolvedFilm) -> Result<NodeNetwork, NoRound> {
+        heat_network(film, self.inlet).map_err(NoRound::TooLarge)?.ok_or(NoRound::MakesOil)
+    }
+
     /// What the clearance grows by [m] at these temperatures of the walls: that of the bush is the mean over its bore.
-    pub(crate) fn growth(
-        &self,
-        film: &SolvedFilm,
-        (layers, network): (&Layers, &FilmNetwork),
-        found: &LayerTemperatures,
-    ) -> f64 {
-        let Some(WallExpansion { journal, bush, at }) = self.expansion else {
+    pub(crate) fn growth(&self, (layers, network): (&Layers, &FilmNetwork), found: &LayerTemperatures) -> f64 {
+        let Some(WallExpansion { radius, journal, bush, at }) = self.expansion else {
             return 0.0;
         };
         let points = layers.points.len();
@@ -163,6 +166,6 @@ impl HeatSurroundings {
             BushSide::Adiabatic | BushSide::Fixed(_) => mean(0),
         };
         let of_journal = found.journal.unwrap_or_else(|| mean(points - 1));
-        film.problem.bearing.radius * (bush * (of_bush - at) - journal * (of_journal - at))
+        radius * (bush * (of_bush - at) - journal * (of_journal - at))
     }
 }

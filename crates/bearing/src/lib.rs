@@ -35,6 +35,7 @@ pub mod heat_round;
 mod hill;
 mod load;
 mod log_eccentricity;
+mod mean_network;
 pub mod mobility;
 mod newton;
 pub mod no_equilibrium;
@@ -66,6 +67,7 @@ pub use estimate::{GREATEST_ECCENTRICITY, first_contact, first_position, is_cont
 pub use graetz::graetz_number;
 pub use hill::balance_hill;
 pub use load::{Load, Tilting};
+pub use mean_network::mean_network;
 pub use no_equilibrium::{BranchEnd, BranchLimit, NoEquilibrium, SearchEnd, Waypoint};
 pub use observer::SearchObserver;
 pub use prediction::{Point, Predicted, Visited, predicted};

@@ -16,14 +16,15 @@
 //! as its oil warms ([`oilwedge_heat::Thinning`]).
 //!
 //! **Source.** Anderson, J. ACM 12 (1965) 547; Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715. **Range.** Steady films
-//! that conserve oil. **Verified by** `tests/tests/thermal_film.rs`.
+//! that conserve oil, and cycles of them, over which temperatures do not follow the motion. **Verified by** `tests/tests/thermal_film.rs`.
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use oilwedge_fem::Space;
 use oilwedge_heat::{FilmNetwork, LayerTemperatures, Layers};
-use oilwedge_reynolds::{SolvedFilm, ViscosityAcross};
+use oilwedge_reynolds::ViscosityAcross;
+use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 
 use crate::film_heat::FilmHeat;
 use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
@@ -98,35 +99,37 @@ pub struct HeatSearch<'a> {
     /// Temperatures are found where those of the next round differ by no more than this [K], in the mean of squares
     /// over the film.
     pub closed: f64,
+    /// Clearance that the growth is compared with [m].
+    pub clearance: f64,
 }
 
-/// Finds the temperatures at the points across a film. `solve` gives the film of a round in balance with its load;
-/// `viscosity` is that of the oil at a temperature [K], in Pa s.
+/// Finds the temperatures at the points across a film. `solve` gives the film of a round in balance with its load, or
+/// the mean of those of a cycle, as a network; `viscosity` is that of the oil at a temperature [K], in Pa s.
 ///
 /// # Errors
 /// [`NoHeat`]: the reason why none were found.
 pub fn balance_heat<E>(
     surroundings: &HeatSurroundings,
     space: &Space,
-    HeatSearch { layers, start, growth, closed }: HeatSearch<'_>,
+    HeatSearch { layers, start, growth, closed, clearance }: HeatSearch<'_>,
     viscosity: &(dyn Fn(f64) -> f64 + Sync),
-    mut solve: impl FnMut(&HeatRound) -> Result<SolvedFilm, E>,
+    mut solve: impl FnMut(&HeatRound) -> Result<NodeNetwork, E>,
 ) -> Result<FilmHeat, NoHeat<E>> {
     let mut layered = LayeredFilm { layers, temperatures: start, viscosity };
     let mut mixing = Mixing::default();
     let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, growth);
     loop {
         let before = changes.last().copied().unwrap_or(f64::INFINITY);
-        let film =
+        let nodes =
             solve(&HeatRound { across: layered.across(space), growth, change: before }).map_err(NoHeat::NoFilm)?;
         let tolerance = (OF_CHANGE * before).clamp(SOLVED, ROUGHLY_SOLVED);
         let RoundHeat { network, dofs, feeds, here, solved } =
-            layered.round(surroundings, &film, last.as_ref(), (tolerance, true))?;
+            layered.round(surroundings, nodes, last.as_ref(), (tolerance, true))?;
         let found = solved.temperatures;
         let [change, greatest] = differences(&network, &here, &found.layers);
         changes.push(change);
-        let grown = surroundings.growth(&film, (layers, &network), &found);
-        let is_grown = (grown - growth).abs() < CLOSED_GROWTH * film.problem.bearing.clearance;
+        let grown = surroundings.growth((layers, &network), &found);
+        let is_grown = (grown - growth).abs() < CLOSED_GROWTH * clearance;
         if change < closed && greatest < ANYWHERE * closed && is_grown {
             layered.set(&dofs, &found.layers);
             return Ok(FilmHeat {

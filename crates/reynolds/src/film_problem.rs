@@ -372,6 +372,12 @@ impl FilmProblem {
         }
     }
 
+    /// The film on the vertices of the mesh alone ([`crate::FilmSystem::on_vertices`]).
+    pub fn on_vertices(&self) -> Self {
+        let viscosity_across = self.viscosity_across.as_ref().map(|across| Arc::new(across.on_vertices()));
+        Self { viscosity_across, ..self.clone() }
+    }
+
     /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell`
     /// as a quadrature rule has at once.
     pub(crate) fn unbent_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {

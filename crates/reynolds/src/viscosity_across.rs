@@ -37,26 +37,38 @@ pub struct AcrossFilm {
 }
 
 /// The viscosity of a film that varies across it, at each node; linear on the sub-triangles between them.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct ViscosityAcross {
     space: Space,
     nodes: Vec<AcrossFilm>,
+    /// Node of each dof of a film on the vertices alone; `None` where the dofs are the nodes.
+    of_vertices: Option<Vec<usize>>,
 }
 
 impl ViscosityAcross {
     /// By the values at the nodes of a `space`.
     pub fn new(space: &Space, nodes: Vec<AcrossFilm>) -> Self {
-        Self { space: space.clone(), nodes }
+        Self { space: space.clone(), nodes, of_vertices: None }
+    }
+
+    /// The same viscosity for a film on the vertices of the mesh alone.
+    pub fn on_vertices(&self) -> Self {
+        let vertices = 0..self.space.mesh().points().len() as u32;
+        Self { of_vertices: Some(vertices.map(|vertex| self.space.vertex_dof(vertex)).collect()), ..self.clone() }
+    }
+
+    fn node(&self, dof: usize) -> &AcrossFilm {
+        &self.nodes[self.of_vertices.as_ref().map_or(dof, |of_vertices| of_vertices[dof])]
     }
 
     /// Viscosity by which pressure drives oil at a dof [Pa s].
     pub(crate) fn viscosity(&self, dof: usize) -> f64 {
-        self.nodes[dof].viscosity
+        self.node(dof).viscosity
     }
 
     /// Mean velocity of the oil dragged along at a dof, over that of the journal's surface [1].
     pub(crate) fn drag(&self, dof: usize) -> f64 {
-        self.nodes[dof].drag
+        self.node(dof).drag
     }
 
     /// Sets the viscosities of a film at positions [m] in triangle `cell`.

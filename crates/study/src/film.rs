@@ -150,6 +150,11 @@ impl Film {
         }
     }
 
+    /// The film on the vertices of its mesh alone.
+    pub(crate) fn on_vertices(&self) -> Self {
+        Self { problem: self.problem.on_vertices(), system: Arc::new(self.system.on_vertices()), ..self.clone() }
+    }
+
     /// Gap of the film, with the journal anywhere.
     pub fn gap(&self) -> Gap {
         Gap::of(&self.problem, &self.system)

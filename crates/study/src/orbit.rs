@@ -5,6 +5,7 @@
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
 //! | `orbit/frame.rs` | films at even crank angles, to be drawn |
 //! | `orbit/temperature.rs` | the temperature at which the mean flow carries off the mean power |
+//! | `orbit/temperatures.rs` | the temperatures across the films that balance the mean heat |
 //! | `orbit/price.rs` | the processor time that it will take, estimated |
 //! | `orbit/sample.rs` | the films along the orbit, measured, with their error bars at that place and velocity |
 //! | `orbit/balances.rs` | oil and energy over the cycle |
@@ -23,6 +24,7 @@ mod price;
 mod sample;
 mod start;
 mod temperature;
+mod temperatures;
 
 use std::sync::Arc;
 
@@ -30,6 +32,7 @@ use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, Step, TiltSupport};
 use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 use serde::{Deserialize, Serialize};
 
 use balances::CycleBalances;
@@ -142,6 +145,8 @@ pub(crate) struct Followed {
     pub(crate) balances: CycleBalances,
     /// Mean of what heats and what cools the films; none without a balance of heat.
     pub(crate) flows: Option<ThermalFlows>,
+    /// Mean of the films as networks of heat; none without temperatures across them.
+    pub(crate) network: Option<NodeNetwork>,
     /// How the temperature was found; none where it is given.
     pub(crate) temperature: Option<CycleTemperature>,
     /// Whether the deadline has ended an orbit by which the bars of a film that conserves its oil are found.
@@ -167,6 +172,9 @@ pub(crate) fn follow_under(
     let deadline = watch.deadline;
     if let Some(thermal) = model.sockets.thermal {
         return temperature::balanced((model, orbit, cycle), thermal, watch, options);
+    }
+    if let Some(heat) = &model.sockets.heat_field {
+        return temperatures::balanced((model, orbit, cycle), heat, watch, options);
     }
     let (film, begin) = start::prepared(model, &model.oil, (orbit, cycle), watch)?;
     if let Some(observer) = options.observer {
@@ -261,6 +269,7 @@ pub(crate) fn measured(
     let (_, peak) = load.peak;
     let balances = balances::balances(motion, &path, &samples);
     let flows = balances::mean_flows(&samples);
+    let network = balances::mean_heat(&samples);
     let samples: Vec<Sample> = samples.into_iter().map(|sampled| sampled.sample).collect();
     let walls: Option<Vec<Deflection>> = steps.iter().map(|step| step.wall.clone()).collect();
     let view = CycleView {
@@ -314,6 +323,7 @@ pub(crate) fn measured(
         residual: steps.iter().map(|step| step.residual).fold(0.0, f64::max),
         balances,
         flows,
+        network,
         temperature: None,
         are_bars_ended: false,
         last: None,

@@ -12,7 +12,7 @@ mod bars;
 mod between_runs;
 mod curve;
 pub(crate) mod field;
-mod field_bars;
+pub(crate) mod field_bars;
 pub mod flows;
 pub(crate) mod heating;
 mod search;

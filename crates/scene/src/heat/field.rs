@@ -152,12 +152,6 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "leaves out flows that carry heat",
         "remove it, or remove heat.field",
     );
-    complaints.refuse_if(
-        scene.orbit.is_some(),
-        "orbit",
-        "follows a journal that moves, but heat.field finds the temperature of a film at rest",
-        "remove heat.field: one temperature is found over the cycle",
-    );
     let Some(bush) = field.bush else { return };
     complaints.refuse_if(
         scene.bearing.arc.is_some(),

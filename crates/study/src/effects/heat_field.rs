@@ -48,6 +48,7 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
                         JournalSide::Turning { conductance: shaft.conductance, ambient: shaft.ambient }
                     }),
                 expansion: field.expansion.map(|walls| WallExpansion {
+                    radius: scene.bearing.radius(),
                     journal: walls.shaft,
                     bush: walls.bush,
                     at: walls.at,

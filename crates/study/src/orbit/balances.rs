@@ -7,9 +7,10 @@
 //! The work of the load is an integral along the path between the steps, all else is measured on films: so the balance
 //! shows the error of the steps in time. A support and a mass give back over a closed cycle what they take.
 
-use oilwedge_bearing::ThermalFlows;
 use oilwedge_bearing::duty_cycle::PeriodicSpline;
 use oilwedge_bearing::orbit::{Motion, Span};
+use oilwedge_bearing::{ThermalFlows, mean_network};
+use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 
 use super::sample::Sampled;
 
@@ -48,6 +49,19 @@ pub(super) fn mean_flows(sampled: &[Sampled]) -> Option<ThermalFlows> {
     let values: Option<Vec<[f64; 3]>> = values.collect();
     let [power, flow, round] = mean(times, values?, last.sample.time)?;
     Some(ThermalFlows { power, flow, carried_over: if flow > 0.0 { round / flow } else { 0.0 } })
+}
+
+/// The mean of the films as networks of heat, by the trapezoidal rule over the cycle; none without temperatures across
+/// the films.
+pub(super) fn mean_heat(sampled: &[Sampled]) -> Option<NodeNetwork> {
+    let last = sampled.len().checked_sub(1)?;
+    let time = |k: usize| sampled[k].sample.time;
+    let weighed = (0..=last).map(|k| {
+        let weight = 0.5 * (time((k + 1).min(last)) - time(k.saturating_sub(1)));
+        Some((weight, sampled[k].network.as_ref()?))
+    });
+    let weighed: Option<Vec<(f64, &NodeNetwork)>> = weighed.collect();
+    mean_network(&weighed?)
 }
 
 /// Mean of values at these times, on a periodic spline.

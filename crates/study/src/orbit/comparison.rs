@@ -9,8 +9,6 @@
 //! mesh: |J - J_vertices|        time: |J_vertices(tolerance) - J_vertices(4 tolerance)|
 //! ```
 
-use std::sync::Arc;
-
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::{Motion, OrbitEnd, OrbitOptions};
 use oilwedge_reynolds::error_bar::Bar;
@@ -32,8 +30,8 @@ pub(super) fn compare(
     options: &RunOptions,
     quantities: &mut [Quantity],
 ) -> bool {
-    let film = Film { system: Arc::new(film.system.on_vertices()), ..film.clone() };
-    let motion = Motion { system: &film.system, gap: film.gap(), ..*motion };
+    let film = film.on_vertices();
+    let motion = Motion { problem: &film.problem, system: &film.system, gap: film.gap(), ..*motion };
     let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
     let [alike, wider] = compared(&orbit, |options| {
         let orbit = motion.orbit(begin, options).ok().filter(|orbit| orbit.end != OrbitEnd::Ended)?;

@@ -5,6 +5,7 @@ use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::deflection::{displaced, hastened};
 use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
 use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
+use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::Power;
 use oilwedge_reynolds::solve::Neighbour;
@@ -20,6 +21,7 @@ use crate::quantities::cycle_view::Sample;
 use crate::quantities::{Bar, PRESSURE_MAX, Quantity, View, measured};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, SolveOptions, Solved};
+use crate::thermal;
 use crate::thermal::flows::thermal_flows;
 
 /// Films that are solved one after the other, each started from the one before; groups of them run side by side.
@@ -43,6 +45,8 @@ pub(super) struct Sampled {
     pub(super) imbalance: f64,
     /// What heats and what cools it; none without a balance of heat.
     pub(super) flows: Option<ThermalFlows>,
+    /// The film as a network of heat; none without temperatures across it.
+    pub(super) network: Option<NodeNetwork>,
 }
 
 /// How a film answers to a journal elsewhere.
@@ -176,6 +180,8 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         Errors::Omitted => estimated.quantities,
     };
     let flows = (film.model.sockets.thermal.as_ref()).map(|model| thermal_flows(model, &here, &estimated.measured));
+    let network = film.model.sockets.heat_field.as_ref().map(|model| model.surroundings.network(&followed));
+    let network = network.transpose().map_err(|reason| thermal::field::none(reason.into()))?;
     let (power, imbalance) = (estimated.measured.power, estimated.measured.flows.imbalance);
     let tangents = match tangents {
         None => None,
@@ -188,7 +194,7 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         }
     };
     let sample = Sample { time, journal: here.problem.journal, quantities, drift: Vec::new() };
-    let sampled = Sampled { sample, tangents, power, imbalance, flows };
+    let sampled = Sampled { sample, tangents, power, imbalance, flows, network };
     Ok((sampled, followed))
 }
 

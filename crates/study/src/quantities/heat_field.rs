@@ -9,6 +9,7 @@ use oilwedge_reynolds::supply::BoundaryKind;
 use super::row::{Headline, Measure::Each, Measure::One, Table};
 use super::rule::ErrorRule;
 use super::view::{View, degrees};
+use super::{Quantity, TEMPERATURE_EFFECTIVE, measured};
 
 rows! {
     /// `T_max`: greatest temperature of the film at any point across it, walls included; none without `heat.field`
@@ -56,7 +57,7 @@ rows! {
     /// `P_h`: heat of the film, of shear and of the flow that pressure drives: `P` and what the pressure of the supply
     /// puts in; none without `heat.field`
     HEAT_POWER = "heat_power", "P_heat", Watt, "heat of the film: friction, and the pressure of the supply":
-        One(|film| heat(film).map(|_| film.measured.power.shear + film.measured.power.driven)), OF_FIELD,
+        One(|film| Some(heat(film)?.heating())), OF_FIELD,
         in_table(Table::Temperature) only(|scope| scope.has_heat_field);
 
     /// Heat into the bush; none without `heat.bush`
@@ -75,6 +76,16 @@ const OF_FIELD: ErrorRule = ErrorRule::Of(
     "what two layers more change, and what temperatures on the vertices of the mesh alone change",
     |_, _| Some(oilwedge_reynolds::error_bar::Bar::default()),
 );
+
+/// The numbers of the temperatures across a film.
+pub(crate) fn of_temperatures(film: &View) -> Vec<Quantity> {
+    measured(film).into_iter().filter(is_of_heat).collect()
+}
+
+/// Whether a number is one of the temperatures across a film.
+pub(crate) fn is_of_heat(quantity: &Quantity) -> bool {
+    quantity.row.table == Table::Temperature || quantity.row == &TEMPERATURE_EFFECTIVE
+}
 
 /// The temperatures of a film; none of one that has one temperature.
 pub(super) fn heat<'a>(film: &View<'a>) -> Option<&'a Arc<FilmHeat>> {

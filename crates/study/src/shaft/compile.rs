@@ -110,7 +110,7 @@ impl Compiled {
 
     /// This shaft on films of the vertices of their meshes alone.
     pub(super) fn on_vertices(&self) -> Self {
-        self.with_films(|_, Bearing { film, .. }| Film { system: Arc::new(film.system.on_vertices()), ..film.clone() })
+        self.with_films(|_, Bearing { film, .. }| film.on_vertices())
     }
 
     /// This shaft on films that are meshed for another greatest eccentricity [1].

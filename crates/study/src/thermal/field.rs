@@ -8,7 +8,6 @@ use oilwedge_bearing::thermal_film::{HeatRound, HeatSearch, NoHeat, balance_heat
 use oilwedge_bearing::{InitialGuess, graetz_number};
 use oilwedge_heat::Layers;
 use oilwedge_reynolds::SolvedFilm;
-use oilwedge_reynolds::quantities::heat_network::heat_network;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::heating::Heating;
@@ -45,7 +44,8 @@ pub(crate) fn solve(film: &Film, model: &HeatFieldModel, options: &SolveOptions)
     let guess = InitialGuess::Near(Neighbour::Start(&last.primary));
     let mut solved = isothermal(&film, &SolveOptions { guess, ..*options })?;
     let viscosity = |temperature: f64| film.viscosity_at(temperature);
-    let heat = heat.balanced_on(&model.surroundings, &solved.primary, &viscosity);
+    let network = model.surroundings.network(&solved.primary);
+    let heat = network.and_then(|network| heat.balanced_on(&model.surroundings, network, &viscosity));
     solved.film.heat = Some(Arc::new(heat.map_err(NoHeat::from).map_err(none)?));
     Ok(super::field_bars::widened(solved, model, options))
 }
@@ -75,7 +75,12 @@ fn on_levels(
             (first, at_dofs, 0.0, layers)
         }
     };
-    balanced((film, first), model, options, HeatSearch { layers: &layers, start: at_dofs, growth, closed })
+    balanced(
+        (film, first),
+        model,
+        options,
+        HeatSearch { layers: &layers, start: at_dofs, growth, closed, clearance: film.problem.bearing.clearance },
+    )
 }
 
 /// The film of the last round from a `first` one, and its temperatures.
@@ -98,9 +103,9 @@ fn balanced(
         let leading = SolveOptions { accuracy, guess, ..leading(options) };
         let cold = || isothermal(&near, &SolveOptions { guess: InitialGuess::Cold, ..leading });
         let solved = isothermal(&near, &leading).or_else(|_| cold())?;
-        let found = solved.primary.clone();
+        let found = model.surroundings.network(&solved.primary);
         last = solved;
-        Ok(found)
+        found.map_err(NoHeat::from).map_err(none)
     };
     let space = film.system.space();
     let found = balance_heat(&model.surroundings, space, search, &viscosity, round).map_err(none)?;
@@ -120,12 +125,11 @@ fn of_one_temperature(film: &Film, model: &HeatFieldModel, options: &SolveOption
 }
 
 /// The points across a film that the model gives, or that its Graetz number asks for.
-fn layers(film: &SolvedFilm, model: &HeatFieldModel) -> Result<Layers, NoAnswer> {
+pub(crate) fn layers(film: &SolvedFilm, model: &HeatFieldModel) -> Result<Layers, NoAnswer> {
     if let Some(layers) = &model.layers {
         return Ok(layers.clone());
     }
-    let network = heat_network(film, model.surroundings.inlet).map_err(NoRound::TooLarge);
-    let network = network.and_then(|network| network.ok_or(NoRound::MakesOil)).map_err(NoHeat::from).map_err(none)?;
+    let network = model.surroundings.network(film).map_err(NoHeat::from).map_err(none)?;
     let graetz = graetz_number(film, &network, &model.surroundings.oil);
     let follows = |part: f64| LAYERS.into_iter().find(|&layers| graetz <= part * (layers as f64).powi(4));
     let layers = follows(WELL).or(follows(1.0)).and_then(Layers::new);
@@ -134,7 +138,7 @@ fn layers(film: &SolvedFilm, model: &HeatFieldModel) -> Result<Layers, NoAnswer>
 
 impl Film {
     /// Viscosity of the oil at a temperature [K], in Pa s.
-    pub(super) fn viscosity_at(&self, temperature: f64) -> f64 {
+    pub(crate) fn viscosity_at(&self, temperature: f64) -> f64 {
         self.oil.thermal.as_ref().map_or(self.oil.viscosity, |thermal| thermal.viscosity(temperature))
     }
 
@@ -147,7 +151,8 @@ impl Film {
     }
 }
 
-fn none(reason: NoHeat<NoAnswer>) -> NoAnswer {
+/// Why there is no answer, by the reason why no temperatures were found.
+pub(crate) fn none(reason: NoHeat<NoAnswer>) -> NoAnswer {
     match reason {
         NoHeat::NoFilm(reason) => reason,
         NoHeat::NoRound(NoRound::TooLarge(reason)) => {

@@ -46,10 +46,11 @@ fn open(
     let Some(ReferenceFilm::Coarse { film: coarse, .. }) = &solved.reference else { return None };
     let viscosity = |temperature: f64| solved.film.viscosity_at(temperature);
     let space = solved.film.system.space();
-    let count = heat.layers.count();
-    let layers = Layers::new(count + MORE).or_else(|| Layers::new(count - MORE))?;
-    let by_layers = heat.with_layers(&model.surroundings, &solved.primary, &layers, &viscosity).ok()?;
-    let on_vertices = heat.on_vertices(&model.surroundings, (space, coarse), &viscosity).ok()?;
+    let network = |film: &SolvedFilm| model.surroundings.network(film).ok();
+    let here = (space, network(&solved.primary)?);
+    let by_layers = heat.with_layers(&model.surroundings, here, &more_layers(heat)?, &viscosity).ok()?;
+    let vertices = (space, coarse.system.space());
+    let on_vertices = heat.on_vertices(&model.surroundings, vertices, network(coarse)?, &viscosity).ok()?;
     let across = heat.extrapolated(space, &on_vertices.heat, &viscosity);
     let by_mesh = HeatBeside { across, ..on_vertices };
     let here = numbers(&solved.film, &solved.primary);
@@ -66,6 +67,12 @@ fn open(
         }
     }
     Some(open)
+}
+
+/// Other layers than those of temperatures found: more of them, or less where there are no more.
+pub(crate) fn more_layers(heat: &FilmHeat) -> Option<Layers> {
+    let count = heat.layers.count();
+    Layers::new(count + MORE).or_else(|| Layers::new(count - MORE))
 }
 
 fn numbers(film: &Film, solved: &SolvedFilm) -> Vec<Quantity> {

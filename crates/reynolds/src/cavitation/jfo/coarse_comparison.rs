@@ -48,7 +48,9 @@ impl SolvedFilm {
             u: dofs.iter().map(|&dof| solution.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| solution.cavity[dof]).collect(),
         };
-        Ok(Self::new(problem.clone(), vertices, solve((problem, vertices, 1.0), start, StepBudget::UntilSettled)?))
+        let problem = problem.on_vertices();
+        let solution = solve((&problem, vertices, 1.0), start, StepBudget::UntilSettled)?;
+        Ok(Self::new(problem, vertices, solution))
     }
 }
 
