@@ -36,6 +36,7 @@ mod scene_properties;
 mod scenes;
 mod shaft;
 mod shapes;
+mod thermal_cycle;
 mod thermal_film;
 mod tilt;
 mod verdicts;

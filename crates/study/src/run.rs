@@ -194,7 +194,7 @@ fn on_orbit(
     result.balances.force = followed.residual;
     result.balances.mass = oil.unwrap_or(followed.balances.mass);
     result.balances.energy = followed.balances.energy;
-    result.balances.thermal = followed.temperature.map_or(0.0, |found| found.left_over);
+    result.balances.thermal = followed.temperature.map_or(left_over(&result.quantities), |found| found.left_over);
     result.counts.temperature_steps = followed.temperature.map_or(0, |found| found.steps);
     let [integrate, measure] = followed.seconds;
     result.tail.timing_s.retain(|(part, _)| film.seconds.iter().any(|(other, _)| other == part));

@@ -156,6 +156,7 @@ fn film(bearing: &Bearing) -> shaft::Film<'_> {
 /// The bearings with their films; bearings of one scene share its mesh.
 fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, ShaftError> {
     let mut films: Vec<(PathBuf, Film)> = Vec::new();
+    let is_followed_alone = scene.crankshaft.statics == Statics::Cut && scene.crank.is_some();
     let mut bearings = Vec::new();
     for bearing in &scene.crankshaft.bearings {
         let path = &bearing.scene;
@@ -163,11 +164,11 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
             Some((_, film)) => film.clone(),
             None => {
                 let mut model = compile(&on_shaft(path, scene)?).map_err(failed(path))?;
-                if model.sockets.heat_field.is_some() {
+                if model.sockets.heat_field.is_some() && !is_followed_alone {
                     return Err(ShaftError::Refused {
                         path: path.clone(),
-                        reason: "heat.field finds the temperatures of one film at rest, not of the films of a shaft",
-                        help: "remove field: each film has one temperature then",
+                        reason: "heat.field finds the temperatures of one film, but those of this shaft share its loads",
+                        help: "give the shaft statics = \"cut\" and its films a cycle, or remove field: each has one temperature then",
                     });
                 }
                 if scene.crank.is_none() {
