@@ -5,65 +5,20 @@ use std::path::Path;
 
 use oilwedge_scene::{Complaint, SceneError};
 use oilwedge_tests::scenes::parsed;
-use oilwedge_tests::thermal_films::{BUSH, ENGINE, FERRON, LOAD, ReferenceRow, ThermalFilm, edited};
+use oilwedge_tests::thermal_films::{
+    AT_POSITION, BUSH, ENGINE, FERRON, LOAD, ThermalFilm, edited, is_that_of_the_reference,
+};
 
-/// A position in place of the load of the bearing.
-const AT_POSITION: [(&str, &str); 2] =
-    [(LOAD, ""), ("speed = \"4000 rpm\"", "speed = \"4000 rpm\"\neccentricity = 0.7\nmin_film_angle = \"310 deg\"")];
 /// A mesh for films that are compared with each other.
 const COARSE: (&str, &str) = ("size = \"6 mm\"", "size = \"8 mm\"");
 /// Layers that are enough on such a mesh.
 const FOUR: (&str, &str) = ("layers = 6\n", "");
 
-/// Row F1 of the reference.
 #[test]
-fn a_bronze_bush_is_that_of_two_other_codes() {
-    let film = ThermalFilm::of(FERRON);
-    film.heat_closes();
-    film.is(&ReferenceRow {
-        eccentricity: [0.547_272, 0.000_75],
-        least_film: [65.6456, 0.11],
-        pressure: [1.799_42, 0.0071],
-        power: [1659.06, 2.5],
-        flow: [128.505, 0.57],
-        hottest: [57.4722, 0.057],
-        journal: [48.527, 0.092],
-        bush: Some([56.3495, 0.013]),
-    });
-}
-
-/// Row E1 of the reference: conduction across the film rules.
-#[test]
-fn an_engine_bearing_is_that_of_two_other_codes() {
-    let film = ThermalFilm::of(ENGINE);
-    film.heat_closes();
-    film.is(&ReferenceRow {
-        eccentricity: [0.839_844, 0.000_17],
-        least_film: [4.003_89, 0.0043],
-        pressure: [21.5087, 0.015],
-        power: [156.568, 0.32],
-        flow: [6.056_22, 0.0042],
-        hottest: [106.994, 0.037],
-        journal: [104.333, 0.025],
-        bush: Some([106.956, 0.029]),
-    });
-}
-
-/// Row F4 of the reference: no heat goes into the bush, and the position is given.
-#[test]
-fn an_adiabatic_bush_at_a_position_is_that_of_two_other_codes() {
-    let film = ThermalFilm::of(&edited(FERRON, &[AT_POSITION.as_slice(), &[(BUSH, "")]].concat()));
-    film.heat_closes();
-    film.is(&ReferenceRow {
-        eccentricity: [0.7, 1e-9],
-        least_film: [43.5, 1e-6],
-        pressure: [3.762_76, 0.018],
-        power: [1788.56, 7.2],
-        flow: [172.596, 0.59],
-        hottest: [67.6, 0.3],
-        journal: [50.1008, 0.37],
-        bush: None,
-    });
+fn films_are_those_of_two_other_codes() {
+    for name in ["F1", "F4", "E1"] {
+        is_that_of_the_reference(name);
+    }
 }
 
 /// An oil whose viscosity does not fall with temperature has the film of one viscosity, whatever temperatures are

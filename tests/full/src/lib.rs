@@ -31,3 +31,4 @@ pub mod short_bearing_figures;
 pub mod short_bearing_page;
 pub mod stability;
 pub mod tables;
+pub mod thermal_page;

@@ -3,7 +3,7 @@
 
 use oilwedge_full::{
     cavitation_page, crankshafts_page, docs_images, engine_page, flexpde_page, gallery, mesh_page, notation_page,
-    orbits_page, quantities_page, scene_page,
+    orbits_page, quantities_page, scene_page, thermal_page,
 };
 use oilwedge_full::{short_bearing_figures as figures, short_bearing_page as page};
 use oilwedge_tests::program::repository;
@@ -27,6 +27,7 @@ pub(crate) fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>
     write("theory/cavitation.md", &cavitation_page::page)?;
     write("howto/mesh.md", &mesh_page::page)?;
     write("validation/engine_bearings.md", &engine_page::page)?;
+    write("validation/thermal_films.md", &thermal_page::page)?;
     write("validation/orbits.md", &orbits_page::page)?;
     write("validation/crankshafts.md", &crankshafts_page::page)?;
     if is_wanted("gallery.md") {
