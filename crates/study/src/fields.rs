@@ -74,6 +74,15 @@ pub static VISCOSITY: FieldRow = FieldRow {
     what: "dynamic viscosity at the local pressure",
     interpolation: Interpolation::Quadratic,
 };
+/// Reynolds number.
+pub static REYNOLDS_NUMBER: FieldRow = FieldRow {
+    name: "reynolds_number",
+    label: "Reynolds number",
+    symbol: "Re",
+    unit: "1",
+    what: "Reynolds number rho U h/mu of a turbulent film at the local gap",
+    interpolation: Interpolation::Quadratic,
+};
 /// Mean temperature across the film.
 pub static TEMPERATURE: FieldRow = FieldRow {
     name: "temperature",
@@ -175,12 +184,13 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 11] = [
+pub static FIELDS: [&FieldRow; 12] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
+    &REYNOLDS_NUMBER,
     &TEMPERATURE,
     &GREATEST_TEMPERATURE,
     &BUSH_TEMPERATURE,
@@ -190,12 +200,13 @@ pub static FIELDS: [&FieldRow; 11] = [
 ];
 
 /// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 16] = [
+pub static FILE_FIELDS: [&FieldRow; 17] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
+    &REYNOLDS_NUMBER,
     &TEMPERATURE,
     &GREATEST_TEMPERATURE,
     &BUSH_TEMPERATURE,
