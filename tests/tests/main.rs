@@ -38,4 +38,5 @@ mod shaft;
 mod shapes;
 mod thermal_film;
 mod tilt;
+mod turbulence;
 mod verdicts;

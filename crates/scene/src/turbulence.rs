@@ -1,7 +1,7 @@
 //! `[turbulence]`: a film that is no longer laminar.
 
 use crate::reader::TableReader;
-use crate::{Complaints, PressureLaw, Scene, Theory};
+use crate::{Complaints, Scene, Theory};
 
 keys! {
     "turbulence" = Table; "", "the film is laminar, however fast it flows", "",
@@ -40,30 +40,13 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "leaves out one of the flows that turbulence resists, by closed forms of laminar films",
         "remove it, or remove [turbulence]",
     );
-    let law = match scene.oil.pressure_law {
-        PressureLaw::Constant => None,
-        PressureLaw::Barus(_) => Some("oil.barus"),
-        PressureLaw::Roelands(_) => Some("oil.roelands"),
-    };
-    if let Some(key) = law {
+    if let Some(key) = scene.oil.pressure_law.key() {
         complaints.add(
             key,
             "changes the Reynolds number of a turbulent film with its pressure, which is not computed",
             "remove it: such films are fast rather than highly loaded; or remove [turbulence]",
         );
     }
-    complaints.refuse_if(
-        scene.roughness.is_some(),
-        "roughness.model",
-        "is of laminar flow between the asperities, but the film is turbulent",
-        "remove [roughness], or [turbulence]",
-    );
-    complaints.refuse_if(
-        scene.heat.is_some_and(|heat| heat.field.is_some()),
-        "heat.field",
-        "finds temperatures across laminar layers, which eddies of a turbulent film mix",
-        "remove field: the film has one temperature then; or remove [turbulence]",
-    );
 }
 
 #[cfg(test)]

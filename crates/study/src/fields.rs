@@ -161,7 +161,7 @@ pub static VOLUME_FLOW: FieldRow = FieldRow {
     label: "volume flow",
     symbol: "q",
     unit: "m2/s",
-    what: "vector of the volume flow per width, theta U h/2 - h^3/(12 mu) grad p; with [roughness] h_T for the first h, and phi_p before the second term",
+    what: "vector of the volume flow per width, theta U h/2 - h^3/(12 mu) grad p; with [roughness] h_T for the first h, and phi_p before the second term; with [turbulence] k_x and k_z for 12",
     interpolation: Interpolation::Quadratic,
 };
 /// Shear stress on the journal.

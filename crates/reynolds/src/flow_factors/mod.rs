@@ -5,7 +5,7 @@ mod patir_cheng;
 mod turbulence;
 
 pub use patir_cheng::PatirCheng;
-pub use turbulence::{Turbulence, reynolds_number};
+pub use turbulence::{TurbulenceModel, reynolds_number};
 
 use std::sync::Arc;
 
@@ -140,8 +140,8 @@ mod tests {
     fn variations_match_differences() {
         let factors: [Arc<dyn FlowFactor>; 3] = [
             Arc::new(PatirCheng { roughness: 1.0 }),
-            Arc::new(Turbulence::NgPan),
-            Arc::new(Turbulence::Constantinescu),
+            Arc::new(TurbulenceModel::NgPan),
+            Arc::new(TurbulenceModel::Constantinescu),
         ];
         let change =
             FilmPoint { thickness: 0.4, slope: [0.3, -0.2], rate: 0.7, viscosity: 0.2, ..FilmPoint::default() };

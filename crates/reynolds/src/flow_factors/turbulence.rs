@@ -20,7 +20,7 @@
 //! | tau over mu U/h | 1 | `shear` |
 //!
 //! **Source.** Ng, Pan, Trans. ASME J. Basic Eng. 87 (1965) 675, by the usual fits to their integrals; Constantinescu,
-//! Trans. ASME J. Lubr. Technol. 84 (1962) 139, whose mixing length of `k = 0.125 Re^0.07` makes
+//! Trans. ASME J. Basic Eng. 84 (1962) 139, whose mixing length of `k = 0.125 Re^0.07` makes
 //! `k_x = 12 + 0.53 (k^2 Re)^0.725` and `k_z = 12 + 0.296 (k^2 Re)^0.65` these. **Range.** The shear of the journal
 //! makes the turbulence: pressure flow is small beside it. Re up to some 3e4; the film becomes laminar without a
 //! threshold as Re falls. The journal's surface moves along x, and viscosity does not depend on pressure. **Verified
@@ -44,14 +44,14 @@ impl PowerLaw {
 
 /// How much more a turbulent film resists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turbulence {
+pub enum TurbulenceModel {
     /// Ng and Pan's linearised theory of eddy viscosity.
     NgPan,
     /// Constantinescu's theory of a mixing length.
     Constantinescu,
 }
 
-impl Turbulence {
+impl TurbulenceModel {
     /// Laws of k_x - 12, k_z - 12, and the shear over that of a laminar film less one.
     fn laws(self) -> [PowerLaw; 3] {
         let law = |coefficient: f64, exponent: f64| PowerLaw { coefficient, exponent };
@@ -78,7 +78,7 @@ pub fn reynolds_number(film: &FilmPoint, density: f64) -> f64 {
     density * film.velocity[0].hypot(film.velocity[1]) * film.thickness / film.viscosity
 }
 
-impl FlowFactor for Turbulence {
+impl FlowFactor for TurbulenceModel {
     fn name(&self) -> &'static str {
         match self {
             Self::NgPan => "ng-pan",
@@ -111,7 +111,7 @@ impl FlowFactor for Turbulence {
 mod tests {
     use super::*;
 
-    const MODELS: [Turbulence; 2] = [Turbulence::NgPan, Turbulence::Constantinescu];
+    const MODELS: [TurbulenceModel; 2] = [TurbulenceModel::NgPan, TurbulenceModel::Constantinescu];
 
     /// A laminar film has no factor.
     #[test]
@@ -130,8 +130,21 @@ mod tests {
         for reynolds_number in [1e3, 1e4, 3e4] {
             let mixed = 0.125f64.powi(2) * f64::powf(reynolds_number, 1.14);
             let wanted = [12.0 + 0.53 * mixed.powf(0.725), 12.0 + 0.296 * mixed.powf(0.65)];
-            for (value, wanted) in Turbulence::Constantinescu.resistance(reynolds_number).into_iter().zip(wanted) {
+            for (value, wanted) in TurbulenceModel::Constantinescu.resistance(reynolds_number).into_iter().zip(wanted) {
                 assert!((value / wanted - 1.0).abs() < 2e-3, "{reynolds_number}: {value} {wanted}");
+            }
+        }
+    }
+
+    /// Robertson's law of measured Couette flow (1959), `C = (Re/4) (0.19/log10(Re/4))^2`.
+    #[test]
+    fn the_shear_is_that_of_measured_couette_flow() {
+        for reynolds_number in [1e4, 3e4] {
+            let quarter: f64 = 0.25 * reynolds_number;
+            let measured = quarter * (0.19 / quarter.log10()).powi(2);
+            for model in MODELS {
+                let shear = model.shear_at(reynolds_number);
+                assert!((shear / measured - 1.0).abs() < 0.14, "{model:?} {reynolds_number}: {shear} {measured}");
             }
         }
     }
@@ -166,8 +179,8 @@ mod tests {
                 if is_below { low = middle } else { high = middle }
             }
             let [_, along, across, shear] = integrals(low);
-            let [k_x, k_z] = Turbulence::NgPan.resistance(reynolds_number);
-            let fits = [(k_x, along), (k_z, across), (Turbulence::NgPan.shear_at(reynolds_number), shear)];
+            let [k_x, k_z] = TurbulenceModel::NgPan.resistance(reynolds_number);
+            let fits = [(k_x, along), (k_z, across), (TurbulenceModel::NgPan.shear_at(reynolds_number), shear)];
             for (fit, wanted) in fits {
                 assert!((fit / wanted - 1.0).abs() < tolerance, "{reynolds_number}: {fit} {wanted}");
             }

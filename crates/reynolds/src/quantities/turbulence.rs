@@ -1,7 +1,7 @@
-//! How turbulent a film is.
+//! # How turbulent a film is
 //!
 //! **Equation.** `Re = rho U h/mu` at each place; the shear of the whole film over that of a laminar one,
-//! `Int theta C mu U^2/h dA / Int theta mu U^2/h dA`, C that of [`crate::flow_factors::Turbulence`].
+//! `Int theta C mu U^2/h dA / Int theta mu U^2/h dA`, C that of [`crate::flow_factors::TurbulenceModel`].
 //!
 //! **Source.** Ng, Pan, Trans. ASME J. Basic Eng. 87 (1965) 675. **Range.** Turbulent films; a laminar one has neither.
 //! **Verified by** `tests/tests/turbulence`.

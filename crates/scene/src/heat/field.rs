@@ -158,6 +158,12 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "follows a journal that moves, but heat.field finds the temperature of a film at rest",
         "remove heat.field: one temperature is found over the cycle",
     );
+    complaints.refuse_if(
+        scene.turbulence.is_some(),
+        "heat.field",
+        "finds temperatures across laminar layers, which eddies of a turbulent film mix",
+        "remove field: the film has one temperature then; or remove [turbulence]",
+    );
     let Some(bush) = field.bush else { return };
     complaints.refuse_if(
         scene.bearing.arc.is_some(),

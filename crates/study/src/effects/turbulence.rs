@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_reynolds::flow_factors;
+use oilwedge_reynolds::flow_factors::TurbulenceModel;
 use oilwedge_scene::Turbulence;
 
 use super::{BLANK, Effect, Socket, changed};
@@ -23,8 +23,8 @@ pub(super) const ROW: Effect = Effect {
     install: |scene, sockets| {
         sockets.flow_factors.extend(scene.turbulence.map(|model| {
             let model = match model {
-                Turbulence::NgPan => flow_factors::Turbulence::NgPan,
-                Turbulence::Constantinescu => flow_factors::Turbulence::Constantinescu,
+                Turbulence::NgPan => TurbulenceModel::NgPan,
+                Turbulence::Constantinescu => TurbulenceModel::Constantinescu,
             };
             Arc::new(model) as _
         }));
