@@ -188,7 +188,7 @@ fn tangents_are_differences() {
                 let (by, rate) = (1e-6 * CLEARANCE, 1e-6 * CLEARANCE * SPEED);
                 let placed = [by, -by].map(|by| at(&|problem| problem.journal.offset[k] += by));
                 close("K", [0, 1].map(|row| coefficients.stiffness[row][k]), placed, by);
-                // A steady film whose journal moves on is not one whose journal moves to and fro, where oil is conserved.
+                // Where oil is conserved, a journal that moves on is not one that moves to and fro.
                 if !cavitation.conserves_oil() {
                     let moved = [rate, -rate].map(|rate| at(&|problem| problem.journal.velocity[k] += rate));
                     close("C", [0, 1].map(|row| coefficients.damping[row][k]), moved, rate);

@@ -20,7 +20,7 @@ use oilwedge_mesh::quality::needle_share;
 use crate::cavitation::FilmFraction;
 use crate::contact::{Contact, Fineness};
 use crate::film_thickness::{FilmContribution, Follows};
-use crate::flow_factors::{Factors, FlowFactor};
+use crate::flow_factors::{FlowFactor, FlowScales};
 use crate::levels::CoarseLevel;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
@@ -312,8 +312,8 @@ impl FilmProblem {
     }
 
     /// The factors of its flows.
-    pub(crate) fn factors(&self) -> Factors<'_> {
-        Factors { factors: &self.flow_factors, density: self.lubricant.density }
+    pub(crate) fn factors(&self) -> FlowScales<'_> {
+        FlowScales { factors: &self.flow_factors, density: self.lubricant.density }
     }
 
     /// True if the film is laminar, so that its conductance is the same along x and along z.

@@ -7,9 +7,9 @@
 //! `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs` (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`,
 //! `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`,
 //! `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`, `cavitation.rs`, `contact.rs`, `roughness.rs`,
-//! `turbulence.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them;
-//! `key_tolerance.rs` is about the tolerances of their numbers; [`periodic_table`] and [`surface_table`] read the
-//! tables in files that a scene names.
+//! `turbulence.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`.
+//! `scene.rs` lists them; `key_tolerance.rs` is about the tolerances of their numbers; [`periodic_table`] and
+//! [`surface_table`] read the tables in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong
 //! with it collected), [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.

@@ -16,7 +16,7 @@ pub type Jet = [f64; 3];
 
 /// A factor of a conductance and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Factor {
+pub struct ConductanceFactor {
     /// Conductance over that without the factor [1].
     pub value: f64,
     /// Derivative by the gap [1/m].
@@ -35,8 +35,8 @@ pub trait FlowFactor: Send + Sync + std::fmt::Debug {
         true
     }
 
-    /// Factors of the conductance along x and along z at a point of a film of this `density` [kg/m3].
-    fn conductance(&self, film: &FilmPoint, density: f64) -> [Factor; 2];
+    /// FlowScales of the conductance along x and along z at a point of a film of this `density` [kg/m3].
+    fn conductance(&self, film: &FilmPoint, density: f64) -> [ConductanceFactor; 2];
 
     /// Shear stress of the whole gap over that without the factor [1].
     fn shear(&self, _film: &FilmPoint, _density: f64) -> f64 {
@@ -50,14 +50,14 @@ pub trait FlowFactor: Send + Sync + std::fmt::Debug {
     }
 }
 
-/// Factors of the flows of a film, and the density [kg/m3] of its oil.
+/// FlowScales of the flows of a film, and the density [kg/m3] of its oil.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Factors<'a> {
+pub(crate) struct FlowScales<'a> {
     pub(crate) factors: &'a [Arc<dyn FlowFactor>],
     pub(crate) density: f64,
 }
 
-impl Factors<'_> {
+impl FlowScales<'_> {
     /// Scales the flows of a film without factors at one point: the conductance by its factor; what is dragged along by
     /// the mean gap over the gap, its divergence and what is taken up by the change of the mean gap with the gap.
     pub(crate) fn scale(&self, film: &FilmPoint, flow: &mut FilmFlow) {
@@ -127,7 +127,7 @@ mod tests {
         for term in [&Poiseuille as &dyn Term, &Couette, &Squeeze] {
             term.add(film, &mut flow);
         }
-        Factors { factors, density: DENSITY }.scale(film, &mut flow);
+        FlowScales { factors, density: DENSITY }.scale(film, &mut flow);
         values(&flow)
     }
 
@@ -161,7 +161,7 @@ mod tests {
                 term.add(&film, &mut smooth);
                 term.vary(&film, &change, &mut varied);
             }
-            Factors { factors: &factors, density: DENSITY }.vary(&film, &change, &smooth, &mut varied);
+            FlowScales { factors: &factors, density: DENSITY }.vary(&film, &change, &smooth, &mut varied);
             let (ahead, behind) = (flow(&factors, &at(1e-5)), flow(&factors, &at(-1e-5)));
             for (k, exact) in values(&varied).into_iter().enumerate() {
                 let difference = (ahead[k] - behind[k]) / 2e-5;

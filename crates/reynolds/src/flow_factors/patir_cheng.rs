@@ -21,7 +21,7 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use super::{Factor, FlowFactor, Jet};
+use super::{ConductanceFactor, FlowFactor, Jet};
 use crate::FilmPoint;
 use crate::chebyshev::Piecewise;
 
@@ -31,7 +31,7 @@ const APART: f64 = 9.0;
 /// The normal distribution from zero on.
 static NORMAL: LazyLock<Piecewise> = LazyLock::new(|| Piecewise::new(0.0, APART, 72, normal));
 
-/// Factors of two surfaces that are equally rough in all directions.
+/// FlowScales of two surfaces that are equally rough in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PatirCheng {
     /// Combined roughness sigma [m].
@@ -43,11 +43,11 @@ impl FlowFactor for PatirCheng {
         "patir-cheng"
     }
 
-    fn conductance(&self, film: &FilmPoint, _density: f64) -> [Factor; 2] {
+    fn conductance(&self, film: &FilmPoint, _density: f64) -> [ConductanceFactor; 2] {
         const AMPLITUDE: f64 = 0.9;
         const DECAY: f64 = 0.56;
         let less = AMPLITUDE * (-DECAY * (film.thickness / self.roughness)).exp();
-        [Factor { value: 1.0 - less, by_gap: DECAY * less / self.roughness, by_viscosity: 0.0 }; 2]
+        [ConductanceFactor { value: 1.0 - less, by_gap: DECAY * less / self.roughness, by_viscosity: 0.0 }; 2]
     }
 
     fn mean_gap(&self, gap: f64) -> Option<Jet> {

@@ -26,7 +26,7 @@
 //! threshold as Re falls. The journal's surface moves along x, and viscosity does not depend on pressure. **Verified
 //! by** the tests below and `tests/tests/turbulence`.
 
-use super::{Factor, FlowFactor};
+use super::{ConductanceFactor, FlowFactor};
 use crate::FilmPoint;
 
 /// A law `a Re^n` of what turbulence adds.
@@ -91,14 +91,18 @@ impl FlowFactor for TurbulenceModel {
     }
 
     /// Re is in proportion to `h/mu`: a law `r = a Re^n` changes by `n r` with the logarithm of either.
-    fn conductance(&self, film: &FilmPoint, density: f64) -> [Factor; 2] {
+    fn conductance(&self, film: &FilmPoint, density: f64) -> [ConductanceFactor; 2] {
         let reynolds_number = reynolds_number(film, density);
         let [x, z, _] = self.laws();
         [x, z].map(|law| {
             let more = law.at(reynolds_number);
             let value = 12.0 / (12.0 + more);
             let by_logarithm = -value * law.exponent * more / (12.0 + more);
-            Factor { value, by_gap: by_logarithm / film.thickness, by_viscosity: -by_logarithm / film.viscosity }
+            ConductanceFactor {
+                value,
+                by_gap: by_logarithm / film.thickness,
+                by_viscosity: -by_logarithm / film.viscosity,
+            }
         })
     }
 
@@ -118,7 +122,7 @@ mod tests {
     fn a_film_at_rest_is_laminar() {
         let film = FilmPoint { thickness: 1e-4, viscosity: 0.01, ..FilmPoint::default() };
         for model in MODELS {
-            let still = Factor { value: 1.0, by_gap: 0.0, by_viscosity: 0.0 };
+            let still = ConductanceFactor { value: 1.0, by_gap: 0.0, by_viscosity: 0.0 };
             assert_eq!(model.conductance(&film, 850.0), [still; 2]);
             assert_eq!(model.shear(&film, 850.0), 1.0);
         }

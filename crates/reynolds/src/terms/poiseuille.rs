@@ -8,7 +8,8 @@
 //! | mu | Pa s | `film.viscosity` |
 //!
 //! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157.
-//! **Range.** Laminar, inertialess, h much smaller than its scale of change; [`crate::flow_factors::TurbulenceModel`] scales it.
+//! **Range.** Laminar, inertialess, h much smaller than its scale of change; [`crate::flow_factors::TurbulenceModel`]
+//! scales it.
 //! **Verified by** the closed forms in `tests/tests/literature` and the manufactured solutions.
 
 use super::Term;

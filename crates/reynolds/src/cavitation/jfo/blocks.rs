@@ -9,9 +9,9 @@
 //! `1/k_d` and `F_d/k_d` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that
 //! does not vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme
 //! (narrow) for the transport of theta by F: without the crosswind smearing of upwind faces, positive, and of first
-//! order where theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner faces: the
-//! full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is chosen by the
-//! cavity, and the film follows from its cavity alone. Columns sum to zero, but for what is stored.
+//! order where theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner
+//! faces: the full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is
+//! chosen by the cavity, and the film follows from its cavity alone. Columns sum to zero, but for what is stored.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
