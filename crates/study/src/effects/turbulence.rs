@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_reynolds::flow_factors::TurbulenceModel;
 use oilwedge_scene::Turbulence;
 
-use super::{BLANK, Effect, Socket, changed};
+use super::{Effect, Socket, changed};
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::regime::{Regime, broken_assumption, rounded};
@@ -37,7 +37,6 @@ pub(super) const ROW: Effect = Effect {
         "remove [turbulence] for the characteristics of the film",
     ]),
     warnings,
-    ..BLANK
 };
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
