@@ -9,13 +9,14 @@ use crate::program::repository;
 /// Effects whose knowledge is bounded: the word by which code names them, and the most files that may do so. A law or
 /// a term is known to five, the term of which damping is made to seven, a closure to eight. What closes around a
 /// film is known to more, heat as a field too: these lists may shrink, and never grow.
-pub const EFFECTS: [(&str, usize); 12] = [
+pub const EFFECTS: [(&str, usize); 13] = [
     ("barus", 5),
     ("squeeze", 7),
     ("jfo", 8),
     ("heat", 34),
     ("iso7902", 4),
     ("roughness", 15),
+    ("turbulence", 13),
     ("contact", 67),
     ("deflection", 73),
     ("liner", 56),

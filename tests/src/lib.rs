@@ -51,6 +51,8 @@ pub const RADIUS: f64 = 0.05;
 pub const CLEARANCE: f64 = 5e-5;
 /// Viscosity [Pa s].
 pub const VISCOSITY: f64 = 0.02;
+/// Density [kg/m3].
+pub const DENSITY: f64 = 850.0;
 /// Speed [rad/s].
 pub const SPEED: f64 = 100.0;
 
@@ -171,7 +173,12 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         bearing: Bearing { radius: RADIUS, length, clearance: CLEARANCE, end_pressure: 0.0 },
         journal,
         film_thickness: vec![Arc::new(Eccentricity { radius: RADIUS, clearance: CLEARANCE })],
-        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law: PressureLaw::Constant, temperature: None },
+        lubricant: Lubricant {
+            viscosity: VISCOSITY,
+            pressure_law: PressureLaw::Constant,
+            density: DENSITY,
+            temperature: None,
+        },
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,

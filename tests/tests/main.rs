@@ -39,4 +39,5 @@ mod shapes;
 mod thermal_cycle;
 mod thermal_film;
 mod tilt;
+mod turbulence;
 mod verdicts;

@@ -54,6 +54,9 @@ fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<StandardR
     if scene.journal.speed == 0.0 {
         return Err("the journal is at rest");
     }
+    if scene.turbulence.is_some() {
+        return Err("its films are laminar, but this one is turbulent; remove [turbulence] to compare a laminar film");
+    }
     let (Some(load), Some(eccentricity)) = (value(&quantities::LOAD), value(&quantities::ECCENTRICITY)) else {
         return Err("there is no film");
     };

@@ -206,8 +206,15 @@ pub(crate) mod tests {
         Arc::new(Mesh::build(raw).unwrap())
     }
 
-    /// `F = (0.3 x, 0.1) - (1 + x^2) D grad u`, `s = 0.7 z` in both forms, with the diagonal D.
-    struct Both(TangentKind, [f64; 2]);
+    /// `F = (0.3 x, 0.1) - (1 + x^2) D (1, 1 + a z^2) grad u`, `s = 0.7 z` in both forms, with the diagonal D.
+    struct Both(TangentKind, [f64; 2], f64);
+
+    impl Both {
+        fn conductance(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+            let k = 1.0 + x * x;
+            [k, k * (1.0 + self.2 * z * z)]
+        }
+    }
 
     impl ConservationLaw for Both {
         fn tangent(&self) -> TangentKind {
@@ -216,18 +223,20 @@ pub(crate) mod tests {
         fn directions(&self) -> [f64; 2] {
             self.1
         }
+        fn is_isotropic(&self) -> bool {
+            self.2 == 0.0
+        }
         fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
             for (&[x, z], out) in positions.iter().zip(out) {
-                *out = Conduction { conductance: 1.0 + x * x, flux: [0.3 * x, 0.1], source: 0.7 * z };
+                let conductance = self.conductance([x, z]);
+                *out = Conduction { conductance, flux: [0.3 * x, 0.1], source: 0.7 * z };
             }
         }
         fn response(&self, _: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
             for ((&[x, z], state), out) in positions.iter().zip(states).zip(out) {
-                let k = 1.0 + x * x;
-                *out = Response {
-                    flux: [state.gradient[0] * (-k * self.1[0]) + 0.3 * x, state.gradient[1] * (-k * self.1[1]) + 0.1],
-                    source: Dual::constant(0.7 * z),
-                };
+                let k = self.conductance([x, z]);
+                let driven = |d: usize| state.gradient[d] * (-k[d] * self.1[d]);
+                *out = Response { flux: [driven(0) + 0.3 * x, driven(1) + 0.1], source: Dual::constant(0.7 * z) };
             }
         }
     }
@@ -254,13 +263,14 @@ pub(crate) mod tests {
 
     #[test]
     fn closed_form_and_general_element_agree() {
-        for (degree, along) in (1..=3).flat_map(|degree| [(degree, [1.0; 2]), (degree, [0.0, 1.0])]) {
+        let laws = [([1.0; 2], 0.0), ([0.0, 1.0], 0.0), ([1.0; 2], 0.4)];
+        for (degree, (along, uneven)) in (1..=3).flat_map(|degree| laws.map(|law| (degree, law))) {
             let assembler = Assembler::new(Space::new(wavy_ring(9, 4), degree));
             let u = assembler.space().interpolate(|x| (0.7 * x[0]).sin() + x[1]);
             let mut closed = Matrix::zero(assembler.pattern().clone());
             let mut general = closed.clone();
-            let r = assembler.tangent_and_residual(&Both(TangentKind::Conduction, along), &u, &mut closed);
-            let s = assembler.tangent_and_residual(&Both(TangentKind::Symmetric, along), &u, &mut general);
+            let r = assembler.tangent_and_residual(&Both(TangentKind::Conduction, along, uneven), &u, &mut closed);
+            let s = assembler.tangent_and_residual(&Both(TangentKind::Symmetric, along, uneven), &u, &mut general);
             let scale = greatest(general.values.iter().copied());
             assert!(greatest(closed.values.iter().zip(&general.values).map(|(a, b)| a - b)) < 1e-13 * scale);
             assert!(greatest(r.iter().zip(&s).map(|(a, b)| a - b)) < 1e-13 * greatest(s.iter().copied()));
@@ -289,7 +299,7 @@ pub(crate) mod tests {
     fn residuals_sum_to_the_integral_of_the_source() {
         let assembler = Assembler::new(Space::new(wavy_ring(9, 4), 2));
         let u = assembler.space().interpolate(|x| x[1] * x[1]);
-        let sum: f64 = assembler.residual(&Both(TangentKind::Conduction, [1.0; 2]), &u).iter().sum();
+        let sum: f64 = assembler.residual(&Both(TangentKind::Conduction, [1.0; 2], 0.0), &u).iter().sum();
         // Int 0.7 z over a ring of circumference 9 and height 4.
         assert!((sum - 0.7 * 9.0 * 8.0).abs() < 1e-9, "{sum}");
     }

@@ -24,6 +24,12 @@ pub trait ConservationLaw: Sync {
         [1.0; 2]
     }
 
+    /// Whether a law of kind [`TangentKind::Conduction`] has the same conductance along x and along z, before
+    /// [`ConservationLaw::directions`] weighs them: its elements take half of the work.
+    fn is_isotropic(&self) -> bool {
+        true
+    }
+
     /// Flux and source at `positions` [m] in triangle `cell`, where `u` and its gradient are as in
     /// `states`: seeds 0, 1, 2 of the duals are `u`, `du/dx`, `du/dz`.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]);
@@ -38,11 +44,11 @@ pub enum TangentKind {
     Symmetric,
 }
 
-/// `F = flux - conductance * grad u`, with a source that does not depend on `u`.
+/// `F_d = flux_d - conductance_d * du/dx_d`, with a source that does not depend on `u`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Conduction {
-    /// Conductance `k`.
-    pub conductance: f64,
+    /// Conductance `k` along x and along z.
+    pub conductance: [f64; 2],
     /// Flux at `grad u = 0`.
     pub flux: [f64; 2],
     /// Source `s`.

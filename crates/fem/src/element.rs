@@ -2,7 +2,7 @@
 //!
 //! A straight P2 triangle of a conducting law takes a closed form: with the moments
 //! `M_ij = Int k l_i l_j`, `m_i = sum_j M_ij`, `m = sum_i m_i` and `g_ij = grad l_i . D grad l_j`,
-//! D the diagonal of the law's directions,
+//! D the diagonal of the law's directions, for one axis after the other where each has a conductance of its own,
 //! ```text
 //! vertex i, vertex j:     g_ij (16 M_ij - 4 m_i - 4 m_j + m)
 //! vertex i, edge xy:      4 [g_ix (4 M_iy - m_y) + g_iy (4 M_ix - m_x)]
@@ -120,12 +120,18 @@ impl ElementKernel {
             (Mapping::Straight(corners), 2) => {
                 let (positions, determinant) = self.straight_positions(corners);
                 law.conduction(t, &positions[..n], &mut points[..n]);
-                self.straight_quadratic(law.directions(), corners, determinant, &points[..n], out);
+                self.straight_quadratic(corners, determinant, &points[..n], out);
+                by_axes(law, out, |along, axis, out| {
+                    self.quadratic_tangent((along, axis), corners, determinant, &points[..n], out);
+                });
             }
             (Mapping::Straight(corners), 3) => {
                 let (positions, determinant) = self.straight_positions(corners);
                 law.conduction(t, &positions[..n], &mut points[..n]);
-                self.straight_cubic(law.directions(), corners, determinant, &points[..n], out);
+                self.straight_cubic(corners, determinant, &points[..n], out);
+                by_axes(law, out, |along, axis, out| {
+                    self.cubic_tangent((along, axis), corners, determinant, &points[..n], out);
+                });
             }
             _ => {
                 let geometry = self.geometry(&mapping);
@@ -168,7 +174,7 @@ impl ElementKernel {
                 let g = gradients[i];
                 out.residual[i] +=
                     area * (point.source * self.values[q][i] - point.flux[0] * g[0] - point.flux[1] * g[1]);
-                let weighted = [0, 1].map(|d| area * point.conductance * along[d] * g[d]);
+                let weighted = [0, 1].map(|d| area * point.conductance[d] * along[d] * g[d]);
                 for j in 0..n {
                     out.tangent[i][j] += weighted[0] * gradients[j][0] + weighted[1] * gradients[j][1];
                 }
@@ -176,33 +182,12 @@ impl ElementKernel {
         }
     }
 
-    /// The closed form of the file's head, without the part of `u` in the residual.
-    // Long: the element matrix of the paper, entry by entry.
-    fn straight_quadratic(
-        &self,
-        directions: [f64; 2],
-        [a, b, c]: &[[f64; 2]; 3],
-        determinant: f64,
-        points: &[Conduction],
-        out: &mut Element,
-    ) {
+    /// Flux and source of a straight quadratic triangle, in the closed form of the file's head.
+    fn straight_quadratic(&self, corners: &[[f64; 2]; 3], determinant: f64, points: &[Conduction], out: &mut Element) {
         out.residual = [0.0; MOST_SHAPES];
-        // Gradients of the barycentric coordinates: the opposite edge turned by 90 degrees.
-        let gradient =
-            |from: &[f64; 2], to: &[f64; 2]| [(from[1] - to[1]) / determinant, (to[0] - from[0]) / determinant];
-        let slope = [gradient(b, c), gradient(c, a), gradient(a, b)];
-        let mut g = [[0.0; 3]; 3];
-        for i in 0..3 {
-            for j in 0..3 {
-                g[i][j] = directions[0] * slope[i][0] * slope[j][0] + directions[1] * slope[i][1] * slope[j][1];
-            }
-        }
-        let mut pairs = [0.0; 6];
+        let slope = barycentric_slopes(corners, determinant);
         let mut rest = [[0.0; 2]; 3];
-        for (q, (point, (l, l_l))) in points.iter().zip(&self.moments).enumerate() {
-            for k in 0..6 {
-                pairs[k] += point.conductance * l_l[k];
-            }
+        for (q, (point, (l, _))) in points.iter().zip(&self.moments).enumerate() {
             for i in 0..3 {
                 rest[i][0] += point.flux[0] * l[i];
                 rest[i][1] += point.flux[1] * l[i];
@@ -215,13 +200,6 @@ impl ElementKernel {
             }
         }
         let rest = rest.map(|flux| flux.map(|flux| determinant * flux));
-        let mut moment = [[0.0; 3]; 3];
-        for ((i, j), pair) in PAIRS.into_iter().zip(pairs) {
-            moment[i][j] = determinant * pair;
-            moment[j][i] = moment[i][j];
-        }
-        let m: [f64; 3] = std::array::from_fn(|i| moment[i].iter().sum());
-        let total: f64 = m.iter().sum();
         let rest_total = [0, 1].map(|d| rest[0][d] + rest[1][d] + rest[2][d]);
         let along = |i: usize, v: [f64; 2]| slope[i][0] * v[0] + slope[i][1] * v[1];
         for i in 0..3 {
@@ -229,6 +207,39 @@ impl ElementKernel {
             out.residual[i] -= along(i, at_vertex);
             let y = (i + 1) % 3;
             out.residual[3 + i] -= 4.0 * (along(y, rest[i]) + along(i, rest[y]));
+        }
+    }
+
+    /// Tangent of the closed form of the file's head.
+    fn quadratic_tangent(
+        &self,
+        (directions, axis): ([f64; 2], usize),
+        corners: &[[f64; 2]; 3],
+        determinant: f64,
+        points: &[Conduction],
+        out: &mut Element,
+    ) {
+        let slope = barycentric_slopes(corners, determinant);
+        let mut g = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                g[i][j] = directions[0] * slope[i][0] * slope[j][0] + directions[1] * slope[i][1] * slope[j][1];
+            }
+        }
+        let mut pairs = [0.0; 6];
+        for (point, (_, l_l)) in points.iter().zip(&self.moments) {
+            for k in 0..6 {
+                pairs[k] += point.conductance[axis] * l_l[k];
+            }
+        }
+        let mut moment = [[0.0; 3]; 3];
+        for ((i, j), pair) in PAIRS.into_iter().zip(pairs) {
+            moment[i][j] = determinant * pair;
+            moment[j][i] = moment[i][j];
+        }
+        let m: [f64; 3] = std::array::from_fn(|i| moment[i].iter().sum());
+        let total: f64 = m.iter().sum();
+        for i in 0..3 {
             for j in 0..3 {
                 out.tangent[i][j] = g[i][j] * (16.0 * moment[i][j] - 4.0 * m[i] - 4.0 * m[j] + total);
                 let (x, y) = (j, (j + 1) % 3);
@@ -245,30 +256,12 @@ impl ElementKernel {
         }
     }
 
-    /// A straight cubic triangle: its metric does not vary, so the conductance weighs products of reference gradients.
-    /// Without the part of `u` in the residual.
-    fn straight_cubic(
-        &self,
-        directions: [f64; 2],
-        [a, b, c]: &[[f64; 2]; 3],
-        determinant: f64,
-        points: &[Conduction],
-        out: &mut Element,
-    ) {
+    /// Flux and source of a straight cubic triangle.
+    fn straight_cubic(&self, corners: &[[f64; 2]; 3], determinant: f64, points: &[Conduction], out: &mut Element) {
         out.residual = [0.0; MOST_SHAPES];
-        let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-        // Rows of the inverse Jacobian: gradients of xi and eta.
-        let xi = [ac[1] / determinant, -ac[0] / determinant];
-        let eta = [-ab[1] / determinant, ab[0] / determinant];
-        let mut weighed = [[0.0; CUBIC_PAIRS]; 3];
+        let [xi, eta] = reference_slopes(corners, determinant);
         for (q, point) in points.iter().enumerate() {
             let area = self.weights[q] * determinant;
-            let conductance = area * point.conductance;
-            for (sum, products) in weighed.iter_mut().zip(&self.products[q]) {
-                for (sum, product) in sum.iter_mut().zip(products) {
-                    *sum += conductance * product;
-                }
-            }
             let along = [xi, eta].map(|to| area * (point.flux[0] * to[0] + point.flux[1] * to[1]));
             let source = area * point.source;
             for (i, residual) in out.residual.iter_mut().enumerate() {
@@ -276,6 +269,28 @@ impl ElementKernel {
                 *residual += source * self.values[q][i] - along[0] * g[0] - along[1] * g[1];
             }
         }
+    }
+
+    /// Tangent of a straight cubic triangle: its metric does not vary, so the conductance weighs products of gradients.
+    fn cubic_tangent(
+        &self,
+        (directions, axis): ([f64; 2], usize),
+        corners: &[[f64; 2]; 3],
+        determinant: f64,
+        points: &[Conduction],
+        out: &mut Element,
+    ) {
+        let mut weighed = [[0.0; CUBIC_PAIRS]; 3];
+        for (q, point) in points.iter().enumerate() {
+            let area = self.weights[q] * determinant;
+            let conductance = area * point.conductance[axis];
+            for (sum, products) in weighed.iter_mut().zip(&self.products[q]) {
+                for (sum, product) in sum.iter_mut().zip(products) {
+                    *sum += conductance * product;
+                }
+            }
+        }
+        let [xi, eta] = reference_slopes(corners, determinant);
         let dot = |a: [f64; 2], b: [f64; 2]| directions[0] * a[0] * b[0] + directions[1] * a[1] * b[1];
         let metric = [dot(xi, xi), dot(xi, eta), dot(eta, eta)];
         let mut pair = 0;
@@ -342,6 +357,34 @@ impl ElementKernel {
         }
         gradients
     }
+}
+
+/// Makes the tangent of a straight triangle by `part`, of parts along both axes and the axis whose conductance counts.
+fn by_axes(law: &dyn ConservationLaw, out: &mut Element, part: impl Fn([f64; 2], usize, &mut Element)) {
+    let [x, z] = law.directions();
+    if law.is_isotropic() {
+        return part([x, z], 0, out);
+    }
+    part([x, 0.0], 0, out);
+    let mut along_z = Element::default();
+    part([0.0, z], 1, &mut along_z);
+    for (row, more) in out.tangent.iter_mut().zip(along_z.tangent) {
+        for (entry, more) in row.iter_mut().zip(more) {
+            *entry += more;
+        }
+    }
+}
+
+/// Gradients [1/m] of the barycentric coordinates: the opposite edge turned by 90 degrees.
+fn barycentric_slopes([a, b, c]: &[[f64; 2]; 3], determinant: f64) -> [[f64; 2]; 3] {
+    let gradient = |from: &[f64; 2], to: &[f64; 2]| [(from[1] - to[1]) / determinant, (to[0] - from[0]) / determinant];
+    [gradient(b, c), gradient(c, a), gradient(a, b)]
+}
+
+/// Gradients [1/m] of xi and eta: the rows of the inverse Jacobian.
+fn reference_slopes([a, b, c]: &[[f64; 2]; 3], determinant: f64) -> [[f64; 2]; 2] {
+    let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    [[ac[1] / determinant, -ac[0] / determinant], [-ab[1] / determinant, ab[0] / determinant]]
 }
 
 fn gradient_products(gradients: &[[f64; 2]; MOST_SHAPES]) -> GradientProducts {

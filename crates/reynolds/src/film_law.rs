@@ -59,6 +59,10 @@ impl<'a> FilmLaw<'a> {
         if let Some(across) = &self.problem.viscosity_across {
             across.set(cell, positions, &mut film[..positions.len()]);
         }
+        if !self.problem.flow_factors.is_empty() {
+            let factors = self.problem.factors();
+            film[..positions.len()].iter_mut().for_each(|point| point.shear_viscosity *= factors.shear(point));
+        }
         film
     }
 
@@ -103,21 +107,21 @@ impl<'a> FilmLaw<'a> {
         (moved, flows)
     }
 
-    /// Scales the flows of a smooth film.
+    /// Scales the flows of a film without factors.
     fn scale(&self, film: &[FilmPoint], flows: &mut [FilmFlow]) {
-        for (point, flow) in film.iter().zip(flows) {
-            flow_factors::scale(&self.problem.flow_factors, point, flow);
-        }
+        let factors = self.problem.factors();
+        film.iter().zip(flows).for_each(|(point, flow)| factors.scale(point, flow));
     }
 
-    /// Scales the change of the flows of a smooth film where the film has `moved`.
+    /// Scales the change of the flows of a film without factors where the film has `moved`.
     fn vary_factors(&self, film: &[FilmPoint], moved: &[FilmPoint], changes: &mut [FilmFlow]) {
+        let factors = self.problem.factors();
         for ((point, moved), change) in film.iter().zip(moved).zip(changes) {
             let mut flow = FilmFlow::default();
             for term in &self.problem.terms {
                 term.add(point, &mut flow);
             }
-            flow_factors::vary(&self.problem.flow_factors, point, moved.thickness, &flow, change);
+            factors.vary(point, moved, &flow, change);
         }
     }
 
@@ -158,8 +162,7 @@ impl<'a> FilmLaw<'a> {
     /// Mean gap [m] between rough surfaces at each point of a film, and its derivative by the thickness [1]; none
     /// between smooth ones.
     fn mean_gaps(&self, film: &[FilmPoint]) -> impl Iterator<Item = [f64; 2]> {
-        let is_rough = !self.problem.flow_factors.is_empty();
-        let film = if is_rough { film } else { &[] };
+        let film = if self.problem.flow_factors.is_empty() { &[] } else { film };
         (film.iter()).map(|point| flow_factors::mean_gap(&self.problem.flow_factors, point.thickness))
     }
 
@@ -201,6 +204,10 @@ impl ConservationLaw for FilmLaw<'_> {
         self.problem.theory.directions()
     }
 
+    fn is_isotropic(&self) -> bool {
+        self.problem.is_laminar()
+    }
+
     /// `div(flux - conductance grad q) + storage = 0` in the reduced pressure q.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (flow, out) in self.flows(cell, positions).iter().zip(out) {
@@ -221,7 +228,7 @@ impl ConservationLaw for FilmLaw<'_> {
         let along = self.directions();
         for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
             *out = Response {
-                flux: [0, 1].map(|k| state.gradient[k] * (-flow.conductance * along[k]) + flow.flux[k]),
+                flux: [0, 1].map(|k| state.gradient[k] * (-flow.conductance[k] * along[k]) + flow.flux[k]),
                 source: thickening(state.value) * (flow.divergence + flow.storage) + flow.storage,
             };
         }

@@ -21,17 +21,25 @@ pub struct FilmPoint {
     pub velocity: [f64; 2],
 }
 
-/// What flows at a point where the pressure gradient is `grad p`: `J = flux - conductance grad p` [m2/s].
+/// What flows at a point where the pressure gradient is `grad p`: `J_d = flux_d - conductance_d dp/dx_d` [m2/s].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FilmFlow {
-    /// Volume flow per width and pressure gradient, `h^3/(12 mu0)` [m4/(N s)].
-    pub conductance: f64,
+    /// Volume flow per width and pressure gradient along x and along z, `h^3/(12 mu0)` [m4/(N s)] in a laminar film.
+    pub conductance: [f64; 2],
     /// Flow per width without pressure gradient [m2/s].
     pub flux: [f64; 2],
     /// Divergence of `flux` [m/s].
     pub divergence: f64,
     /// Volume that the film takes up per area and time [m/s].
     pub storage: f64,
+}
+
+impl FilmFlow {
+    /// Conductance along x, and the parts of it that count along x and along z where those of its own axis are `along`.
+    pub(crate) fn parts(&self, along: [f64; 2]) -> (f64, [f64; 2]) {
+        let [k_x, k_z] = self.conductance;
+        (k_x, [along[0], k_z / k_x * along[1]])
+    }
 }
 
 /// Thickness [m] at which a surface of the `velocity` U [m/s] drags a full film along as the flux F [m2/s]:

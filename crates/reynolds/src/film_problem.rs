@@ -20,7 +20,7 @@ use oilwedge_mesh::quality::needle_share;
 use crate::cavitation::FilmFraction;
 use crate::contact::{Contact, Fineness};
 use crate::film_thickness::{FilmContribution, Follows};
-use crate::flow_factors::FlowFactor;
+use crate::flow_factors::{FlowFactor, FlowScales};
 use crate::levels::CoarseLevel;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
@@ -67,7 +67,7 @@ pub struct FilmProblem {
     pub form: Form,
     /// Fluxes: a sum.
     pub terms: Vec<Arc<dyn Term>>,
-    /// What scales them, for surfaces that are not smooth: a product.
+    /// What scales them, where surfaces are not smooth or the flow is turbulent: a product.
     pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// What closes the law where the film breaks.
     pub cavitation: Cavitation,
@@ -309,6 +309,21 @@ impl FilmProblem {
     /// Velocity `(U_x, U_z)` [m/s] of the journal's surface.
     pub fn surface_velocity(&self) -> [f64; 2] {
         [self.journal.speed * self.bearing.radius, self.journal.axial_velocity]
+    }
+
+    /// The factors of its flows.
+    pub(crate) fn factors(&self) -> FlowScales<'_> {
+        FlowScales { factors: &self.flow_factors, density: self.lubricant.density }
+    }
+
+    /// True if the film is laminar, so that its conductance is the same along x and along z.
+    pub fn is_laminar(&self) -> bool {
+        self.flow_factors.iter().all(|factor| factor.is_laminar())
+    }
+
+    /// True if the oil has another gap than its shear: between rough surfaces.
+    pub fn is_rough(&self) -> bool {
+        self.flow_factors.iter().any(|factor| factor.mean_gap(self.bearing.clearance).is_some())
     }
 
     /// True if the film follows a slope of the journal's axis, be it zero: moments are of interest then.

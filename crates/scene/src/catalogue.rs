@@ -43,6 +43,7 @@ static TABLES: &[&[Key]] = &[
     crate::cavitation::KEYS,
     crate::contact::KEYS,
     crate::roughness::KEYS,
+    crate::turbulence::KEYS,
     crate::liner::KEYS,
     crate::dynamics::KEYS,
     crate::cap::KEYS,

@@ -7,9 +7,9 @@
 //! `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs` (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`,
 //! `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`,
 //! `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`, `cavitation.rs`, `contact.rs`, `roughness.rs`,
-//! `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them;
-//! `key_tolerance.rs` is about the tolerances of their numbers; [`periodic_table`] and [`surface_table`] read the
-//! tables in files that a scene names.
+//! `turbulence.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`.
+//! `scene.rs` lists them; `key_tolerance.rs` is about the tolerances of their numbers; [`periodic_table`] and
+//! [`surface_table`] read the tables in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong
 //! with it collected), [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
@@ -53,6 +53,7 @@ mod support;
 pub mod surface_table;
 pub mod sweep;
 mod tolerance;
+mod turbulence;
 pub mod unit;
 pub mod wording;
 
@@ -82,3 +83,4 @@ pub use scene::{MESH_FILE, SCENE_LIMIT, SWEPT, SWEPT_OF_SHAFT, Scene};
 pub use shaft::Shaft;
 pub use support::{Support, Tilting};
 pub use tolerance::{Target, Tolerance};
+pub use turbulence::Turbulence;

@@ -63,6 +63,17 @@ pub enum PressureLaw {
     Roelands(Roelands),
 }
 
+impl PressureLaw {
+    /// Key of the table that gives it; none of a constant viscosity.
+    pub fn key(&self) -> Option<&'static str> {
+        match self {
+            Self::Constant => None,
+            Self::Barus(_) => Some("oil.barus"),
+            Self::Roelands(_) => Some("oil.roelands"),
+        }
+    }
+}
+
 /// Reads a law of pressure.
 type ReadLaw = fn(TableReader<'_>) -> PressureLaw;
 /// Laws of pressure by the table that gives them.

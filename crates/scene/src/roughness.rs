@@ -24,13 +24,19 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Roughness> {
     table.word("model", &[("patir-cheng", Roughness::PatirCheng)])
 }
 
-/// Flow factors need the roughness of the bearing.
+/// Flow factors need the roughness of the bearing, and a laminar film.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     complaints.refuse_if(
         scene.roughness.is_some() && scene.bearing.roughness.is_none(),
         "roughness.model",
         "is \"patir-cheng\", but the bearing has no roughness",
         "give bearing.roughness = \"0.6 um\", the root mean square of both surfaces together",
+    );
+    complaints.refuse_if(
+        scene.roughness.is_some() && scene.turbulence.is_some(),
+        "roughness.model",
+        "is of laminar flow between the asperities, but the film is turbulent",
+        "remove [roughness], or [turbulence]",
     );
 }
 

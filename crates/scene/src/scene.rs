@@ -16,11 +16,11 @@ use crate::wording;
 use crate::{
     Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
     Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError,
-    Shaft, ShaftScene, Support, Tolerance,
+    Shaft, ShaftScene, Support, Tolerance, Turbulence,
 };
 use crate::{
     bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance,
-    limits, liner, load, mesh, oil, orbit, roughness, shaft, support,
+    limits, liner, load, mesh, oil, orbit, roughness, shaft, support, turbulence,
 };
 
 /// The largest scene file that is read [bytes].
@@ -33,7 +33,7 @@ const MESH_OPENING: &[u8] = b"$MeshFormat";
 /// Key of the mesh file.
 pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 20] = [
+pub const SWEPT: [&str; 21] = [
     "bearing",
     "bore",
     "shaft",
@@ -52,13 +52,14 @@ pub const SWEPT: [&str; 20] = [
     "cavitation",
     "contact",
     "roughness",
+    "turbulence",
     "liner",
     "dynamics",
 ];
 /// Tables of a crankshaft whose keys can be swept.
 pub const SWEPT_OF_SHAFT: [&str; 3] = ["crankshaft", "crank", "orbit"];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 13] = [
+const CHECKS: [Check; 14] = [
     bearing::check,
     bore::check,
     feed::check,
@@ -72,6 +73,7 @@ const CHECKS: [Check; 13] = [
     cavitation::check,
     contact::check,
     roughness::check,
+    turbulence::check,
 ];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
@@ -119,6 +121,8 @@ pub struct Scene {
     pub contact: Option<Contact>,
     /// How roughness changes the flow of oil; `None`: the surfaces are smooth.
     pub roughness: Option<Roughness>,
+    /// How a turbulent film resists; `None`: the film is laminar.
+    pub turbulence: Option<Turbulence>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
     pub liner: Option<Liner>,
     /// What is asked about small motions of the journal; `None`: nothing.
@@ -342,6 +346,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
         contact: root.table_if_given("contact").and_then(contact::read),
         roughness: root.table_if_given("roughness").and_then(roughness::read),
+        turbulence: root.table_if_given("turbulence").and_then(turbulence::read),
         liner: root.table_if_given("liner").and_then(|table| liner::read(table, path)),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),

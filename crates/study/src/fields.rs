@@ -74,6 +74,15 @@ pub static VISCOSITY: FieldRow = FieldRow {
     what: "dynamic viscosity at the local pressure",
     interpolation: Interpolation::Quadratic,
 };
+/// Reynolds number.
+pub static REYNOLDS_NUMBER: FieldRow = FieldRow {
+    name: "reynolds_number",
+    label: "Reynolds number",
+    symbol: "Re",
+    unit: "1",
+    what: "Reynolds number rho U h/mu of a turbulent film at the local gap",
+    interpolation: Interpolation::Quadratic,
+};
 /// Mean temperature across the film.
 pub static TEMPERATURE: FieldRow = FieldRow {
     name: "temperature",
@@ -152,7 +161,7 @@ pub static VOLUME_FLOW: FieldRow = FieldRow {
     label: "volume flow",
     symbol: "q",
     unit: "m2/s",
-    what: "vector of the volume flow per width, theta U h/2 - h^3/(12 mu) grad p; with [roughness] h_T for the first h, and phi_p before the second term",
+    what: "vector of the volume flow per width, theta U h/2 - h^3/(12 mu) grad p; with [roughness] h_T for the first h, and phi_p before the second term; with [turbulence] k_x and k_z for 12",
     interpolation: Interpolation::Quadratic,
 };
 /// Shear stress on the journal.
@@ -175,12 +184,13 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 11] = [
+pub static FIELDS: [&FieldRow; 12] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
+    &REYNOLDS_NUMBER,
     &TEMPERATURE,
     &GREATEST_TEMPERATURE,
     &BUSH_TEMPERATURE,
@@ -190,12 +200,13 @@ pub static FIELDS: [&FieldRow; 11] = [
 ];
 
 /// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 16] = [
+pub static FILE_FIELDS: [&FieldRow; 17] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
+    &REYNOLDS_NUMBER,
     &TEMPERATURE,
     &GREATEST_TEMPERATURE,
     &BUSH_TEMPERATURE,

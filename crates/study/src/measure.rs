@@ -11,6 +11,7 @@ use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::{self, Load, Share};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
+use oilwedge_reynolds::quantities::turbulence::{TurbulentFilm, turbulent_film};
 use oilwedge_reynolds::sharp::HillNumbers;
 use oilwedge_reynolds::{Fallback, FilmProblem, Gap, JournalState, SolvedFilm, Thinnest};
 
@@ -46,6 +47,8 @@ pub struct Measured {
     pub inlet_flow: Option<f64>,
     /// Powers, put in and turned into heat.
     pub power: Power,
+    /// What turbulence makes of the film; none of a laminar one.
+    pub turbulence: Option<TurbulentFilm>,
     /// The thinnest film on the liner.
     pub thinnest: Thinnest,
     /// Greatest deflection of the wall [m]; none of a rigid one.
@@ -118,6 +121,7 @@ pub fn measure(film: &SolvedFilm) -> Measured {
         load,
         flows: flow::flows(film),
         inlet_flow: inlet_flow(film),
+        turbulence: turbulent_film(film),
         thinnest: Gap::of(problem, system).thinnest_film(problem, system),
         deflection: deflection_max(problem, system),
         extent: extent(film, &extremes),

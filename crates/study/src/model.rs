@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_reynolds::lubricant::Lubricant;
+use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
 use oilwedge_reynolds::wall::Wall;
 use oilwedge_scene::surface_table::Covered;
 use oilwedge_scene::{Criteria, Position as Placed};
@@ -74,6 +75,7 @@ impl Model {
         Lubricant {
             viscosity: oil.viscosity,
             pressure_law: self.sockets.pressure_rule.at(oil.viscosity),
+            density: oil.film_density().unwrap_or(MINERAL_OIL),
             temperature: oil.temperature,
         }
     }

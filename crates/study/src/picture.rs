@@ -7,11 +7,12 @@ use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::quantities::stream::streams;
+use oilwedge_reynolds::quantities::turbulence::reynolds_numbers;
 
 use crate::fields::{
     ANGLE, AXIAL_PLACE, BEARING_STRESS, BUSH_TEMPERATURE, CONTACT_PRESSURE, DEFLECTION, ERROR_INDICATOR, FILM_FRACTION,
-    FILM_THICKNESS, FieldRow, GREATEST_TEMPERATURE, JOURNAL_STRESS, JOURNAL_TEMPERATURE, PRESSURE, TEMPERATURE,
-    VISCOSITY, VOLUME_FLOW,
+    FILM_THICKNESS, FieldRow, GREATEST_TEMPERATURE, JOURNAL_STRESS, JOURNAL_TEMPERATURE, PRESSURE, REYNOLDS_NUMBER,
+    TEMPERATURE, VISCOSITY, VOLUME_FLOW,
 };
 use crate::film::Film;
 use crate::film_lines::film_lines;
@@ -176,6 +177,11 @@ fn pointwise(film: &SolvedFilm, nodes: &Nodes) -> Vec<PictureField> {
     let viscosity = (pressure.iter().zip(&nodes.dofs)).map(|(&p, &dof)| problem.viscosity_at_dof(p, dof)).collect();
     let mut fields =
         vec![scalars(&PRESSURE, pressure), scalars(&FILM_THICKNESS, thickness), scalars(&VISCOSITY, viscosity)];
+    if !problem.is_laminar() {
+        let at = |(&cell, position): (&usize, &[f64; 2])| reynolds_numbers(problem, cell, &[*position])[0];
+        let values = nodes.cells.iter().zip(&nodes.positions).map(at).collect();
+        fields.push(scalars(&REYNOLDS_NUMBER, values));
+    }
     fields.extend(contact.map(|pressure| scalars(&CONTACT_PRESSURE, pressure)));
     if let Some(deflection) = problem.deflection() {
         let values = nodes.positions.iter().map(|&position| deflection.at(position)).collect();

@@ -106,8 +106,8 @@ impl Regime {
         let pressure = measured.extremes.greatest;
         let flow = format!("Reynolds number {} at {:.0} kg/m3", rounded(self.reynolds_number), self.density);
         let broken = [
-            (self.reynolds_number > self.taylor_limit).then(|| {
-                warning::TURBULENT.says(format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others", rounded(self.taylor_limit)))
+            (self.reynolds_number > self.taylor_limit && film.problem.is_laminar()).then(|| {
+                warning::TURBULENT.says(format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others; give [turbulence]", rounded(self.taylor_limit)))
             }),
             (self.inertia > 1.0 && self.reynolds_number <= self.taylor_limit).then(|| {
                 warning::INERTIA.says(format!("film without inertia: {flow}, times c/R, is {}, but should be well below 1", rounded(self.inertia)))
@@ -195,6 +195,6 @@ fn temperature_rise(film: &Film, measured: &Measured) -> Option<f64> {
 }
 
 /// Two significant digits.
-fn rounded(value: f64) -> String {
+pub(crate) fn rounded(value: f64) -> String {
     readable(format!("{value:.1e}").parse().unwrap_or(value))
 }

@@ -29,6 +29,8 @@ pub struct Scope {
     pub cavitation: CavitationModel,
     /// Whether rough surfaces may touch.
     pub touches: bool,
+    /// Whether the film is turbulent.
+    pub is_turbulent: bool,
     /// Whether the wall gives way.
     pub gives_way: bool,
     /// Whether the viscosity is that at a temperature.

@@ -43,10 +43,10 @@ mod tests {
         assert_eq!(parts("h"), ["h", "", ""]);
     }
 
-    /// One Latin letter, a Greek one, or the Sommerfeld number; two symbols in a ratio; an integral.
+    /// One Latin letter, a Greek one, or a number of Sommerfeld or Reynolds; two symbols in a ratio; an integral.
     #[test]
     fn every_symbol_of_the_catalogue_is_one() {
-        let names = ["beta", "delta", "Delta", "eps", "eta", "mu", "nu", "phi", "sigma", "tau", "theta", "So"];
+        let names = ["beta", "delta", "Delta", "eps", "eta", "mu", "nu", "phi", "sigma", "tau", "theta", "So", "Re"];
         let symbols = CATALOGUE.iter().map(|row| row.symbol);
         for text in symbols.chain(FILE_FIELDS.iter().map(|row| row.symbol)) {
             for part in text.split(['/', ' ']).filter(|part| !["Int", "dA"].contains(part)) {

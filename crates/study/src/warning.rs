@@ -112,6 +112,7 @@ kinds! {
     SHEARED = "sheared", "a multigrade oil is sheared so fast that it loses viscosity";
     DIVERGENT = "divergent", "a flow at a corner between two given pressures has no finite value";
     TURBULENT = "turbulent", "the Reynolds number lies above the limit of the laminar film";
+    LAMINAR = "laminar", "the Reynolds number lies below that at which a film becomes turbulent";
     INERTIA = "inertia", "the inertia of the oil counts";
     CURVED = "curved", "the clearance is large against the radius";
     NARROW = "narrow", "the clearance is small against the radius";

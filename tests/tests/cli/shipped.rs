@@ -13,7 +13,7 @@ const COARSELY: &str = "the film is not resolved where it is thin";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 37] = [
+const SCENES: [(&str, &[&str]); 38] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -69,6 +69,7 @@ const SCENES: [(&str, &[&str]); 37] = [
     ("36_thermal_engine_main", &[]),
     ("37_tolerances", &[]),
     ("38_thermal_turbine", &[]),
+    ("39_turbine_turbulent", &[HEATED]),
 ];
 
 /// Scenes that are solved on one thread too: a linear film, one that breaks, a balance of heat, a tangent, a wall.

@@ -43,7 +43,7 @@ impl ConservationLaw for Manufactured {
     }
     fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (&point, out) in positions.iter().zip(out) {
-            *out = Conduction { conductance: conductance(point[0]), flux: [0.0; 2], source: source(point) };
+            *out = Conduction { conductance: [conductance(point[0]); 2], flux: [0.0; 2], source: source(point) };
         }
     }
     fn response(&self, _: usize, _: &[[f64; 2]], _: &[State], _: &mut [Response]) {}

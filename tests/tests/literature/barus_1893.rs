@@ -20,7 +20,7 @@ fn system() -> Arc<FilmSystem> {
 
 fn film(pressure_law: PressureLaw, speed: f64) -> FilmProblem {
     FilmProblem {
-        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law, temperature: None },
+        lubricant: Lubricant { viscosity: VISCOSITY, pressure_law, density: 850.0, temperature: None },
         ..plain_film(0.1, 0.6, PI, speed)
     }
 }

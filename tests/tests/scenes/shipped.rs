@@ -263,6 +263,19 @@ fn scene_29_mixed_lubrication() {
     close(of("friction_contact_power"), thrust, 1e-9);
 }
 
+/// Eccentricity and power of the turbulent film are those on a mesh of a quarter of the size; a laminar one is thinner.
+#[test]
+fn scene_39_turbine_turbulent() {
+    let found = answer(&variant("39_turbine_turbulent", |_| ()));
+    close(value(&found, "eccentricity"), 0.523339, 1e-3);
+    close(value(&found, "friction_power"), 246_679.0, 1e-3);
+    close(value(&found, "turbulent_shear"), 2.44585, 1e-3);
+    let laminar = answer(&variant("39_turbine_turbulent", |scene| drop(scene.remove("turbulence"))));
+    assert!(value(&laminar, "eccentricity") > 0.63 && value(&laminar, "friction_power") < 120e3);
+    let says = |result: &RunResult, what: &str| result.tail.warnings.iter().any(|warning| warning.contains(what));
+    assert!(says(&laminar, "give [turbulence]") && !says(&found, "Reynolds number"));
+}
+
 /// Force and least film of the worn ring in `profiles`, a ring of finite volumes (`tests/data/shaped_bearings.json`).
 #[test]
 fn scene_31_worn_bore() {

@@ -18,7 +18,7 @@ impl ConservationLaw for Film {
     fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (&[x, _], out) in positions.iter().zip(out) {
             let h = 1.0 + 0.82 * (std::f64::consts::TAU * x).cos();
-            *out = Conduction { conductance: 1e-16 * h.powi(3), flux: [1e-6 * h, 0.0], source: 0.0 };
+            *out = Conduction { conductance: [1e-16 * h.powi(3); 2], flux: [1e-6 * h, 0.0], source: 0.0 };
         }
     }
     fn response(&self, _: usize, _: &[[f64; 2]], _: &[State], _: &mut [Response]) {}

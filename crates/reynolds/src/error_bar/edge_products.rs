@@ -63,7 +63,8 @@ pub fn edge_products(film: &SolvedFilm, duals: &[Vec<f64>], responses: &[Vec<f64
         Listed(vec![rule.integrate(mesh, t, |points, products: &mut Products| {
             let flows = law.film_and_flows(points.cell, points.positions).1;
             for q in 0..points.positions.len() {
-                let weight = points.area(q) * flows[q].conductance;
+                let (conductance, along) = flows[q].parts(along);
+                let weight = points.area(q) * conductance;
                 for (row, dual) in products.iter_mut().zip(&duals) {
                     let [z_x, z_z] = points.gradient(q, dual);
                     for (entry, response) in row.iter_mut().zip(&responses) {

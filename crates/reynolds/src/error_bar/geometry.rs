@@ -45,9 +45,12 @@ pub(super) fn rims(film: &SolvedFilm, dual: &[f64], given: RimWeight) -> f64 {
                 x * normal[0] + z * normal[1]
             });
             let (film, flows) = law.film_and_flows(at.cell, &[at.position]);
+            // The pressure is one along a rim, so that its gradient and that of the dual lie across it.
+            let [k_x, k_z] = flows[0].conductance;
+            let conductance = k_x + (k_z - k_x) * normal[1] * normal[1];
             let given = given(region, at.position, &film[0]);
             let gap = circle.radius - distance(mesh.period(), at.position, circle.centre);
-            sum -= at.weight * length * gap * (given + flows[0].conductance * pressure_slope * dual_slope);
+            sum -= at.weight * length * gap * (given + conductance * pressure_slope * dual_slope);
         }
         Some(sum)
     };

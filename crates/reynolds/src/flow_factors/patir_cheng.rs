@@ -21,7 +21,8 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use super::{FlowFactor, Scales};
+use super::{ConductanceFactor, FlowFactor, Jet};
+use crate::FilmPoint;
 use crate::chebyshev::Piecewise;
 
 /// `h/sigma` from which on the surfaces do not overlap: the density is below 1e-18 there.
@@ -30,7 +31,7 @@ const APART: f64 = 9.0;
 /// The normal distribution from zero on.
 static NORMAL: LazyLock<Piecewise> = LazyLock::new(|| Piecewise::new(0.0, APART, 72, normal));
 
-/// Factors of two surfaces that are equally rough in all directions.
+/// FlowScales of two surfaces that are equally rough in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PatirCheng {
     /// Combined roughness sigma [m].
@@ -42,13 +43,17 @@ impl FlowFactor for PatirCheng {
         "patir-cheng"
     }
 
-    fn scales(&self, gap: f64) -> Scales {
+    fn conductance(&self, film: &FilmPoint, _density: f64) -> [ConductanceFactor; 2] {
         const AMPLITUDE: f64 = 0.9;
         const DECAY: f64 = 0.56;
+        let less = AMPLITUDE * (-DECAY * (film.thickness / self.roughness)).exp();
+        [ConductanceFactor { value: 1.0 - less, by_gap: DECAY * less / self.roughness, by_viscosity: 0.0 }; 2]
+    }
+
+    fn mean_gap(&self, gap: f64) -> Option<Jet> {
         let sigma = self.roughness;
         let l = gap / sigma;
-        let less = AMPLITUDE * (-DECAY * l).exp();
-        let mean_gap = match l < APART {
+        Some(match l < APART {
             false => [gap, 1.0, 0.0],
             true => {
                 // Phi(-l) = 1 - Phi(l).
@@ -57,8 +62,7 @@ impl FlowFactor for PatirCheng {
                 let density = density(l);
                 [gap * distribution + sigma * density, distribution, density / sigma]
             }
-        };
-        Scales { conductance: [1.0 - less, DECAY * less / sigma], mean_gap }
+        })
     }
 }
 
@@ -95,7 +99,7 @@ mod tests {
                 (gap + 2.0 * delta) * density(delta)
             };
             let sum: f64 = step * (0..400_000).map(at).sum::<f64>() + step * step / 12.0 * 2.0 * density(from);
-            let Scales { mean_gap, .. } = factor.scales(gap);
+            let mean_gap = factor.mean_gap(gap).expect("rough surfaces");
             assert!((mean_gap[0] - sum).abs() < 1e-11, "{gap}: {} {sum}", mean_gap[0]);
         }
     }
@@ -106,8 +110,9 @@ mod tests {
     fn the_factor_is_that_of_isotropic_surfaces() {
         let factor = PatirCheng { roughness: 1e-6 };
         for (l, wanted) in [(0.5, 0.3198), (3.0, 0.8323), (6.0, 0.9687), (100.0, 1.0)] {
-            assert!((factor.scales(1e-6 * l).conductance[0] - wanted).abs() < 1e-4, "{l}");
+            let film = FilmPoint { thickness: 1e-6 * l, ..FilmPoint::default() };
+            assert!((factor.conductance(&film, 0.0)[0].value - wanted).abs() < 1e-4, "{l}");
         }
-        assert_eq!(factor.scales(1e-5).mean_gap, [1e-5, 1.0, 0.0]);
+        assert_eq!(factor.mean_gap(1e-5), Some([1e-5, 1.0, 0.0]));
     }
 }

@@ -64,7 +64,12 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
             Arc::new(Tilt { radius: BEARING.radius }),
             Arc::new(Shape(shape)),
         ],
-        lubricant: Lubricant { viscosity: 0.02, pressure_law: PressureLaw::Constant, temperature: None },
+        lubricant: Lubricant {
+            viscosity: 0.02,
+            pressure_law: PressureLaw::Constant,
+            density: 850.0,
+            temperature: None,
+        },
         form: Form::Conservative,
         terms: Vec::new(),
         cavitation: Cavitation::None,

@@ -59,7 +59,9 @@ pub struct Lubricant {
     pub viscosity: f64,
     /// How it grows with pressure.
     pub pressure_law: PressureLaw,
-    /// Temperature [K] at which it has both; `None` where nothing depends on it.
+    /// Density [kg/m3], of which turbulence asks alone.
+    pub density: f64,
+    /// Temperature [K] at which it has all of them; `None` where nothing depends on it.
     pub temperature: Option<f64>,
 }
 

@@ -68,12 +68,13 @@ pub(super) fn made_beside(film: &SolvedFilm) -> Vec<EdgeSource> {
         let made = rule.integrate(mesh, t, |points, made: &mut Nodal| {
             let flows = law.film_and_flows(t, points.positions).1;
             for (q, flow) in flows[..points.positions.len()].iter().enumerate() {
+                let (conductance, along) = flow.parts(along);
                 // In the cavity quadratics waver about its pressure; what that drives is none of the end's.
                 let slope = if broken || dropped.is_some() { points.gradient(q, &nodal) } else { [0.0; 2] };
                 let area = points.area(q);
                 for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
                     let [x, z] = points.shape_gradient(q, i);
-                    let driven = flow.conductance * (along[0] * slope[0] * x + along[1] * slope[1] * z);
+                    let driven = conductance * (along[0] * slope[0] * x + along[1] * slope[1] * z);
                     *made += area * ((flow.storage + flow.divergence) * points.shapes(q)[i] + driven);
                 }
             }

@@ -138,7 +138,7 @@ fn across((film, carriage): (&SolvedFilm, Option<&Carriage>), law: &FilmLaw, t: 
             let (sub, coordinates) = sub_triangle_at(space, t, point);
             (carriage.carried_to(t, sub, coordinates) / dragged_thickness(law.velocity(), flow.flux)).min(1.0)
         });
-        fraction * flow.flux[0] - around * flow.conductance * unknown.value_and_gradient(t, point).1[0]
+        fraction * flow.flux[0] - around * flow.conductance[0] * unknown.value_and_gradient(t, point).1[0]
     };
     length * integrate_interval(flux)
 }

@@ -22,5 +22,6 @@ mod share;
 pub mod similarity;
 pub mod stream;
 pub mod summit;
+pub mod turbulence;
 
 pub use load_gradient::LoadGradient;

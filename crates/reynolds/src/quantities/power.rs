@@ -164,7 +164,7 @@ pub fn power(film: &SolvedFilm) -> Power {
         Some(carriage) => {
             let (nominal, uneven) = (work.pressure, work.uneven);
             work = PowerIntegrals { uneven, ..cavitation::work(carriage, solution, &excess, work.shear) };
-            if !problem.flow_factors.is_empty() {
+            if problem.is_rough() {
                 work.pressure = nominal;
             }
         }
@@ -259,6 +259,7 @@ fn cell_work(
         let area = points.area(q);
         let (of_unknown, of_pressure) = (points.gradient(q, unknown), points.gradient(q, excess));
         let p = points.value(q, excess);
+        let (conductance, along) = flows[q].parts(along);
         let FilmPoint { thickness, drag, .. } = film[q];
         let pressure = area * drag * thickness * dot(velocity, of_pressure);
         *work += PowerIntegrals {
@@ -266,12 +267,12 @@ fn cell_work(
             shear: area * shear_viscosity(problem, &film[q], p) / thickness * dot(velocity, velocity),
             pressure,
             uneven: area * (drag - 0.5) * thickness * dot(velocity, of_pressure),
-            dragged: match problem.flow_factors.is_empty() {
-                true => pressure,
-                false => area * dot(flows[q].flux, of_pressure),
+            dragged: match problem.is_rough() {
+                false => pressure,
+                true => area * dot(flows[q].flux, of_pressure),
             },
             motion: -area * flows[q].storage * p,
-            driven: area * flows[q].conductance * dot([0, 1].map(|d| along[d] * of_unknown[d]), of_pressure),
+            driven: area * conductance * dot([0, 1].map(|d| along[d] * of_unknown[d]), of_pressure),
         };
     }
 }

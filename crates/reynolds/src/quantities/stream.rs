@@ -94,7 +94,7 @@ impl NodalFilm<'_> {
             let driven = |part: f64, d: usize| part * thickness * slopes[1][d];
             let drag = points[i].drag;
             Stream {
-                flow: [0, 1].map(|d| fraction * flows[i].flux[d] - flows[i].conductance * along[d] * slopes[0][d]),
+                flow: [0, 1].map(|d| fraction * flows[i].flux[d] - flows[i].conductance[d] * along[d] * slopes[0][d]),
                 on_journal: [0, 1].map(|d| -shear * velocity[d] - driven(drag, d)),
                 on_bearing: [0, 1].map(|d| shear * velocity[d] - driven(1.0 - drag, d)),
             }

@@ -98,7 +98,7 @@ impl FilmProblem {
             && self.journal.axial_velocity == 0.0
             && self.journal.speed != 0.0
             && self.film_thickness.len() == 1
-            && self.flow_factors.is_empty()
+            && !self.is_rough()
             && self.viscosity_across.is_none()
             && system.space().degree() == 2
             && !system.supply.regions().iter().any(starved)

@@ -51,7 +51,7 @@ fn check(term: &dyn Term) {
         velocity: [1.3, 0.6],
     };
     let change = FilmPoint { thickness: 0.9, slope: [-0.5, 0.8], rate: -1.1, viscosity: 0.3, ..FilmPoint::default() };
-    let values = |flow: FilmFlow| [flow.conductance, flow.flux[0], flow.flux[1], flow.divergence, flow.storage];
+    let values = |flow: FilmFlow| [flow.conductance[0], flow.flux[0], flow.flux[1], flow.divergence, flow.storage];
     let at = |step: f64| {
         let mut flow = FilmFlow::default();
         let moved = FilmPoint {

@@ -8,7 +8,8 @@
 //! | mu | Pa s | `film.viscosity` |
 //!
 //! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157.
-//! **Range.** Laminar, inertialess, h much smaller than its scale of change.
+//! **Range.** Laminar, inertialess, h much smaller than its scale of change; [`crate::flow_factors::TurbulenceModel`]
+//! scales it.
 //! **Verified by** the closed forms in `tests/tests/literature` and the manufactured solutions.
 
 use super::Term;
@@ -24,12 +25,14 @@ impl Term for Poiseuille {
     }
 
     fn add(&self, film: &FilmPoint, flow: &mut FilmFlow) {
-        flow.conductance += film.thickness.powi(3) / (12.0 * film.viscosity);
+        let conductance = film.thickness.powi(3) / (12.0 * film.viscosity);
+        flow.conductance.iter_mut().for_each(|along| *along += conductance);
     }
 
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow) {
         let conductance = film.thickness.powi(3) / (12.0 * film.viscosity);
-        flow.conductance += conductance * (3.0 * change.thickness / film.thickness - change.viscosity / film.viscosity);
+        let by = conductance * (3.0 * change.thickness / film.thickness - change.viscosity / film.viscosity);
+        flow.conductance.iter_mut().for_each(|along| *along += by);
     }
 }
 

@@ -152,6 +152,12 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "leaves out flows that carry heat",
         "remove it, or remove heat.field",
     );
+    complaints.refuse_if(
+        scene.turbulence.is_some(),
+        "heat.field",
+        "finds temperatures across laminar layers, which eddies of a turbulent film mix",
+        "remove field: the film has one temperature then; or remove [turbulence]",
+    );
     let Some(bush) = field.bush else { return };
     complaints.refuse_if(
         scene.bearing.arc.is_some(),

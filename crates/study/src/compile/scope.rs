@@ -21,6 +21,7 @@ impl Scope {
             is_fed: scene.feeds.iter().any(|feed| feed.pressure.is_some()),
             cavitation: scene.cavitation.map_or(CavitationModel::None, |cavitation| cavitation.model),
             touches: scene.contact.is_some(),
+            is_turbulent: scene.turbulence.is_some(),
             gives_way: scene.liner.is_some(),
             is_by_temperature: matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)),
             thermal: sockets.thermal,

@@ -58,7 +58,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
         )))
     });
     let ratio = (film.model.roughness).map(|roughness| measured.thinnest.thickness / roughness);
-    let is_smooth = film.problem.flow_factors.is_empty();
+    let is_smooth = !film.problem.is_rough();
     let through_valleys = ratio.filter(|ratio| is_smooth && *ratio < APART).map(|ratio| {
         let ratio = format!("{ratio:.1e}").parse().unwrap_or(ratio);
         broken_assumption(warning::VALLEYS.says(format!(

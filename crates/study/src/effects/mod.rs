@@ -29,6 +29,7 @@ mod squeeze;
 mod starved_inlet;
 mod surface;
 mod tilt;
+mod turbulence;
 
 use std::borrow::Cow;
 
@@ -67,10 +68,11 @@ pub const EFFECTS: &[&Effect] = &[
     &jfo::ROW,
     &contact::ROW,
     &roughness::ROW,
+    &turbulence::ROW,
     &dynamics::ROW,
 ];
 
-/// What a film may leave out and a reader may miss, in the order of reports; the last ones no film has.
+/// What a film may leave out and a reader may miss, in the order of reports.
 const MISSED: &[&str] = &[
     couette::KIND,
     VISCOSITY_BY_PRESSURE,
@@ -81,7 +83,7 @@ const MISSED: &[&str] = &[
     shapes::KIND,
     elastic_liner::KIND,
     ROUGHNESS,
-    "turbulence",
+    turbulence::KIND,
 ];
 /// Kind of all laws of viscosity against pressure.
 const VISCOSITY_BY_PRESSURE: &str = "viscosity growing with pressure";

@@ -65,6 +65,7 @@ pub fn no_map(model: &Model) -> Option<&'static str> {
         (scope.can_tilt, "the journal tilts"),
         (!scope.is_circular, "bore or shaft are no circles"),
         (scope.touches, "the surfaces touch"),
+        (scope.is_turbulent, "the film is turbulent"),
         (scope.gives_way, "the liner gives way"),
         (scope.orbit.is_some_and(|orbit| orbit.mass > 0.0), "the rotor has a mass"),
         (!is_constant, "the viscosity depends on the pressure"),

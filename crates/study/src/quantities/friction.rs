@@ -12,7 +12,7 @@ use crate::estimate::Estimate;
 rows! {
     /// `T = R Int (mu U/h + (h/2) dp/dx) dA` over the film, mu that at the pressure of the place; the journal is turned
     /// with it; positive against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the
-    /// film fraction; `[contact]` adds `R mu_b Int p_a dA`
+    /// film fraction; `[contact]` adds `R mu_b Int p_a dA`; with `[turbulence]` C mu stands for mu
     FRICTION_TORQUE = "friction_torque", "T", NewtonMetre, "torque on the journal, against the rotation":
         One(|film| Some(film.friction()?.on_journal)),
         ErrorRule::Of(OF_PARTS, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(10));
@@ -33,7 +33,7 @@ rows! {
         One(|film| turning(film, film.measured.power.friction())),
         ErrorRule::Of(OF_PARTS, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(11));
 
-    /// `P_s = Int mu U^2/h dA`; none at rest
+    /// `P_s = Int mu U^2/h dA`, with `[turbulence]` C mu for mu; none at rest
     FRICTION_SHEAR_POWER = "friction_shear_power", "P_s", Watt, "part of P against shear":
         One(|film| turning(film, film.measured.power.shear)),
         ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 0.0]));

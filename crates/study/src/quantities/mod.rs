@@ -38,6 +38,7 @@ mod similarity;
 mod spread;
 mod stiffness;
 mod tilt;
+mod turbulence;
 mod unit;
 pub(crate) mod view;
 mod warming;
@@ -68,12 +69,13 @@ pub use similarity::*;
 pub use spread::{QuantitySpread, Sensitivity};
 pub use stiffness::*;
 pub use tilt::*;
+pub use turbulence::*;
 pub use unit::Unit;
 pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 144] = [
+pub static CATALOGUE: [&Row; 146] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -132,6 +134,8 @@ pub static CATALOGUE: [&Row; 144] = [
     &TEMPERATURE_EFFECTIVE,
     &VISCOSITY_EFFECTIVE,
     &VISCOSITY_MAX,
+    &REYNOLDS_NUMBER_MAX,
+    &TURBULENT_SHEAR,
     &CAVITY_SHARE,
     &FILM_FRACTION_MIN,
     &SIDE_FLOW,

@@ -2,16 +2,16 @@
 //!
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
-//! K_ab = |T| k grad l_a . grad l_b                           Poiseuille, linear elements
+//! K_ab = |T| sum_d k_d dl_a/dx_d dl_b/dx_d                   Poiseuille, linear elements
 //! k_i = |T| F.grad l_i,   s = sum k_j^-                      F: flow of a full film in T
 //! B_jj = -k_j^-,   B_ij = -k_i^+ k_j^- / s                   from each corner j upstream to each corner i downstream
 //! ```
-//! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does
-//! not vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme (narrow)
-//! for the transport of theta by F: without the crosswind smearing of upwind faces, positive, and of first order where
-//! theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner faces: the
-//! full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is chosen by the
-//! cavity, and the film follows from its cavity alone. Columns sum to zero, but for what is stored.
+//! `1/k_d` and `F_d/k_d` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that
+//! does not vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). B is the N scheme
+//! (narrow) for the transport of theta by F: without the crosswind smearing of upwind faces, positive, and of first
+//! order where theta < 1. Where theta = 1 each cell loses `-(k_a + k_b)/2` of its sides, as much as through its inner
+//! faces: the full film is that of central finite volumes. What passes T is `theta F` everywhere, nothing in B is
+//! chosen by the cavity, and the film follows from its cavity alone. Columns sum to zero, but for what is stored.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
@@ -148,29 +148,33 @@ impl EvaluationPoints {
 }
 
 /// Flow in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however the
-/// thickness varies: `J = F - k grad p` with `1/k` and `F/k` the means of those at the points.
+/// thickness varies: `J_d = F_d - k_d dp/dx_d` with `1/k_d` and `F_d/k_d` the means of those at the points.
 #[derive(Debug, Clone, Copy, Default)]
 struct Flow {
-    conductance: f64,
+    conductance: [f64; 2],
     flux: [f64; 2],
 }
 
 impl Flow {
     fn mean(points: &[FilmFlow]) -> Self {
-        let resistance: f64 = points.iter().map(|flow| 1.0 / flow.conductance).sum();
-        let drive = |d: usize| points.iter().map(|flow| flow.flux[d] / flow.conductance).sum::<f64>();
-        Self { conductance: points.len() as f64 / resistance, flux: [drive(0) / resistance, drive(1) / resistance] }
+        let resistance = |d: usize| points.iter().map(|flow| 1.0 / flow.conductance[d]).sum::<f64>();
+        let drive = |d: usize| points.iter().map(|flow| flow.flux[d] / flow.conductance[d]).sum::<f64>();
+        let resistances = [resistance(0), resistance(1)];
+        Self {
+            conductance: resistances.map(|resistance| points.len() as f64 / resistance),
+            flux: [drive(0) / resistances[0], drive(1) / resistances[1]],
+        }
     }
 
     /// First-order change of [`Flow::mean`].
     fn change(points: &[FilmFlow], changes: &[FilmFlow]) -> Self {
         let mean = Self::mean(points);
-        let weights = points.iter().map(|flow| mean.conductance / flow.conductance / points.len() as f64);
         let mut change = Self::default();
-        for ((weight, flow), by) in weights.zip(points).zip(changes) {
-            let relative = by.conductance / flow.conductance;
-            change.conductance += weight * mean.conductance * relative;
+        for (flow, by) in points.iter().zip(changes) {
             for d in 0..2 {
+                let weight = mean.conductance[d] / flow.conductance[d] / points.len() as f64;
+                let relative = by.conductance[d] / flow.conductance[d];
+                change.conductance[d] += weight * mean.conductance[d] * relative;
                 change.flux[d] += weight * (by.flux[d] - relative * (flow.flux[d] - mean.flux[d]));
             }
         }
@@ -196,9 +200,10 @@ impl Block {
             dragged: dragged_thickness(velocity, flow.flux),
             ..Self::default()
         };
+        let [k_x, k_z] = flow.conductance;
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
             let (g, h) = (gradient[a], gradient[b]);
-            block.stiffness[k] = flow.conductance * area * (g[0] * h[0] + g[1] * h[1]);
+            block.stiffness[k] = k_x * area * (g[0] * h[0] + g[1] * h[1]) + (k_z - k_x) * area * g[1] * h[1];
         }
         block
     }

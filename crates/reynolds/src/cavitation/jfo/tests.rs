@@ -59,7 +59,12 @@ fn problem(eccentricity: f64) -> FilmProblem {
         bearing: Bearing { radius: RADIUS, length: LENGTH, clearance: CLEARANCE, end_pressure: AMBIENT },
         journal: JournalState::at_eccentricity(eccentricity, 1.0, CLEARANCE, 100.0),
         film_thickness: vec![Arc::new(Eccentricity { radius: RADIUS, clearance: CLEARANCE })],
-        lubricant: Lubricant { viscosity: 0.02, pressure_law: PressureLaw::Constant, temperature: None },
+        lubricant: Lubricant {
+            viscosity: 0.02,
+            pressure_law: PressureLaw::Constant,
+            density: 850.0,
+            temperature: None,
+        },
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::Jfo { pressure: 0.0 },
