@@ -42,7 +42,7 @@ pub enum OuterSurface {
 
 /// A wall of one material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Material {
+pub struct WallMaterial {
     /// Thickness t of the wall [m].
     pub thickness: f64,
     /// Young's modulus E [Pa].
@@ -57,7 +57,7 @@ pub enum Layer {
     /// Displacement for each pressure [m/Pa].
     Given(f64),
     /// Displacement of a thin layer of this material on a rigid housing.
-    Of(Material),
+    Of(WallMaterial),
 }
 
 /// How the wall gives way.
@@ -68,7 +68,7 @@ pub enum Liner {
     /// Each slice as a ring in plane strain.
     Wall {
         /// What it is made of.
-        of: Material,
+        of: WallMaterial,
         /// What holds its outer surface.
         outer: OuterSurface,
     },
@@ -122,8 +122,8 @@ fn wall(mut table: TableReader<'_>) -> Liner {
 }
 
 /// Thickness, modulus and Poisson's ratio.
-fn material(table: &mut TableReader<'_>) -> Material {
-    Material {
+fn material(table: &mut TableReader<'_>) -> WallMaterial {
+    WallMaterial {
         thickness: table.required("thickness"),
         modulus: table.required("modulus"),
         poisson: (table.number("poisson"))
@@ -158,10 +158,10 @@ mod tests {
         assert!((per_pressure / 2e-14 - 1.0).abs() < 1e-14);
         let ring = "wall = { thickness = \"10 mm\", modulus = \"210 GPa\", poisson = 0.3";
         for (more, outer) in [(" }", OuterSurface::Clamped), (", outer = \"free\" }", OuterSurface::Free)] {
-            let of = Material { thickness: 10.0 * 1e-3, modulus: 210.0 * 1e9, poisson: 0.3 };
+            let of = WallMaterial { thickness: 10.0 * 1e-3, modulus: 210.0 * 1e9, poisson: 0.3 };
             assert_eq!(asked(&format!("{ring}{more}")), Ok(Liner::Wall { of, outer }));
         }
-        let metal = Material { thickness: 0.3 * 1e-3, modulus: 50.0 * 1e9, poisson: 0.35 };
+        let metal = WallMaterial { thickness: 0.3 * 1e-3, modulus: 50.0 * 1e9, poisson: 0.35 };
         assert_eq!(
             asked("winkler = { thickness = \"0.3 mm\", modulus = \"50 GPa\", poisson = 0.35 }"),
             Ok(Liner::Winkler(Layer::Of(metal)))

@@ -14,9 +14,9 @@ use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
-    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
-    Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError,
-    Shaft, ShaftScene, Support, Tolerance,
+    BearingTable, Bore, Cap, CavitationTable, Check, Complaint, Complaints, ContactTable, CrankTable, Criteria,
+    DynamicsTable, Ends, EngineHeat, Feed, Heat, Journal, JournalShape, KeyTolerance, Liner, LoadCycle, LoadSource,
+    MeshSource, OilTable, OrbitTable, Roughness, SceneError, ShaftScene, Support, Tolerance,
 };
 use crate::{
     bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance,
@@ -80,11 +80,11 @@ pub struct Scene {
     /// Title of the study; the name of the file where the scene gives none.
     pub title: String,
     /// The liner.
-    pub bearing: Bearing,
+    pub bearing: BearingTable,
     /// Shapes of the bore, whose depths add up; none of a circle.
     pub bores: Vec<Bore>,
     /// The shape of the journal; `None`: a cylinder.
-    pub shaft: Option<Shaft>,
+    pub shaft: Option<JournalShape>,
     /// Origin of the mesh.
     pub mesh: MeshSource,
     /// How small error bars must become by refinement of that mesh; `None`: it is used as it is.
@@ -102,27 +102,27 @@ pub struct Scene {
     /// How the load changes over a cycle; `None`: it does not, or the position is given.
     pub load_cycle: Option<LoadCycle>,
     /// The crank whose rod holds the shell; `None`: the shell is at rest.
-    pub crank: Option<Crank>,
+    pub crank: Option<CrankTable>,
     /// How the path of the journal is followed over a cycle; `None`: it is not.
-    pub orbit: Option<Orbit>,
+    pub orbit: Option<OrbitTable>,
     /// What holds the shaft against its tilt; `None`: nothing.
     pub support: Option<Support>,
     /// The oil.
-    pub oil: Oil,
+    pub oil: OilTable,
     /// The balance that finds the temperature of the film; `None`: it is given, or has no effect.
     pub heat: Option<Heat>,
     /// What the bearing is judged by.
     pub criteria: Criteria,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
-    pub cavitation: Option<Cavitation>,
+    pub cavitation: Option<CavitationTable>,
     /// Contact of rough surfaces; `None`: they do not touch.
-    pub contact: Option<Contact>,
+    pub contact: Option<ContactTable>,
     /// How roughness changes the flow of oil; `None`: the surfaces are smooth.
     pub roughness: Option<Roughness>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
     pub liner: Option<Liner>,
     /// What is asked about small motions of the journal; `None`: nothing.
-    pub dynamics: Option<Dynamics>,
+    pub dynamics: Option<DynamicsTable>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
@@ -171,9 +171,9 @@ impl Scene {
             _ => None,
         };
         let wall = self.liner.as_ref().and_then(Liner::file);
-        let gas = self.crank.as_ref().and_then(Crank::gas_file);
+        let gas = self.crank.as_ref().and_then(CrankTable::gas_file);
         let shaft = match &self.shaft {
-            Some(Shaft::Measured(path)) => Some(path.as_path()),
+            Some(JournalShape::Measured(path)) => Some(path.as_path()),
             _ => None,
         };
         let bores = self.bores.iter().enumerate().filter_map(|(index, bore)| {
@@ -310,8 +310,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let criteria = root.table_if_given("criteria").map(criteria::read).unwrap_or_default();
     let temperature = heat.is_none().then_some("\"80 C\", or a table [heat] that finds it");
     let engine = heat.and_then(|heat| heat.engine);
-    let usual_ratio = engine.map(|engine| Engine::middle(engine.clearance_ratio()));
-    let usual_pressure = engine.map(|engine| Engine::middle(engine.feed_pressure()));
+    let usual_ratio = engine.map(|engine| EngineHeat::middle(engine.clearance_ratio()));
+    let usual_pressure = engine.map(|engine| EngineHeat::middle(engine.feed_pressure()));
     let orbit = root.table_if_given("orbit").map(orbit::read);
     let (mesh, tolerance) = mesh::read(root.table_if_given("mesh"), path);
     // The mesh of an orbit is not refined.

@@ -4,7 +4,7 @@ use oilwedge_reynolds::Bearing;
 use oilwedge_reynolds::analytical::elastic_ring::{self, ElasticRing};
 use oilwedge_reynolds::wall::{Dense, Wall};
 use oilwedge_scene::compliance_table::{TableError, read_compliance};
-use oilwedge_scene::{Layer, Liner, Material, OuterSurface};
+use oilwedge_scene::{Layer, Liner, OuterSurface, WallMaterial};
 
 /// Why a wall cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -47,15 +47,15 @@ pub(crate) fn wall(liner: &Liner, bearing: &Bearing) -> Result<Wall, NoWall> {
 }
 
 /// A ring of a material around the bore of a bearing.
-pub(crate) fn ring(of: &Material, outer: OuterSurface, bearing: &Bearing) -> ElasticRing {
+pub(crate) fn ring(of: &WallMaterial, outer: OuterSurface, bearing: &Bearing) -> ElasticRing {
     ElasticRing {
         radius: bearing.radius,
         thickness: of.thickness,
         modulus: of.modulus,
         poisson: of.poisson,
         outer: match outer {
-            OuterSurface::Clamped => elastic_ring::OuterSurface::Clamped,
-            OuterSurface::Free => elastic_ring::OuterSurface::Free,
+            OuterSurface::Clamped => elastic_ring::RingSupport::Clamped,
+            OuterSurface::Free => elastic_ring::RingSupport::Free,
         },
     }
 }

@@ -1,7 +1,7 @@
 //! A wall that the load would press through: far too soft, mostly by its unit.
 
 use oilwedge_scene::wording::bars;
-use oilwedge_scene::{Complaints, Layer, Liner, Material, Scene};
+use oilwedge_scene::{Complaints, Layer, Liner, Scene, WallMaterial};
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     if ["liner", "bearing", "load.force"].iter().any(|table| complaints.concern(table)) {
@@ -26,7 +26,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
 }
 
 /// Modulus [Pa] of a layer that cannot move sideways: `E (1 - nu)/((1 + nu) (1 - 2 nu))`.
-fn confined(material: &Material) -> f64 {
+fn confined(material: &WallMaterial) -> f64 {
     let (modulus, poisson) = (material.modulus, material.poisson);
     modulus * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
 }

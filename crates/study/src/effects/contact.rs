@@ -30,7 +30,7 @@ pub(super) const ROW: Effect = Effect {
 };
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
-    let law = |contact: &oilwedge_scene::Contact| match contact.model {
+    let law = |contact: &oilwedge_scene::ContactTable| match contact.model {
         ContactModel::GreenwoodTripp { density, sharpness, modulus } => {
             let roughness = scene.bearing.roughness?;
             let law = GreenwoodTripp::new(roughness, density, sharpness, modulus, contact.hardness);

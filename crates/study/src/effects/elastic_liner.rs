@@ -3,7 +3,7 @@
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::wall::Wall;
-use oilwedge_scene::{Layer, Liner, Material, OuterSurface};
+use oilwedge_scene::{Layer, Liner, OuterSurface, WallMaterial};
 
 use super::{Effect, Socket, changed};
 use crate::film::Film;
@@ -53,7 +53,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
 }
 
 /// Where a layer is no model of the wall that it is made of: the ring of that wall under the same pressure.
-fn no_layer(material: &Material, deflection: &Deflection, film: &Film) -> Option<Warning> {
+fn no_layer(material: &WallMaterial, deflection: &Deflection, film: &Film) -> Option<Warning> {
     let bearing = &film.problem.bearing;
     let of_ring = Liner::Wall { of: *material, outer: OuterSurface::Clamped };
     let ring_wall = wall(&of_ring, bearing).ok()?;
@@ -76,7 +76,7 @@ fn no_layer(material: &Material, deflection: &Deflection, film: &Film) -> Option
 }
 
 /// Slices of a thick wall hold one another.
-fn slices(of: &Material, outer: OuterSurface, film: &Film) -> Option<Warning> {
+fn slices(of: &WallMaterial, outer: OuterSurface, film: &Film) -> Option<Warning> {
     let ratio = of.thickness / film.problem.bearing.length;
     let joint = match outer {
         OuterSurface::Free => ", an eye is held by its rod, and a cap by its joint",

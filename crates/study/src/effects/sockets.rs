@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Load, Tilting};
+use oilwedge_bearing::{JournalLoad, Tilting};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::{FilmContribution, GrooveDepth};
@@ -10,7 +10,7 @@ use oilwedge_reynolds::flow_factors::FlowFactor;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
-use oilwedge_scene::{Bore, Dynamics, Liner, Roelands, Shaft};
+use oilwedge_scene::{Bore, DynamicsTable, JournalShape, Liner, RoelandsTable};
 
 use crate::thermal_model::{HeatFieldModel, ThermalModel};
 
@@ -79,7 +79,7 @@ pub enum PressureRule {
     /// The law does not depend on the viscosity at no pressure.
     Fixed(PressureLaw),
     /// Roelands' law, which does.
-    Roelands(Roelands),
+    Roelands(RoelandsTable),
 }
 
 /// A surface that is no circle.
@@ -88,7 +88,7 @@ pub enum ShapedSurface {
     /// The bore.
     Bore(Bore),
     /// The journal.
-    Shaft(Shaft),
+    Shaft(JournalShape),
 }
 
 /// The sockets of one film.
@@ -129,7 +129,7 @@ pub struct Sockets {
     /// How temperatures are found across the film; `None`: it has one temperature.
     pub heat_field: Option<HeatFieldModel>,
     /// What is asked about small motions of the journal; `None`: nothing.
-    pub dynamics: Option<Dynamics>,
+    pub dynamics: Option<DynamicsTable>,
 }
 
 impl Sockets {
@@ -163,8 +163,8 @@ impl Sockets {
     }
 
     /// Force and moment under which position and tilt are found; `None` at a given position.
-    pub fn load(&self) -> Option<Load> {
+    pub fn load(&self) -> Option<JournalLoad> {
         let tilting = self.tilting;
-        self.load.map(|force| Load { force, tilting })
+        self.load.map(|force| JournalLoad { force, tilting })
     }
 }

@@ -3,7 +3,7 @@
 
 use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::deflection::{displaced, hastened};
-use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
+use oilwedge_bearing::orbit::{Instant, Motion, OrbitStep, Span};
 use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::Power;
@@ -36,7 +36,7 @@ pub(super) const TOLERANCE: f64 = 1e-4;
 pub(super) struct Sampled {
     pub(super) sample: Sample,
     /// What errors need; none where they are not estimated.
-    pub(super) tangents: Option<Tangents>,
+    pub(super) tangents: Option<FilmTangents>,
     /// Powers of the film [W].
     pub(super) power: Power,
     /// Oil that enters less oil that leaves, over the oil that passes [1].
@@ -46,7 +46,7 @@ pub(super) struct Sampled {
 }
 
 /// How a film answers to a journal elsewhere.
-pub(super) struct Tangents {
+pub(super) struct FilmTangents {
     /// `K`, that of the support included [N/m].
     pub(super) stiffness: Stiffness,
     /// `C` [N s/m].
@@ -66,7 +66,7 @@ pub(super) struct Tangents {
 pub(super) fn samples(
     film: &Film,
     motion: &Motion,
-    steps: &[Step],
+    steps: &[OrbitStep],
     options: &RunOptions,
 ) -> Result<Vec<Sampled>, NoAnswer> {
     let groups: Result<Vec<Vec<Sampled>>, NoAnswer> = (steps.par_chunks(GROUP))
@@ -93,7 +93,7 @@ pub(super) fn samples(
 pub(super) fn refine_peak(
     film: &Film,
     motion: &Motion,
-    steps: &mut Vec<Step>,
+    steps: &mut Vec<OrbitStep>,
     samples: &mut Vec<Sampled>,
     options: &RunOptions,
 ) -> Result<(), NoAnswer> {
@@ -105,7 +105,7 @@ pub(super) fn refine_peak(
         }
         let span = Span::between(&steps[next - 1], &steps[next]);
         let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
-        let step = Step { until_next: steps[next - 1].until_next, ..Step::of(&instant, 0.0) };
+        let step = OrbitStep { until_next: steps[next - 1].until_next, ..OrbitStep::of(&instant, 0.0) };
         let (one, _) = sample(film, motion, instant, options.errors())?;
         steps.insert(next, step);
         samples.insert(next, one);
@@ -139,7 +139,7 @@ fn peak(samples: &[Sampled]) -> Option<f64> {
 pub(super) fn solved_at(
     film: &Film,
     motion: &Motion,
-    from: Option<(&Step, Span)>,
+    from: Option<(&OrbitStep, Span)>,
     time: f64,
     errors: Errors,
 ) -> Result<Solved, NoAnswer> {
@@ -184,7 +184,13 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
             let [x, y, z_x, z_y] = motion.coordinates().forces(&carried);
             let quadratic = motion.coordinates().forces(&load(&followed).total.resultant());
             let [by_offset, by_rate] = sensitivities(motion, &here, &followed, &quantities)?;
-            Some(Tangents { stiffness, damping, defect: moved([x, y, z_x, z_y], -1.0, quadratic), by_offset, by_rate })
+            Some(FilmTangents {
+                stiffness,
+                damping,
+                defect: moved([x, y, z_x, z_y], -1.0, quadratic),
+                by_offset,
+                by_rate,
+            })
         }
     };
     let sample = Sample { time, journal: here.problem.journal, quantities, drift: Vec::new() };

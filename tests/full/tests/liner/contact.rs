@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
-use oilwedge_bearing::{Coefficients, Load, SearchOptions, find};
+use oilwedge_bearing::{Coefficients, JournalLoad, SearchOptions, find};
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::quantities::LoadGradient;
@@ -157,7 +157,7 @@ fn loads_are_balanced_where_coarse_triangles_are_divided() {
     for units in [5.0, 6.0] {
         let mut problem = walled(RADIUS, 0.5, REYNOLDS, |_| layer(0.05));
         problem.contact = Some(contacts()[0]);
-        let load: Load = [units * force_scale(), 0.0].into();
+        let load: JournalLoad = [units * force_scale(), 0.0].into();
         let rest = find(&problem, &system, load, &SearchOptions::default());
         let rest = rest.unwrap_or_else(|reason| panic!("{units} units: {reason}"));
         assert!(rest.residual < 1e-10, "{:e}", rest.residual);
