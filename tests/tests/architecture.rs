@@ -25,13 +25,15 @@ const TOP_TO_BOTTOM: [&str; 13] = [
 ];
 
 /// The sockets whose entries are a list, and the contracts between crates. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 13] = [
+const PUBLIC_TRAITS: [&str; 15] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
     "Profile",
     "Term",
     "FlowFactor",
+    "ContactLaw",
+    "WallModel",
     "Estimate",
     "Observer",
     "SearchObserver",

@@ -251,7 +251,7 @@ fn swept() -> impl Iterator<Item = &'static Key> {
 /// The tables of a bearing's scene and of a crankshaft's whose keys can be swept.
 fn swept_tables() -> impl Iterator<Item = &'static str> {
     let of_shaft = SWEPT_OF_SHAFT.into_iter().filter(|table| !SWEPT.contains(table));
-    SWEPT.into_iter().chain(of_shaft)
+    SWEPT.iter().copied().chain(of_shaft)
 }
 
 /// Axes by the names of keys: short, in quotes with their tables, or below their tables.

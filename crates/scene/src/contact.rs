@@ -98,7 +98,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<ContactTable> {
     })
 }
 
-/// Asperities have the roughness of the bearing.
+/// Asperities have the roughness of the bearing, and a criterion of contact is one of a scene with contact.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_of_asperities = (scene.contact).is_some_and(|it| matches!(it.model, ContactModel::GreenwoodTripp { .. }));
     complaints.refuse_if(
@@ -106,6 +106,12 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "contact.model",
         "is \"greenwood-tripp\", but the bearing has no roughness",
         "give bearing.roughness = \"0.6 um\", the root mean square of both surfaces together",
+    );
+    complaints.refuse_if(
+        complaints.has("criteria.contact_share_max") && scene.contact.is_none(),
+        "criteria.contact_share_max",
+        "has nothing to be compared with: the scene simulates no contact",
+        "add [contact], or remove the criterion",
     );
 }
 

@@ -14,13 +14,13 @@ use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
-    BearingTable, Bore, Cap, CavitationTable, Check, Complaint, Complaints, ContactTable, CrankTable, Criteria,
-    DynamicsTable, Ends, EngineHeat, Feed, Heat, Journal, JournalShape, KeyTolerance, Liner, LoadCycle, LoadSource,
-    MeshSource, OilTable, OrbitTable, Roughness, SceneError, ShaftScene, Support, Tolerance,
+    BearingTable, Bore, Cap, CavitationTable, Check, Complaint, Complaints, CrankTable, Criteria, DynamicsTable, Ends,
+    EngineHeat, Feed, Heat, Journal, JournalShape, KeyTolerance, LoadCycle, LoadSource, MeshSource, OilTable,
+    OrbitTable, Roughness, SceneError, ShaftScene, Support, Tolerance,
 };
 use crate::{
-    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance,
-    limits, liner, load, mesh, oil, orbit, roughness, shaft, support,
+    bearing, bore, cap, cavitation, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance, limits, load,
+    mesh, oil, orbit, roughness, shaft, support,
 };
 
 /// The largest scene file that is read [bytes].
@@ -33,7 +33,7 @@ const MESH_OPENING: &[u8] = b"$MeshFormat";
 /// Key of the mesh file.
 pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 20] = [
+pub const SWEPT: &[&str] = &[
     "bearing",
     "bore",
     "shaft",
@@ -58,7 +58,7 @@ pub const SWEPT: [&str; 20] = [
 /// Tables of a crankshaft whose keys can be swept.
 pub const SWEPT_OF_SHAFT: [&str; 3] = ["crankshaft", "crank", "orbit"];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 13] = [
+const CHECKS: &[Check] = &[
     bearing::check,
     bore::check,
     feed::check,
@@ -70,8 +70,9 @@ const CHECKS: [Check; 13] = [
     heat::check,
     criteria::check,
     cavitation::check,
-    contact::check,
+    crate::contact::check,
     roughness::check,
+    crate::liner::check,
 ];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
@@ -116,11 +117,11 @@ pub struct Scene {
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<CavitationTable>,
     /// Contact of rough surfaces; `None`: they do not touch.
-    pub contact: Option<ContactTable>,
+    pub contact: Option<crate::ContactTable>,
     /// How roughness changes the flow of oil; `None`: the surfaces are smooth.
     pub roughness: Option<Roughness>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
-    pub liner: Option<Liner>,
+    pub liner: Option<crate::Liner>,
     /// What is asked about small motions of the journal; `None`: nothing.
     pub dynamics: Option<DynamicsTable>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
@@ -170,7 +171,6 @@ impl Scene {
             Some(LoadSource::File { path, .. }) => Some(path.as_path()),
             _ => None,
         };
-        let wall = self.liner.as_ref().and_then(Liner::file);
         let gas = self.crank.as_ref().and_then(CrankTable::gas_file);
         let shaft = match &self.shaft {
             Some(JournalShape::Measured(path)) => Some(path.as_path()),
@@ -185,7 +185,7 @@ impl Scene {
             ("load.file", load, TABLE),
             ("crank.gas.file", gas, TABLE),
             ("shaft.file", shaft, TABLE),
-            ("liner.compliance.file", wall, MATRIX),
+            ("liner.compliance.file", self.liner.as_ref().and_then(crate::Liner::file), MATRIX),
         ];
         files.into_iter().filter_map(|(key, path, help)| Some((Cow::Borrowed(key), path?, help))).chain(bores)
     }
@@ -340,9 +340,9 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         heat,
         criteria: criteria.or(limits).or(in_heat.unwrap_or_default()),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
-        contact: root.table_if_given("contact").and_then(contact::read),
+        contact: root.table_if_given("contact").and_then(crate::contact::read),
         roughness: root.table_if_given("roughness").and_then(roughness::read),
-        liner: root.table_if_given("liner").and_then(|table| liner::read(table, path)),
+        liner: root.table_if_given("liner").and_then(|table| crate::liner::read(table, path)),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),

@@ -96,7 +96,7 @@ impl Position {
         let full = matches!(model.sockets.cavitation, Cavitation::None);
         let by_film = first_position(number, bearing.length / diameter, full);
         // Both together carry more than each of them.
-        let by_contact = (model.sockets.contact.as_ref()).map(|contact| first_contact(&contact.law, bearing, force));
+        let by_contact = (model.sockets.contact.as_ref()).map(|contact| first_contact(&*contact.law, bearing, force));
         let (eccentricity, attitude) = match (by_film, by_contact) {
             (Some((film, attitude)), Some(contact)) => (film.min(contact), attitude),
             (Some(found), None) => found,

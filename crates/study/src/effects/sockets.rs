@@ -1,18 +1,23 @@
 //! The sockets of a film: what the effects of a scene put there.
 
+use std::fmt::Debug;
 use std::sync::Arc;
 
 use oilwedge_bearing::{JournalLoad, Tilting};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::contact::Contact;
-use oilwedge_reynolds::film_thickness::{FilmContribution, GrooveDepth};
+use oilwedge_reynolds::film_thickness::{Deflection, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::flow_factors::FlowFactor;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
-use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
-use oilwedge_scene::{Bore, DynamicsTable, JournalShape, Liner, RoelandsTable};
+use oilwedge_reynolds::wall::Wall;
+use oilwedge_reynolds::{Bearing, Cavitation, CentreVelocity, Form, Theory};
+use oilwedge_scene::{Bore, DynamicsTable, JournalShape, RoelandsTable};
 
+use crate::compile_error::CompileError;
+use crate::film::Film;
 use crate::thermal_model::{HeatFieldModel, ThermalModel};
+use crate::warning::Warning;
 
 /// Socket in which an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,6 +96,25 @@ pub enum ShapedSurface {
     Shaft(JournalShape),
 }
 
+/// How the wall of a bearing gives way to pressure.
+pub trait WallModel: Debug + Send + Sync {
+    /// The wall of a bearing.
+    ///
+    /// # Errors
+    /// [`CompileError::Wall`]: a table cannot be used.
+    fn wall(&self, bearing: &Bearing) -> Result<Wall, CompileError>;
+
+    /// Whether slices across the axis move by themselves.
+    fn has_slices(&self) -> bool {
+        true
+    }
+
+    /// Why it is no model of the wall that bends so around a film.
+    fn warning(&self, _film: &Film, _deflection: &Deflection) -> Option<Warning> {
+        None
+    }
+}
+
 /// The sockets of one film.
 #[derive(Debug, Clone)]
 pub struct Sockets {
@@ -109,7 +133,7 @@ pub struct Sockets {
     /// Surfaces of bore and journal that are no circles.
     pub surfaces: Vec<ShapedSurface>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
-    pub liner: Option<Liner>,
+    pub wall: Option<Arc<dyn WallModel>>,
     /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
@@ -143,7 +167,7 @@ impl Sockets {
             form: Form::Conservative,
             film_thickness: Vec::new(),
             surfaces: Vec::new(),
-            liner: None,
+            wall: None,
             inlet_fraction: None,
             cavitation: Cavitation::None,
             contact: None,

@@ -130,7 +130,7 @@ pub(super) fn problem(model: &Model, mesh: &Mesh, state: &FilmState) -> FilmProb
         flow_factors: sockets.flow_factors.clone(),
         storage: None,
         viscosity_across: None,
-        contact: sockets.contact,
+        contact: sockets.contact.clone(),
     }
 }
 

@@ -105,7 +105,7 @@ fn moment(film: &View, axis: usize) -> Option<f64> {
 }
 
 fn greatest(film: &View) -> Option<f64> {
-    let contact = film.problem.contact?;
+    let contact = film.problem.contact.as_ref()?;
     Some(contact.law.at(film.measured.thinnest.thickness).pressure)
 }
 

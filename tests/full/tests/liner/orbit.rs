@@ -100,7 +100,7 @@ fn a_load_at_rest_leads_to_the_position_at_rest() {
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
     let mut problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
-    problem.contact = Some(contacts()[0]);
+    problem.contact = contacts().into_iter().next();
     let way = Way { start: [0.9 * CLEARANCE, 0.2 * CLEARANCE, 0.0, 0.0], turns: 3.0, options: options(1e-2, 1) };
     let rest = comes_to_rest(&problem, &ring(), 6.0, &way, 1e-6);
     assert!(rest > CLEARANCE, "{rest}");
