@@ -226,13 +226,7 @@ fn tolerances() -> Value {
             None => drop(properties.insert(row.name.to_owned(), ratio.clone())),
         }
     }
-    json!({
-        "type": "object",
-        "properties": properties,
-        "patternProperties": patterns,
-        "additionalProperties": false,
-        "minProperties": 1,
-    })
+    table_of(properties, patterns)
 }
 
 /// The keys that a sweep can vary, below their tables. Of lists of tables those of feeds alone have names.
@@ -245,6 +239,17 @@ fn swept() -> impl Iterator<Item = &'static Key> {
         let (table, _) = key.path.split_once('.').unwrap_or_default();
         let is_listed = lists.iter().any(|list| key.path.starts_with(list.as_str()));
         swept_tables().any(|swept| swept == table) && !is_listed
+    })
+}
+
+/// A table with at least one of these keys, and no other.
+fn table_of(properties: Map<String, Value>, patterns: Map<String, Value>) -> Value {
+    json!({
+        "type": "object",
+        "properties": properties,
+        "patternProperties": patterns,
+        "additionalProperties": false,
+        "minProperties": 1,
     })
 }
 
@@ -273,13 +278,7 @@ fn sweep() -> Value {
             .filter(|(key, _)| key.path == "sweep.columns")
             .map(|(key, name)| (name.to_owned(), of_key(key))),
     );
-    json!({
-        "type": "object",
-        "properties": properties,
-        "patternProperties": patterns,
-        "additionalProperties": false,
-        "minProperties": 1,
-    })
+    table_of(properties, patterns)
 }
 
 /// The axes of the keys of a table; those of a feed stand below the name of its region.
