@@ -15,9 +15,9 @@
 //! **Angle.** A load goes by the angle of the crank, which turns with the journal, or by an angle of its own: one turn
 //! of it is then one period ([`DutyCycle::at_frequency`]).
 //!
-//! **Signs.** A force F is that of [`crate::JournalLoad`]: external, on the journal; the film pushes the journal with -F
-//! and the shell with F. The crank angle grows with time. Where the journal turns towards falling angles of its bearing,
-//! the mechanism is mirrored in the x axis.
+//! **Signs.** A force F is that of [`crate::JournalLoad`]: external, on the journal; the film pushes the journal with
+//! -F and the shell with F. The crank angle grows with time. Where the journal turns towards falling angles of its
+//! bearing, the mechanism is mirrored in the x axis.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

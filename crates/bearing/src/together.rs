@@ -1,7 +1,7 @@
 //! Films whose balance is found together: that of one journal under its load, or those of all journals of a shaft.
 //!
-//! What they leave is one residual. Each film, its wall following, answers to its own journal ([`JournalResponse`]); the
-//! shaft joins the journals by a stiffness ([`ShaftBalance`]).
+//! What they leave is one residual. Each film, its wall following, answers to its own journal ([`JournalResponse`]);
+//! the shaft joins the journals by a stiffness ([`ShaftBalance`]).
 
 use std::borrow::Cow;
 

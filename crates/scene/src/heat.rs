@@ -53,7 +53,7 @@ pub struct Heat {
     /// Hot oil that is carried over and mixes with the fresh one; `None`: the film gets fresh oil.
     pub mixing: Option<Mixing>,
     /// The engine that the bearing belongs to.
-    pub engine: Option<EngineHeat>,
+    pub engine: Option<EngineKind>,
     /// The temperature as a field; `None`: the film has one temperature.
     pub field: Option<HeatField>,
 }
@@ -78,14 +78,14 @@ pub enum Mixing {
 
 /// Usual values of an engine's crankshaft bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EngineHeat {
+pub enum EngineKind {
     /// Spark ignition.
     Petrol,
     /// Compression ignition.
     Diesel,
 }
 
-impl EngineHeat {
+impl EngineKind {
     /// Name in scenes and reports.
     pub fn name(self) -> &'static str {
         match self {
@@ -149,13 +149,13 @@ impl Scene {
 
 /// The table, and the limits in it.
 pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
-    let engines = [EngineHeat::Petrol, EngineHeat::Diesel].map(|engine| (engine.name(), engine));
+    let engines = [EngineKind::Petrol, EngineKind::Diesel].map(|engine| (engine.name(), engine));
     let engine = table.word("preset", &engines);
     if !table.has("preset") {
         let example = "\"75 C\", the temperature of the oil that is fed, or preset = \"petrol\"";
         table.require_as("inlet", example);
     }
-    let usual = engine.map_or(f64::NAN, |engine| EngineHeat::middle(engine.inlet()));
+    let usual = engine.map_or(f64::NAN, |engine| EngineKind::middle(engine.inlet()));
     let heat_capacity = table.number("heat_capacity").within_or(
         |_, [least, most]| format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
         "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
@@ -270,7 +270,7 @@ mod tests {
         );
         assert_eq!(
             (full.inlet, full.engine, full.mixing),
-            (350.65, Some(EngineHeat::Diesel), Some(Mixing::Share(0.5)))
+            (350.65, Some(EngineKind::Diesel), Some(Mixing::Share(0.5)))
         );
         let housing = full.housing.expect("a housing");
         assert!((housing.conductance - 2.0).abs() < 1e-12 && (housing.ambient - 303.15).abs() < 1e-9);

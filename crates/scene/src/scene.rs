@@ -15,7 +15,7 @@ use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
     BearingTable, Bore, Cap, CavitationTable, Check, Complaint, Complaints, CrankTable, Criteria, DynamicsTable, Ends,
-    EngineHeat, Feed, Heat, Journal, JournalShape, KeyTolerance, LoadCycle, LoadSource, MeshSource, OilTable,
+    EngineKind, Feed, Heat, Journal, JournalShape, KeyTolerance, LoadCycle, LoadSource, MeshSource, OilTable,
     OrbitTable, Roughness, SceneError, ShaftScene, Support, Tolerance,
 };
 use crate::{
@@ -310,8 +310,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let criteria = root.table_if_given("criteria").map(criteria::read).unwrap_or_default();
     let temperature = heat.is_none().then_some("\"80 C\", or a table [heat] that finds it");
     let engine = heat.and_then(|heat| heat.engine);
-    let usual_ratio = engine.map(|engine| EngineHeat::middle(engine.clearance_ratio()));
-    let usual_pressure = engine.map(|engine| EngineHeat::middle(engine.feed_pressure()));
+    let usual_ratio = engine.map(|engine| EngineKind::middle(engine.clearance_ratio()));
+    let usual_pressure = engine.map(|engine| EngineKind::middle(engine.feed_pressure()));
     let orbit = root.table_if_given("orbit").map(orbit::read);
     let (mesh, tolerance) = mesh::read(root.table_if_given("mesh"), path);
     // The mesh of an orbit is not refined.

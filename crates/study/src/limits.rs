@@ -2,7 +2,7 @@
 //! limit: in an engine, and where heat is balanced.
 
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::{Criteria, EngineHeat};
+use oilwedge_scene::{Criteria, EngineKind};
 
 use crate::film::Film;
 use crate::quantities::{
@@ -140,7 +140,7 @@ fn criteria(asked: &Criteria, is_balanced: bool, compared: &Compared) -> Vec<Cri
 }
 
 /// What is usual in an engine.
-fn usual(film: &Film, model: &ThermalModel, engine: EngineHeat) -> Vec<Criterion> {
+fn usual(film: &Film, model: &ThermalModel, engine: EngineKind) -> Vec<Criterion> {
     let bearing = &film.problem.bearing;
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = Vec::new();

@@ -51,7 +51,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let large = is_large.then(|| {
         warning::SOFT.says("the elastic liner deflects by more than the clearance: check its stiffness and its unit; strains are small in its model")
     });
-    model.warning(film, deflection).into_iter().chain(large).collect()
+    model.warning(&film.problem.bearing, deflection).into_iter().chain(large).collect()
 }
 
 fn model(liner: &Liner) -> Arc<dyn WallModel> {
@@ -94,10 +94,10 @@ impl WallModel for Layer {
         wall_of_slices(bearing, |_| per_pressure)
     }
 
-    fn warning(&self, film: &Film, deflection: &Deflection) -> Option<Warning> {
+    fn warning(&self, bearing: &Bearing, deflection: &Deflection) -> Option<Warning> {
         match self {
             Self::Given(_) => None,
-            Self::Of(material) => no_layer(material, deflection, film),
+            Self::Of(material) => no_layer(material, deflection, bearing),
         }
     }
 }
@@ -116,8 +116,8 @@ impl WallModel for RingWall {
     }
 
     /// Slices of a thick wall hold one another.
-    fn warning(&self, film: &Film, _: &Deflection) -> Option<Warning> {
-        let ratio = self.of.thickness / film.problem.bearing.length;
+    fn warning(&self, bearing: &Bearing, _: &Deflection) -> Option<Warning> {
+        let ratio = self.of.thickness / bearing.length;
         let joint = match self.outer {
             OuterSurface::Free => ", an eye is held by its rod, and a cap by its joint",
             OuterSurface::Clamped => "",
@@ -153,8 +153,7 @@ impl WallModel for CondensedWall {
 }
 
 /// Where a layer is no model of the wall that it is made of: the ring of that wall under the same pressure.
-fn no_layer(material: &WallMaterial, deflection: &Deflection, film: &Film) -> Option<Warning> {
-    let bearing = &film.problem.bearing;
+fn no_layer(material: &WallMaterial, deflection: &Deflection, bearing: &Bearing) -> Option<Warning> {
     let of_ring = RingWall { of: *material, outer: OuterSurface::Clamped };
     let ring_wall = of_ring.wall(bearing).ok()?;
     let layer = Layer::Of(*material).wall(bearing).ok()?;

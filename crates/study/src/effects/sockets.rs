@@ -15,7 +15,6 @@ use oilwedge_reynolds::{Bearing, Cavitation, CentreVelocity, Form, Theory};
 use oilwedge_scene::{Bore, DynamicsTable, JournalShape, RoelandsTable};
 
 use crate::compile_error::CompileError;
-use crate::film::Film;
 use crate::thermal_model::{HeatFieldModel, ThermalModel};
 use crate::warning::Warning;
 
@@ -109,8 +108,8 @@ pub trait WallModel: Debug + Send + Sync {
         true
     }
 
-    /// Why it is no model of the wall that bends so around a film.
-    fn warning(&self, _film: &Film, _deflection: &Deflection) -> Option<Warning> {
+    /// Why it is no model of the wall of a bearing that bends so.
+    fn warning(&self, _bearing: &Bearing, _deflection: &Deflection) -> Option<Warning> {
         None
     }
 }

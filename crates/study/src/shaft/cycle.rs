@@ -13,7 +13,7 @@ use super::compile::{Compiled, CompiledBearing, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, ShaftRun, found_with_shaft};
-use super::temperatures::{BearingHeat, NoShaftAnswer, Temperatures};
+use super::temperatures::{BearingNumbers, NoShaftAnswer, Temperatures};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
     BALANCED, CycleFacts, GREATEST, MeasuredOrbit, USUAL, add_temperature, compared, follow_under, judge, measured,
@@ -135,7 +135,10 @@ fn at_temperatures(
     let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
     let shown = |at: &Compiled, orbits: &Orbits| {
         let found = measured_all(scene, at, orbits, &numbers_alone)?;
-        Ok(found.into_iter().map(|(followed, _)| (followed.flows, followed.quantities)).collect::<Vec<BearingHeat>>())
+        Ok(found
+            .into_iter()
+            .map(|(followed, _)| (followed.flows, followed.quantities))
+            .collect::<Vec<BearingNumbers>>())
     };
     if let Some(observer) = options.observer {
         observer.turns_to("the shaft at temperatures of its films, one set after the other");

@@ -14,7 +14,7 @@ use super::compile::{Compiled, CompiledBearing, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
-use super::temperatures::{BearingHeat, NoShaftAnswer, Temperatures};
+use super::temperatures::{BearingNumbers, NoShaftAnswer, Temperatures};
 use crate::estimate::{Displacement, Estimated, estimate_errors};
 use crate::isothermal::isothermal;
 use crate::measure::measure;
@@ -110,7 +110,7 @@ fn at_temperatures(
 }
 
 /// What the quadratic films of a balance show.
-fn shown(at: &Compiled, balance: &ShaftEquilibrium) -> Vec<BearingHeat> {
+fn shown(at: &Compiled, balance: &ShaftEquilibrium) -> Vec<BearingNumbers> {
     let of_film = |(bearing, here): (&CompiledBearing, &Instant)| {
         let film = bearing.film.with_journal(here.film.problem.journal);
         let measured = measure(&here.film);

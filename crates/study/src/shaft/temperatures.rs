@@ -11,7 +11,7 @@ use crate::thermal::FilmTemperature;
 pub(super) type NoShaftAnswer = (Status, String);
 
 /// What a run has shown of a bearing: what heats and what cools its film, and its numbers.
-pub(super) type BearingHeat = (Option<ThermalFlows>, Vec<Quantity>);
+pub(super) type BearingNumbers = (Option<ThermalFlows>, Vec<Quantity>);
 
 /// The temperatures of the films of a shaft, by bearing; none of a film whose temperature is given.
 pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
@@ -58,7 +58,7 @@ impl Temperatures {
         compiled: &Compiled,
         accuracy: f64,
         is_over: impl Fn() -> bool,
-        mut run: impl FnMut(&Compiled) -> Result<Vec<BearingHeat>, NoShaftAnswer>,
+        mut run: impl FnMut(&Compiled) -> Result<Vec<BearingNumbers>, NoShaftAnswer>,
     ) -> Result<(), NoShaftAnswer> {
         while !self.are_given() {
             match run(&self.applied(compiled)) {
@@ -83,7 +83,7 @@ impl Temperatures {
     pub(super) fn show_slopes(
         &mut self,
         compiled: &Compiled,
-        run: impl FnOnce(&Compiled) -> Result<Vec<BearingHeat>, NoShaftAnswer>,
+        run: impl FnOnce(&Compiled) -> Result<Vec<BearingNumbers>, NoShaftAnswer>,
     ) {
         if self.0.iter().flatten().all(FilmTemperature::has_slopes) {
             return;
@@ -96,7 +96,7 @@ impl Temperatures {
     }
 
     /// Adds what a run has shown; the greatest heat that is left over, as a part of the power [1].
-    fn add(&mut self, shown: Vec<BearingHeat>) -> f64 {
+    fn add(&mut self, shown: Vec<BearingNumbers>) -> f64 {
         let films = self.0.iter_mut().zip(shown);
         let left = films.map(|(search, (flows, quantities))| match search.as_mut().zip(flows) {
             Some((search, flows)) => search.add(flows, quantities),
