@@ -18,7 +18,7 @@ pub const EFFECTS: [(&str, usize); 12] = [
     ("roughness", 15),
     ("contact", 67),
     ("deflection", 73),
-    ("liner", 56),
+    ("liner", 50),
     ("tilt", 79),
     ("orbit", 96),
     ("crankshaft", 29),

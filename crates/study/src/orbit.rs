@@ -27,7 +27,7 @@ mod temperature;
 use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, OrbitStep, Span, TiltSupport};
+use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, PathStep, Span, TiltSupport};
 use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_reynolds::film_thickness::Deflection;
 use serde::{Deserialize, Serialize};
@@ -125,7 +125,7 @@ impl OrbitPath {
 }
 
 /// An orbit followed and measured.
-pub(crate) struct MeasuredOrbit {
+pub(crate) struct FollowedCycle {
     /// The film where it is thinnest.
     pub(crate) solved: Solved,
     /// The numbers of the cycle.
@@ -147,7 +147,7 @@ pub(crate) struct MeasuredOrbit {
     /// Whether the deadline has ended an orbit by which the bars of a film that conserves its oil are found.
     pub(crate) are_bars_ended: bool,
     /// The step at which the last cycle ended.
-    pub(crate) last: Option<OrbitStep>,
+    pub(crate) last: Option<PathStep>,
     /// How it ended.
     pub(crate) end: OrbitEnd,
     /// Seconds of the integration, and of measuring.
@@ -162,7 +162,7 @@ pub(crate) fn follow_under(
     model: &Arc<Model>,
     (orbit, cycle): (&oilwedge_scene::OrbitTable, &DutyCycle),
     options: &RunOptions,
-) -> Result<(Film, Result<MeasuredOrbit, NoAnswer>), CompileError> {
+) -> Result<(Film, Result<FollowedCycle, NoAnswer>), CompileError> {
     let watch = options.watch();
     let deadline = watch.deadline;
     if let Some(thermal) = model.sockets.thermal {
@@ -185,7 +185,7 @@ enum OrbitStart<'a> {
     /// At offsets [m].
     At(Vector),
     /// At the end of another one, which this is the last step of.
-    After(&'a OrbitStep),
+    After(&'a PathStep),
 }
 
 /// Follows the orbit of a film until a deadline, and measures it.
@@ -194,7 +194,7 @@ fn followed(
     (model, cycle): (&oilwedge_scene::OrbitTable, &DutyCycle),
     (begin, deadline): (OrbitStart, Deadline),
     options: &RunOptions,
-) -> Result<MeasuredOrbit, NoAnswer> {
+) -> Result<FollowedCycle, NoAnswer> {
     let clock = std::time::Instant::now();
     let motion = motion(film, model, cycle);
     let orbit_options = OrbitOptions {
@@ -223,7 +223,7 @@ fn followed(
         followed.are_bars_ended =
             comparison::compare(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
     }
-    Ok(MeasuredOrbit { last, seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
+    Ok(FollowedCycle { last, seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
 
 /// The equation of motion of the journal on a film.
@@ -249,7 +249,7 @@ pub(crate) fn measured(
     model: &oilwedge_scene::OrbitTable,
     orbit: Orbit,
     options: &RunOptions,
-) -> Result<MeasuredOrbit, NoAnswer> {
+) -> Result<FollowedCycle, NoAnswer> {
     let Orbit { mut steps, cycles, end } = orbit;
     let mut samples = sample::samples(film, motion, &steps, options)?;
     sample::refine_peak(film, motion, &mut steps, &mut samples, options)?;
@@ -289,7 +289,7 @@ pub(crate) fn measured(
     let period = path.last().map_or(0.0, |span| span.times[1]);
     let frames = frame::frames((film, motion), period, &around, options)?;
     let clearance = film.problem.bearing.clearance;
-    Ok(MeasuredOrbit {
+    Ok(FollowedCycle {
         solved,
         frames,
         quantities: over_cycle(&view),

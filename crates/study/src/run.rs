@@ -20,7 +20,7 @@ use crate::film::{DEGREE, Film};
 use crate::limits::design_criteria;
 use crate::model::Model;
 use crate::no_answer::NoAnswer;
-use crate::orbit::{Frame, MeasuredOrbit, OrbitFacts, OrbitPath, follow_under};
+use crate::orbit::{FollowedCycle, Frame, OrbitFacts, OrbitPath, follow_under};
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::{Quantity, left_over};
 use crate::reasons::Limit;
@@ -145,7 +145,7 @@ fn on_orbit(
             return Ok(Run { result, picture: None, orbit: None, frames: Vec::new() });
         }
     };
-    let MeasuredOrbit { solved, facts, .. } = followed;
+    let FollowedCycle { solved, facts, .. } = followed;
     let estimated = estimate_errors(&solved);
     let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();

@@ -120,7 +120,7 @@ fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicke
         let [with_memory, without_memory] = [&with, &without].map(thinnest);
         assert_eq!(with_memory < 0.99 * without_memory, is_thinner, "{with_memory} {without_memory}");
         assert_eq!(with_memory > 1.01 * without_memory, !is_thinner, "{with_memory} {without_memory}");
-        let here = |step: &&oilwedge_bearing::orbit::OrbitStep| step.at[0].hypot(step.at[1]);
+        let here = |step: &&oilwedge_bearing::orbit::PathStep| step.at[0].hypot(step.at[1]);
         let step = with.steps.iter().max_by(|a, b| here(a).total_cmp(&here(b))).expect("steps");
         let film = motion(&conserving, &cycle).film_at(step, Neighbour::None).expect("a film");
         let other = FilmProblem { journal: film.film.problem.journal, ..forgetting.0.clone() };

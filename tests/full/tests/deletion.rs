@@ -3,9 +3,9 @@
 //!
 //! First a toy effect is added to a copy of the tree by the steps of `CONTRIBUTING.md`, solved with, and removed. Then
 //! the copy loses the files and the rows of four effects. Their sockets stay, empty, with what computes of any entry:
-//! the quadrature of contact and its numbers, the balance of film and wall. The lines at which the compiler then reports
-//! errors are deleted too, and counted for the effect that they name, until the program compiles; it must solve the
-//! plain scene to the same number.
+//! the quadrature of contact and its numbers, the balance of film and wall. The lines at which the compiler then
+//! reports errors are deleted too, and counted for the effect that they name, until the program compiles; it must solve
+//! the plain scene to the same number.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

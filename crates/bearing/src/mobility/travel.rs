@@ -6,7 +6,7 @@ use crate::coordinates::Vector;
 use crate::duty_cycle::DutyCycle;
 use crate::orbit::pace::Pace;
 use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
-use crate::orbit::{Between, OrbitStep};
+use crate::orbit::{Between, PathStep};
 use oilwedge_reynolds::Bearing;
 
 /// A film that is a map has no memory.
@@ -35,7 +35,7 @@ pub struct Travel<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapOrbit {
     /// Steps of the last cycle; the first entry is its beginning.
-    pub steps: Vec<OrbitStep>,
+    pub steps: Vec<PathStep>,
     /// Cycles that were followed.
     pub cycles: usize,
     /// Distance between the places in which the last one begins and ends, over the clearance [1].
@@ -89,7 +89,7 @@ impl Travel<'_> {
     }
 
     /// One cycle from a place.
-    fn cycle(&self, start: JournalOffset, tolerance: f64) -> Option<Vec<OrbitStep>> {
+    fn cycle(&self, start: JournalOffset, tolerance: f64) -> Option<Vec<PathStep>> {
         let period = self.cycle.period() / self.cycle.angular_speed();
         let pace = Pace { period, error_power: SCHEME.error_power };
         let (mut time, mut place, mut rate) = (0.0, start, self.rate(0.0, start));
@@ -179,10 +179,10 @@ impl Travel<'_> {
         None
     }
 
-    fn recorded(&self, time: f64, place: JournalOffset, rate: JournalOffset) -> OrbitStep {
+    fn recorded(&self, time: f64, place: JournalOffset, rate: JournalOffset) -> PathStep {
         let clearance = self.bearing.clearance;
         let vector = |[x, y]: JournalOffset| -> Vector { [clearance * x, clearance * y, 0.0, 0.0] };
-        OrbitStep {
+        PathStep {
             time,
             at: vector(place),
             excess: [0.0; 4],

@@ -7,7 +7,7 @@ use super::motion::{Instant, Motion};
 use super::no_orbit::{NoOrbit, NoOrbitAt};
 use super::oil::StoredOil;
 use super::pace::Pace;
-use super::path::{Between, OrbitStep};
+use super::path::{Between, PathStep};
 use super::stage::{NoStage, StageTolerance};
 use super::step::{Made, StepStart, ways_between};
 use super::wall::WallPath;
@@ -91,7 +91,7 @@ impl Cycle {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orbit {
     /// Steps of the last complete cycle; the first entry is its beginning.
-    pub steps: Vec<OrbitStep>,
+    pub steps: Vec<PathStep>,
     /// The cycles, the last one being that of the steps.
     pub cycles: Vec<Cycle>,
     /// How it ended.
@@ -125,13 +125,13 @@ struct Begun {
 }
 
 /// The steps of one cycle, each that of all journals.
-type Steps = Vec<Vec<OrbitStep>>;
+type Steps = Vec<Vec<PathStep>>;
 
 /// The orbits of journals that move at the same time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orbits {
     /// Steps of the last complete cycle, each that of all journals; the first entry is its beginning.
-    pub steps: Vec<Vec<OrbitStep>>,
+    pub steps: Vec<Vec<PathStep>>,
     /// The cycles, the last one being that of the steps.
     pub cycles: Vec<Cycle>,
     /// How they ended.
@@ -160,7 +160,7 @@ impl Motion<'_> {
     ///
     /// # Errors
     /// [`NoOrbit`]: why there is none.
-    pub fn orbit_after(&self, step: &OrbitStep, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
+    pub fn orbit_after(&self, step: &PathStep, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
         let orbits = Journals::alone(self).orbits_after(std::slice::from_ref(step), options);
         Ok(orbits.map_err(|at| at.reason)?.of(0))
     }
@@ -185,7 +185,7 @@ impl Journals<'_> {
     ///
     /// # Errors
     /// [`NoOrbitAt`]: why there are none.
-    pub fn orbits_after(&self, steps: &[OrbitStep], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
+    pub fn orbits_after(&self, steps: &[PathStep], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
         let accuracy = StageTolerance::of(options.tolerance, self.peak_load());
         let places: Vec<(Vector, Option<&Deflection>)> =
             steps.iter().map(|step| (step.at, step.wall.as_ref())).collect();
@@ -244,7 +244,7 @@ impl Journals<'_> {
     fn cycle(
         &self,
         travellers: &mut Travellers,
-        (number, last): (usize, &[Vec<OrbitStep>]),
+        (number, last): (usize, &[Vec<PathStep>]),
         accuracy: StageTolerance,
         options: &OrbitOptions,
     ) -> Result<Option<(Steps, Cycle)>, NoOrbitAt> {
@@ -323,11 +323,10 @@ impl Journals<'_> {
         (of_step.max(of_path), next.min(by_path.next(taken, of_path)))
     }
 
-    fn recorded(&self, travellers: &Travellers, errors: &[Vector], accuracy: StageTolerance) -> Vec<OrbitStep> {
+    fn recorded(&self, travellers: &Travellers, errors: &[Vector], accuracy: StageTolerance) -> Vec<PathStep> {
         let residual = self.residual(&travellers.here, &travellers.accelerations, accuracy.scale);
         let until_next = if self.shaft.is_some() { Between::Path } else { Between::Load };
-        let step =
-            |(here, &error): (&Instant, &Vector)| OrbitStep { error, until_next, ..OrbitStep::of(here, residual) };
+        let step = |(here, &error): (&Instant, &Vector)| PathStep { error, until_next, ..PathStep::of(here, residual) };
         travellers.here.iter().zip(errors).map(step).collect()
     }
 

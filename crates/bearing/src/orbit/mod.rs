@@ -32,4 +32,4 @@ pub use march::{Cycle, CycleOil, Orbit, OrbitEnd, OrbitObserver, OrbitOptions, O
 pub use motion::{Held, Instant, Motion, Moving, TiltSupport};
 pub use no_orbit::{NoOrbit, NoOrbitAt};
 pub use oil::{Before, StoredOil};
-pub use path::{Between, OrbitStep, Span, StepHistory};
+pub use path::{Between, PathStep, Span, StepHistory};

@@ -11,7 +11,7 @@ use crate::coordinates::Vector;
 
 /// One step of an orbit: the journal at its end.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OrbitStep {
+pub struct PathStep {
     /// Time [s], from the beginning of the cycle.
     pub time: f64,
     /// Offsets [m] in the coordinates of the motion.
@@ -63,7 +63,7 @@ impl StepHistory {
     }
 }
 
-impl OrbitStep {
+impl PathStep {
     /// A step that ends with an instant, with no estimate of an error.
     pub fn of(here: &Instant, residual: f64) -> Self {
         Self {
@@ -102,7 +102,7 @@ pub struct Span {
 
 impl Span {
     /// From one step to the next.
-    pub fn between(from: &OrbitStep, to: &OrbitStep) -> Self {
+    pub fn between(from: &PathStep, to: &PathStep) -> Self {
         Self { times: [from.time, to.time], places: [from.at, to.at], rates: [from.velocity, to.velocity] }
     }
 

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::journals::Journals;
 use super::motion::{Held, Instant, Motion, Moving, TiltSupport};
 use super::oil::Before;
-use super::path::OrbitStep;
+use super::path::PathStep;
 use crate::coordinates::{Vector, moved};
 use crate::coupled::FilmSolve;
 use crate::deflection::{CLOSED, Moves};
@@ -234,7 +234,7 @@ impl Journals<'_> {
     /// films that conserve their oil, their walls, and masses keep what they have.
     pub(super) fn beginning_after(
         &self,
-        steps: &[OrbitStep],
+        steps: &[PathStep],
         accuracy: StageTolerance,
         films: &mut usize,
     ) -> Result<Vec<Instant>, NoStage> {

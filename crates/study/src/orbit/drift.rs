@@ -25,7 +25,7 @@
 //! K and C of such a wall are those of slow motions, which it follows; its deflection has no deviation of its own.
 
 use oilwedge_bearing::coordinates::{Vector, dot, length, moved, unit};
-use oilwedge_bearing::orbit::{Cycle, Motion, OrbitEnd, OrbitStep, Span};
+use oilwedge_bearing::orbit::{Cycle, Motion, OrbitEnd, PathStep, Span};
 
 use super::sample::{FilmTangents, Sampled, TOLERANCE};
 use crate::no_answer::NoAnswer;
@@ -37,7 +37,7 @@ const ROUNDS: usize = 2;
 const UNSURE: f64 = 0.25;
 
 /// Gives each sample how far its numbers are off.
-pub(super) fn carry(steps: &[OrbitStep], samples: &mut [Sampled], end: OrbitEnd) {
+pub(super) fn carry(steps: &[PathStep], samples: &mut [Sampled], end: OrbitEnd) {
     // An interrupt leaves later films without their bars: then none has one.
     if samples.iter().any(|one| one.tangents.is_none()) {
         return;
@@ -153,7 +153,7 @@ impl DriftParts {
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film between the steps.
-pub(super) fn between(motion: &Motion, (step, span): (&OrbitStep, Span), time: f64) -> Result<f64, NoAnswer> {
+pub(super) fn between(motion: &Motion, (step, span): (&PathStep, Span), time: f64) -> Result<f64, NoAnswer> {
     const QUARTER: f64 = 0.25;
     if motion.moves_by_path(step) {
         return Ok(0.0);

@@ -3,7 +3,7 @@
 
 use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::deflection::{displaced, hastened};
-use oilwedge_bearing::orbit::{Instant, Motion, OrbitStep, Span};
+use oilwedge_bearing::orbit::{Instant, Motion, PathStep, Span};
 use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::Power;
@@ -66,7 +66,7 @@ pub(super) struct FilmTangents {
 pub(super) fn samples(
     film: &Film,
     motion: &Motion,
-    steps: &[OrbitStep],
+    steps: &[PathStep],
     options: &RunOptions,
 ) -> Result<Vec<Sampled>, NoAnswer> {
     let groups: Result<Vec<Vec<Sampled>>, NoAnswer> = (steps.par_chunks(GROUP))
@@ -93,7 +93,7 @@ pub(super) fn samples(
 pub(super) fn refine_peak(
     film: &Film,
     motion: &Motion,
-    steps: &mut Vec<OrbitStep>,
+    steps: &mut Vec<PathStep>,
     samples: &mut Vec<Sampled>,
     options: &RunOptions,
 ) -> Result<(), NoAnswer> {
@@ -105,7 +105,7 @@ pub(super) fn refine_peak(
         }
         let span = Span::between(&steps[next - 1], &steps[next]);
         let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
-        let step = OrbitStep { until_next: steps[next - 1].until_next, ..OrbitStep::of(&instant, 0.0) };
+        let step = PathStep { until_next: steps[next - 1].until_next, ..PathStep::of(&instant, 0.0) };
         let (one, _) = sample(film, motion, instant, options.errors())?;
         steps.insert(next, step);
         samples.insert(next, one);
@@ -139,7 +139,7 @@ fn peak(samples: &[Sampled]) -> Option<f64> {
 pub(super) fn solved_at(
     film: &Film,
     motion: &Motion,
-    from: Option<(&OrbitStep, Span)>,
+    from: Option<(&PathStep, Span)>,
     time: f64,
     errors: Errors,
 ) -> Result<Solved, NoAnswer> {

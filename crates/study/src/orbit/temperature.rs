@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
-use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, OrbitStep};
+use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, PathStep};
 use oilwedge_bearing::{NoThermalBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::OrbitTable;
 
-use super::{MeasuredOrbit, OrbitStart, expected_seconds, followed, start};
+use super::{FollowedCycle, OrbitStart, expected_seconds, followed, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::model::Model;
@@ -54,7 +54,7 @@ struct ThermalOrbits<'a> {
     /// Where the first one begins [m].
     begin: Vector,
     /// The last step of the one before; none before the first one.
-    last: Option<OrbitStep>,
+    last: Option<PathStep>,
 }
 
 /// Follows the orbit at the temperature that balances its heat.
@@ -66,7 +66,7 @@ pub(super) fn balanced(
     thermal: ThermalModel,
     watch: Watch,
     options: &RunOptions,
-) -> Result<(Film, Result<MeasuredOrbit, NoAnswer>), CompileError> {
+) -> Result<(Film, Result<FollowedCycle, NoAnswer>), CompileError> {
     let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
     let (film, begin) = start::prepared(model, &model.oil, (orbit, cycle), watch)?;
     let mut search = FilmTemperature::of(&film, thermal);
@@ -124,14 +124,14 @@ impl ThermalOrbits<'_> {
         Ok(search.add(found.flows.ok_or(SearchStop::Ended)?, found.quantities))
     }
 
-    fn followed(&self, temperature: f64, options: &RunOptions) -> Result<MeasuredOrbit, NoAnswer> {
+    fn followed(&self, temperature: f64, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
         let film = self.film.at_temperature(temperature);
         let begin = self.last.as_ref().map_or(OrbitStart::At(self.begin), OrbitStart::After);
         followed(&film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)
     }
 
     /// The orbit at the temperature found, with the numbers of the balance.
-    fn reported(&mut self, search: &mut FilmTemperature, options: &RunOptions) -> Result<MeasuredOrbit, NoAnswer> {
+    fn reported(&mut self, search: &mut FilmTemperature, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
         if options.bars && !search.has_slopes() {
             // A second orbit, for the change with temperature; without it the numbers have no bars.
             search.step_aside(1.0);
@@ -148,7 +148,7 @@ impl ThermalOrbits<'_> {
 
 /// Adds the numbers of the balance to those of an orbit at the temperature found, and what the bar of the temperature
 /// makes of all others.
-pub(crate) fn add_temperature(search: &FilmTemperature, flows: ThermalFlows, bars: bool, orbit: &mut MeasuredOrbit) {
+pub(crate) fn add_temperature(search: &FilmTemperature, flows: ThermalFlows, bars: bool, orbit: &mut FollowedCycle) {
     let (balance, temperature) = (&search.model.balance, search.temperature);
     let [_, outlet] = balance.ends(temperature, flows.carried_over);
     let numbers = [(&CYCLE_TEMPERATURE, temperature), (&CYCLE_TEMPERATURE_OUTLET, outlet)];

@@ -24,7 +24,7 @@
 //! `tests/full/tests/shaft_cycle.rs`.
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Instant, OrbitStep, Orbits};
+use oilwedge_bearing::orbit::{Instant, Orbits, PathStep};
 use oilwedge_bearing::shaft::{Engine, Films, NoFilmAt, NodeForce, ShaftFilm};
 
 use oilwedge_reynolds::solve::Neighbour;
@@ -40,8 +40,8 @@ use crate::measure::{Measured, measure};
 /// [`NoFilmAt`]: a film that the shaft had is not found again.
 pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) -> Result<ShaftBalances, NoFilmAt> {
     let mut worst = ShaftBalances::default();
-    let angle = |step: &[OrbitStep]| engine.speed * step[0].time;
-    let magnitudes = |step: &Vec<OrbitStep>| {
+    let angle = |step: &[PathStep]| engine.speed * step[0].time;
+    let magnitudes = |step: &Vec<PathStep>| {
         let loads = engine.loads(angle(step)).into_iter();
         loads.map(|load| load.force[0].hypot(load.force[1])).sum::<f64>()
     };
@@ -55,7 +55,7 @@ pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) ->
         worst.force = worst.force.max(force / scale);
         worst.moment = worst.moment.max(moment / (arm * scale));
         worst.journals = worst.journals.max(step[0].residual);
-        let again = |(bearing, (film, step)): (usize, (&ShaftFilm, &OrbitStep))| {
+        let again = |(bearing, (film, step)): (usize, (&ShaftFilm, &PathStep))| {
             let near = before.as_ref().map_or(Neighbour::None, |before| Neighbour::Start(&before[bearing].film));
             film.motion().film_at(step, near).map_err(|reason| NoFilmAt { bearing, reason })
         };
@@ -71,7 +71,7 @@ pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) ->
 }
 
 /// Loads less forces of all films [N], and their moments about z = 0 [N m].
-fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[OrbitStep]) -> [[f64; 2]; 2] {
+fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[PathStep]) -> [[f64; 2]; 2] {
     let loads = engine.loads(engine.speed * step[0].time);
     let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
     for k in 0..2 {
@@ -79,7 +79,7 @@ fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[OrbitStep]) -> [[
             force[k] += load.force[k];
             moment[k] += compiled.loaded_at[load.place] * load.force[k];
         }
-        for (OrbitStep { excess: carried, .. }, bearing) in step.iter().zip(&compiled.bearings) {
+        for (PathStep { excess: carried, .. }, bearing) in step.iter().zip(&compiled.bearings) {
             force[k] -= carried[k];
             moment[k] -= bearing.at * carried[k] + bearing.coordinates().arm * carried[k + 2];
         }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::{DutyCycle, ForceAxes, LoadPoint, Turning};
-use oilwedge_bearing::orbit::{Journals, NoOrbit, NoOrbitAt, OrbitEnd, OrbitOptions, OrbitStep, Orbits};
+use oilwedge_bearing::orbit::{Journals, NoOrbit, NoOrbitAt, OrbitEnd, OrbitOptions, Orbits, PathStep};
 use oilwedge_bearing::shaft::{Engine, Films};
 use oilwedge_scene::{ShaftScene, Statics};
 
@@ -16,7 +16,7 @@ use super::result::{BearingPath, BearingReport, ShaftRun, found_with_shaft};
 use super::temperatures::{BearingNumbers, NoShaftAnswer, Temperatures};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
-    BALANCED, CycleFacts, GREATEST, MeasuredOrbit, USUAL, add_temperature, compared, follow_under, judge, measured,
+    BALANCED, CycleFacts, FollowedCycle, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured,
     motion, suits,
 };
 use crate::reasons::{Cause, Limit};
@@ -219,7 +219,7 @@ fn rough(
     )
     .ok()?;
     let end = places(orbit.steps.last()?);
-    let gaps = orbit.steps.iter().map(|step| films.thinnest(step.iter().map(OrbitStep::under_wall)).1);
+    let gaps = orbit.steps.iter().map(|step| films.thinnest(step.iter().map(PathStep::under_wall)).1);
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min);
     Some((end, greatest.clamp(0.0, GREATEST)))
 }
@@ -250,7 +250,7 @@ fn report(
         for (number, (followed, _)) in found.iter_mut().enumerate() {
             let [alike, wider] = compared
                 .each_ref()
-                .map(|all| all.as_ref().map(|all: &Vec<(MeasuredOrbit, DutyCycle)>| &all[number].0.quantities[..]));
+                .map(|all| all.as_ref().map(|all: &Vec<(FollowedCycle, DutyCycle)>| &all[number].0.quantities[..]));
             judge(alike.zip(wider), &mut followed.quantities);
             followed.are_bars_ended = alike.is_none() && options.deadline().is_over();
         }
@@ -262,7 +262,7 @@ fn report(
             left_over = left_over.max(followed.temperature.map_or(0.0, |found| found.left_over));
         }
         followed.quantities = found_with_shaft(followed.quantities);
-        let yields = |step: &Vec<OrbitStep>| {
+        let yields = |step: &Vec<PathStep>| {
             let carried: Vec<Vector> = step.iter().map(|step| step.excess).collect();
             films.joined(&[], 0.0).yields(&carried)[number]
         };
@@ -292,7 +292,7 @@ fn measured_all(
     compiled: &Compiled,
     orbits: &Orbits,
     options: &RunOptions,
-) -> Result<Vec<(MeasuredOrbit, DutyCycle)>, NoShaftAnswer> {
+) -> Result<Vec<(FollowedCycle, DutyCycle)>, NoShaftAnswer> {
     let of_bearing = |(number, bearing): (usize, &CompiledBearing)| {
         let cycle = own_load(scene, bearing, &orbits.steps, number);
         let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;
@@ -306,7 +306,7 @@ fn measured_all(
 }
 
 /// Places of all journals [m].
-fn places(step: &[OrbitStep]) -> Vec<Vector> {
+fn places(step: &[PathStep]) -> Vec<Vector> {
     step.iter().map(|step| step.at).collect()
 }
 
@@ -314,13 +314,13 @@ fn places(step: &[OrbitStep]) -> Vec<Vector> {
 fn own_load(
     scene: &ShaftScene,
     bearing: &CompiledBearing,
-    steps: &[Vec<OrbitStep>],
+    steps: &[Vec<PathStep>],
     number: usize,
 ) -> Result<DutyCycle, oilwedge_bearing::duty_cycle::NoSpline> {
     let speed = scene.crankshaft.speed;
     let arm = bearing.coordinates().arm;
-    let point = |step: &Vec<OrbitStep>| {
-        let OrbitStep { time, excess: [x, y, z_x, z_y], .. } = step[number];
+    let point = |step: &Vec<PathStep>| {
+        let PathStep { time, excess: [x, y, z_x, z_y], .. } = step[number];
         LoadPoint { angle: speed * time, force: [x, y], moment: [arm * z_x, arm * z_y] }
     };
     // The last step is the first one of the next cycle.
@@ -333,7 +333,7 @@ fn add(
     run: &mut ShaftRun,
     bearing: &CompiledBearing,
     load: DutyCycle,
-    followed: MeasuredOrbit,
+    followed: FollowedCycle,
     shells: &[Vector],
     options: &RunOptions,
 ) {

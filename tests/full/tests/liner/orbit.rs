@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
 use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, ForceAxes, Harmonic, Turning};
-use oilwedge_bearing::orbit::{Motion, OrbitOptions, OrbitStep, Span};
+use oilwedge_bearing::orbit::{Motion, OrbitOptions, PathStep, Span};
 use oilwedge_bearing::{Deadline, JournalLoad, SearchOptions, find};
 use oilwedge_reynolds::film_thickness::WallStage;
 use oilwedge_reynolds::solve::Neighbour;
@@ -259,12 +259,12 @@ fn converges_with_the_step(model: Cavitation, system: &Arc<FilmSystem>, fewest: 
     let orbit = motion.orbit(START, &options(5e-2, 1)).expect("an orbit");
     let begin = orbit.steps.last().expect("an end");
     let end = |steps: u32| {
-        let mut here: OrbitStep = begin.clone();
+        let mut here: PathStep = begin.clone();
         let idle = Span::between(begin, begin);
         for number in 1..=steps {
             let time = begin.time + period / 4.0 * f64::from(number) / f64::from(steps);
             let next = motion.between(&here, &idle, time, 1e-6);
-            here = OrbitStep::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
+            here = PathStep::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
         }
         here
     };
