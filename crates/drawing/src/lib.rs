@@ -53,5 +53,7 @@ pub const SMALLEST_LETTERS: f64 = 7.0;
 pub const LETTERS: f64 = 8.0;
 /// Width of a figure over the whole text of a page [mm].
 pub const PAGE_WIDTH: f64 = 170.0;
+/// Width of a figure in one of two columns [mm].
+pub const COLUMN_WIDTH: f64 = 85.0;
 /// Dots per inch of a PNG.
 pub const DOTS_PER_INCH: f64 = 300.0;
