@@ -19,7 +19,7 @@ pub const EFFECTS: [(&str, usize); 13] = [
     ("turbulence", 13),
     ("contact", 67),
     ("deflection", 73),
-    ("liner", 56),
+    ("liner", 50),
     ("tilt", 79),
     ("orbit", 96),
     ("crankshaft", 29),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
+use oilwedge_bearing::duty_cycle::{ForceAxes, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
 use oilwedge_bearing::{Deadline, DutyCycle};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
@@ -57,7 +57,7 @@ pub fn harmonics(orders: &[(f64, [f64; 2], [f64; 2])], period: f64) -> DutyCycle
     let force = |[x, y]: [f64; 2]| [x * unit_of_force(), y * unit_of_force(), 0.0, 0.0];
     let orders = orders.iter().map(|&(order, cos, sin)| Harmonic { order, cos: force(cos), sin: force(sin) });
     let turning = Turning { speed: SPEED, rod: None };
-    DutyCycle::of_harmonics(orders.collect(), period, Frame::Shell, turning)
+    DutyCycle::of_harmonics(orders.collect(), period, ForceAxes::Shell, turning)
 }
 
 /// `F = (0.02 + 0.01 cos tau, 0.005 sin 2 tau) mu omega R^2/psi^2`.

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use oilwedge_bearing::duty_cycle::{Crank, Frame};
+use oilwedge_bearing::duty_cycle::{Crank, ForceAxes};
 use oilwedge_scene::Scene;
 use oilwedge_study::duty::{Duty, DutyCycle, duty_cycle};
 use oilwedge_tests::program::repository;
@@ -51,7 +51,7 @@ fn the_load_of_a_crank_is_that_of_the_closed_form() {
         let theta = theta.to_radians();
         let duty = cycle.at(theta);
         // The data give the force on the pin; the load is the opposite one.
-        let [x, y] = turning.from_shell(duty.force, Frame::Cylinder, theta);
+        let [x, y] = turning.from_shell(duty.force, ForceAxes::Cylinder, theta);
         for (found, wanted) in [(-x, f_x), (-y, f_y), (-duty.force[0], along), (-duty.force[1], across)] {
             assert!((found - wanted).abs() < 1e-6 * peak, "{theta}: {found} {wanted}");
         }
@@ -93,7 +93,7 @@ fn the_work_of_a_cycle_is_that_of_the_gas() {
     let step = 2.0 * TAU / f64::from(ANGLES);
     // The load is the force of the crank on the pin; that of the pin on the crank is the opposite one.
     let torque = |angle: f64| {
-        let force = turning.from_shell(cycle.at(angle).force, Frame::Pin, angle);
+        let force = turning.from_shell(cycle.at(angle).force, ForceAxes::Pin, angle);
         -crank.linkage.radius * force[1]
     };
     let work = step * angles().map(torque).sum::<f64>();
@@ -136,7 +136,7 @@ fn the_spline_of_the_table_is_the_formula() {
 
 /// A scene with the synthetic load in a frame, from a table in 2 degree steps with full digits and without an end row,
 /// or with one.
-fn written(frame: Frame, end: u32, folder: &std::path::Path) -> Scene {
+fn written(frame: ForceAxes, end: u32, folder: &std::path::Path) -> Scene {
     let crank = cycle(&shipped("crank_big_end"));
     let turning = crank.turning().expect("a crank");
     let row = |k: u32| {
@@ -158,7 +158,7 @@ fn written(frame: Frame, end: u32, folder: &std::path::Path) -> Scene {
 #[test]
 fn a_table_in_three_frames_is_one_load() {
     let folder = tempfile::tempdir().expect("a folder");
-    let frames = [Frame::Shell, Frame::Cylinder, Frame::Pin];
+    let frames = [ForceAxes::Shell, ForceAxes::Cylinder, ForceAxes::Pin];
     let cycles = frames.map(|frame| cycle(&written(frame, 360, folder.path())));
     for angle in angles() {
         let [shell, others @ ..] = [0, 1, 2].map(|k: usize| cycles[k].at(angle));
@@ -170,7 +170,7 @@ fn a_table_in_three_frames_is_one_load() {
     }
     assert!(distance(&cycles[0]) < 2e-6);
     // A row that repeats the first one changes nothing.
-    let closed = cycle(&written(Frame::Shell, 361, folder.path()));
+    let closed = cycle(&written(ForceAxes::Shell, 361, folder.path()));
     assert!(angles().all(|angle| closed.at(angle) == cycles[0].at(angle)));
 }
 

@@ -26,7 +26,7 @@ fn bearing(cavitation: Cavitation, eps: f64, angle: f64, speed: f64) -> (FilmPro
     let mut problem = plain_film(LENGTH, eps, angle, speed);
     problem.cavitation = cavitation;
     let system = Arc::new(match problem.needs_start() {
-        true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
+        true => system.with_coarser(&problem, oilwedge_reynolds::levels::LevelLayout::Rows),
         false => system,
     });
     (problem, system)
@@ -59,7 +59,7 @@ fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProble
     let mut problem = plain_film(LENGTH, 0.5, 0.3, SPEED);
     problem.cavitation = cavitation;
     let system = FilmSystem::new(Arc::new(mesh), 2, regions.into()).expect("it fits");
-    let system = Arc::new(system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows));
+    let system = Arc::new(system.with_coarser(&problem, oilwedge_reynolds::levels::LevelLayout::Rows));
     (problem, system)
 }
 

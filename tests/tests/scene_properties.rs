@@ -6,7 +6,7 @@ use std::path::Path;
 
 use oilwedge_campaign::{Compare, Records, comparisons};
 use oilwedge_scene::unit::{self, Dimension};
-use oilwedge_scene::{LoadSource, MeshSource, TemperatureLaw, Tolerance, Viscosity};
+use oilwedge_scene::{LoadSource, MeshSource, TemperatureLawTable, Tolerance, Viscosity};
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
@@ -66,7 +66,7 @@ fn finite(scene: &Scene) -> bool {
     if let Some(Tolerance::ByName(targets)) = &mut scene.tolerance {
         targets.iter_mut().for_each(|target| target.quantity.clear());
     }
-    if let Viscosity::ByTemperature(TemperatureLaw::Grade(name)) = &mut scene.oil.viscosity {
+    if let Viscosity::ByTemperature(TemperatureLawTable::Grade(name)) = &mut scene.oil.viscosity {
         name.clear();
     }
     // A tolerance of a feed has the name of its group.

@@ -5,9 +5,7 @@ use std::path::Path;
 
 use oilwedge_scene::{Complaint, SceneError};
 use oilwedge_tests::scenes::parsed;
-use oilwedge_tests::thermal_films::{
-    AT_POSITION, BUSH, ENGINE, FERRON, LOAD, ThermalFilm, edited, is_that_of_the_reference,
-};
+use oilwedge_tests::thermal_films::{AT_POSITION, BUSH, FERRON, LOAD, ThermalFilm, edited, is_that_of_the_reference};
 
 /// A mesh for films that are compared with each other.
 const COARSE: (&str, &str) = ("size = \"6 mm\"", "size = \"8 mm\"");

@@ -6,7 +6,7 @@ use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
 
 /// A journal in balance.
-pub(crate) struct Balance {
+pub(crate) struct JournalBalance {
     /// Film of the journal.
     pub(crate) trial: Trial,
     /// Positions tried.
@@ -20,8 +20,8 @@ impl Search<'_> {
     ///
     /// # Errors
     /// The linear systems of the tangent could not be solved.
-    pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
-        let Balance { trial, tried, is_ended } = balance;
+    pub(crate) fn equilibrium(&self, balance: JournalBalance) -> Result<Equilibrium, NoEquilibrium> {
+        let JournalBalance { trial, tried, is_ended } = balance;
         let tangent = self.tangent(&trial)?;
         let warming = self.found_warmth(&trial)?;
         let residual = self.residual(&trial);

@@ -6,15 +6,15 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
-use crate::balance::Balance;
+use crate::balance::JournalBalance;
 use crate::coupled::FilmSolve;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
-use crate::newton::{Damping, Goal, ROUNDING, Unbalanced};
+use crate::newton::{BalanceTolerance, Damping, ROUNDING, Unbalanced};
 use crate::no_equilibrium::{BranchLimit, SearchEnd};
 use crate::search::{Search, Trial};
 use crate::work::Work;
-use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
+use crate::{Carrier, InitialGuess, JournalLoad, NoEquilibrium, Purpose, SearchOptions, Waypoint};
 
 /// Finds the position, and the tilt where that is free, in which the film carries `load`, searched from that of
 /// `problem`. Where the deadline passes before, the position reached is the answer.
@@ -25,7 +25,7 @@ use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, 
 pub fn find(
     problem: &FilmProblem,
     system: &Arc<FilmSystem>,
-    load: impl Into<Load>,
+    load: impl Into<JournalLoad>,
     options: &SearchOptions,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let load = load.into();
@@ -62,7 +62,7 @@ fn by_carrier<'a>(problem: &FilmProblem, new_search: impl Fn() -> Search<'a>) ->
 
 impl Search<'_> {
     /// The balance of the film in quadratic elements, searched as the options have it.
-    pub(crate) fn found(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+    pub(crate) fn found(&self, problem: &FilmProblem) -> Result<JournalBalance, NoEquilibrium> {
         match self.options.guess {
             InitialGuess::Cold => self.cold(problem),
             InitialGuess::NearlyBalanced => match self.near(problem, Neighbour::None) {
@@ -82,7 +82,7 @@ impl Search<'_> {
     }
 
     /// Balances the load from coarser meshes on.
-    fn cold(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+    fn cold(&self, problem: &FilmProblem) -> Result<JournalBalance, NoEquilibrium> {
         if self.coordinates.order > 0
             && let Some(reason) = self.below_rounding()
         {
@@ -94,9 +94,9 @@ impl Search<'_> {
     /// An outcome; that the journal is in contact where it is, with the `way` there that another mesh has shown.
     fn inside(
         &self,
-        outcome: Result<Balance, NoEquilibrium>,
+        outcome: Result<JournalBalance, NoEquilibrium>,
         way: Option<&Waypoint>,
-    ) -> Result<Balance, NoEquilibrium> {
+    ) -> Result<JournalBalance, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
         match self.coordinates.order > 0 && self.is_in_contact(&found.trial) {
             true => Err(self.branch_end(&found.trial.film.problem, BranchLimit::Contact, (1.0, None), way.cloned())),
@@ -105,7 +105,7 @@ impl Search<'_> {
     }
 
     /// Balances the load from its balance on coarser meshes, if the system has any.
-    fn on_levels(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+    fn on_levels(&self, problem: &FilmProblem) -> Result<JournalBalance, NoEquilibrium> {
         let Some(coarser) = &self.system.coarser else {
             return self.anywhere(problem);
         };
@@ -133,7 +133,7 @@ impl Search<'_> {
     }
 
     /// Balances the load from its balance on the coarser mesh.
-    fn prolonged(&self, problem: &FilmProblem, found: &Trial) -> Result<Balance, NoEquilibrium> {
+    fn prolonged(&self, problem: &FilmProblem, found: &Trial) -> Result<JournalBalance, NoEquilibrium> {
         let bent = problem.clone().deflected(found.film.problem.deflection());
         let journal = found.film.problem.journal;
         let start = self.system.coarser.as_ref().map(|coarser| coarser.start_of(&found.film));
@@ -144,7 +144,7 @@ impl Search<'_> {
     }
 
     /// Balances the load near the place of a problem.
-    fn near(&self, problem: &FilmProblem, near: Neighbour) -> Result<Balance, NoEquilibrium> {
+    fn near(&self, problem: &FilmProblem, near: Neighbour) -> Result<JournalBalance, NoEquilibrium> {
         let here = self.coordinates.at(&problem.journal);
         self.rested(self.open(problem, here, FilmSolve::Settled(near), self.left_at_balance())?, Damping::None)
     }
@@ -171,13 +171,13 @@ impl Search<'_> {
     }
 
     /// Balances the load from this start.
-    pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Balance, NoEquilibrium> {
+    pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<JournalBalance, NoEquilibrium> {
         self.rested(self.first(problem, start)?, Damping::PseudoTime)
     }
 
     /// Balances the load of a quadratic film from a trial.
-    fn rested(&self, first: Trial, damping: Damping) -> Result<Balance, NoEquilibrium> {
-        let goal = Goal {
+    fn rested(&self, first: Trial, damping: Damping) -> Result<JournalBalance, NoEquilibrium> {
+        let goal = BalanceTolerance {
             balanced: self.options.balanced(),
             closed: self.left_at_balance(),
             moved: f64::INFINITY,
@@ -190,11 +190,11 @@ impl Search<'_> {
     pub(crate) fn balanced(
         &self,
         (first, mut tried): (Trial, usize),
-        goal: Goal,
+        goal: BalanceTolerance,
         damping: Damping,
-    ) -> Result<Balance, NoEquilibrium> {
+    ) -> Result<JournalBalance, NoEquilibrium> {
         match self.newton(first, goal, damping, &mut tried) {
-            Ok(trial) => Ok(Balance { trial: self.accepted(trial)?, tried, is_ended: false }),
+            Ok(trial) => Ok(JournalBalance { trial: self.accepted(trial)?, tried, is_ended: false }),
             Err(Unbalanced { trial, end: SearchEnd::Ended }) => {
                 let problem = &trial.film.problem;
                 let near = FilmSolve::Settled(Neighbour::Start(&trial.film));
@@ -202,7 +202,7 @@ impl Search<'_> {
                     true => *trial,
                     false => self.open(problem, self.coordinates.at(&problem.journal), near, goal.closed)?,
                 };
-                Ok(Balance { trial: self.accepted(settled)?, tried, is_ended: true })
+                Ok(JournalBalance { trial: self.accepted(settled)?, tried, is_ended: true })
             }
             Err(Unbalanced { trial, .. }) if self.residual(&trial) < NEAR => Err(NoEquilibrium::NotConverged {
                 asked: self.load.magnitude(),
@@ -215,7 +215,7 @@ impl Search<'_> {
     }
 
     /// The balance from the start of a problem; where there is none near it, that at the end of a branch.
-    fn anywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+    fn anywhere(&self, problem: &FilmProblem) -> Result<JournalBalance, NoEquilibrium> {
         if self.load.tilting.is_some() {
             return self.along_branch(problem);
         }

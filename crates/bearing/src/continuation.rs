@@ -17,7 +17,7 @@ use std::rc::Rc;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
-use crate::balance::Balance;
+use crate::balance::JournalBalance;
 use crate::coordinates::{Vector, length, moved};
 use crate::coupled::{FilmSolve, Tangents};
 use crate::deflection::Moves;
@@ -59,7 +59,7 @@ const AHEAD: f64 = 0.3;
 const LEFT_TO_FINER: f64 = 0.01;
 
 /// A point of the branch.
-struct Point {
+struct BranchPoint {
     trial: Trial,
     /// How journal and wall move with the part.
     ahead: Moves,
@@ -112,7 +112,7 @@ impl Search<'_> {
 
 impl Branch<'_, '_> {
     /// The balance at the end of the branch.
-    fn followed(&self, first: Point) -> Result<Balance, NoEquilibrium> {
+    fn followed(&self, first: BranchPoint) -> Result<JournalBalance, NoEquilibrium> {
         let search = self.search;
         let mut here = Rc::new(first);
         let mut way: Option<Direction> = None;
@@ -137,11 +137,11 @@ impl Branch<'_, '_> {
             way = Some(along);
             let Some(next) = next else { break };
             match next {
-                Next::Contact(problem) => {
+                BranchStep::Contact(problem) => {
                     return Err(search.branch_end(&problem, BranchLimit::Contact, (1.0, None), Some(waypoint)));
                 }
-                Next::End(found) => return Ok(*found),
-                Next::Point(next) => here = Rc::from(next),
+                BranchStep::End(found) => return Ok(*found),
+                BranchStep::Point(next) => here = Rc::from(next),
             }
             if search.options.deadline.is_over() {
                 return search.run(&here.trial.film.problem, here.trial.film.problem.journal);
@@ -157,13 +157,13 @@ impl Branch<'_, '_> {
     }
 
     /// Whether a finer mesh is to show what follows a point.
-    fn is_left(&self, here: &Point) -> bool {
+    fn is_left(&self, here: &BranchPoint) -> bool {
         let is_start = self.search.options.purpose == Purpose::Start;
         is_start && here.trial.film.problem.deflection().is_some() && self.gap(&here.trial) < LEFT_TO_FINER
     }
 
     /// A point as one that a finer mesh begins at.
-    fn waypoint(&self, at: &Point) -> Waypoint {
+    fn waypoint(&self, at: &BranchPoint) -> Waypoint {
         Waypoint {
             journal: at.trial.film.problem.journal,
             deflection: at.trial.film.problem.deflection().cloned(),
@@ -173,11 +173,17 @@ impl Branch<'_, '_> {
     }
 
     /// Why a branch that was followed up to a point does not lead to the balance.
-    fn why(&self, here: &Point, way: Option<Direction>, greatest: &Point, waypoint: Waypoint) -> NoEquilibrium {
+    fn why(
+        &self,
+        here: &BranchPoint,
+        way: Option<Direction>,
+        greatest: &BranchPoint,
+        waypoint: Waypoint,
+    ) -> NoEquilibrium {
         let search = self.search;
         let has_turned = way.is_some_and(|way| way.part < 0.0);
         let is_at_end = search.is_in_contact(&here.trial) || has_turned && here.part < greatest.part - FALLEN;
-        let carried = |at: &Point| match is_at_end {
+        let carried = |at: &BranchPoint| match is_at_end {
             true => self.carried_with_error(at),
             // No step leads on: the branch itself may.
             false => (self.carried(at.part), None),
@@ -208,7 +214,7 @@ impl Branch<'_, '_> {
 
     /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts.
     /// None where the tangent is singular.
-    fn direction(&self, at: &Point, before: Option<&Direction>) -> Option<Direction> {
+    fn direction(&self, at: &BranchPoint, before: Option<&Direction>) -> Option<Direction> {
         let long = (length(at.ahead.place) / self.clearance).hypot(1.0);
         let is_back = before.is_some_and(|before| self.product(before, at.ahead.place, 1.0) < 0.0);
         let long = if is_back { -long } else { long };
@@ -216,10 +222,10 @@ impl Branch<'_, '_> {
     }
 
     /// A point of the branch at this part.
-    fn point(&self, trial: Trial, part: f64) -> Result<Point, NoFilm> {
+    fn point(&self, trial: Trial, part: f64) -> Result<BranchPoint, NoFilm> {
         let wall = self.search.left_of_wall(&trial).into_owned();
         let ahead = self.ahead(&self.search.tangents(&trial, &trial.film, &wall, (FOLLOWED, 0.0))?)?;
-        Ok(Point { trial, ahead, part })
+        Ok(BranchPoint { trial, ahead, part })
     }
 
     /// How journal and wall move with the part, by their tangents at a point.
@@ -235,7 +241,7 @@ impl Branch<'_, '_> {
 
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or
     /// shorter afterwards. None where no step leads on.
-    fn next(&self, here: &Point, along: &Direction, wanted: &mut f64) -> Option<Next> {
+    fn next(&self, here: &BranchPoint, along: &Direction, wanted: &mut f64) -> Option<BranchStep> {
         let (search, gap, [quick, _]) = (self.search, self.gap(&here.trial), corrections(&here.trial));
         // A search that was ended may begin where the gap vanishes.
         (gap > 0.0).then_some(())?;
@@ -257,23 +263,23 @@ impl Branch<'_, '_> {
                     .map(|(bent, _)| search.run(&bent, bent.journal));
                 match found {
                     Some(Ok(found)) if search.is_in_contact(&found.trial) => {
-                        return Some(Next::Contact(Box::new(found.trial.film.problem)));
+                        return Some(BranchStep::Contact(Box::new(found.trial.film.problem)));
                     }
-                    Some(Ok(found)) => return Some(Next::End(Box::new(found))),
+                    Some(Ok(found)) => return Some(BranchStep::End(Box::new(found))),
                     Some(Err(_)) | None => {}
                 }
             } else if let Some((point, corrections)) = self.corrected(here, along, *wanted) {
                 if corrections <= quick {
                     *wanted *= GROWTH;
                 }
-                return Some(Next::Point(Box::new(point)));
+                return Some(BranchStep::Point(Box::new(point)));
             }
             *wanted *= 0.5;
         }
     }
 
     /// The point of the branch across a step of this length along it, and the corrections that it took.
-    fn corrected(&self, here: &Point, along: &Direction, step: f64) -> Option<(Point, usize)> {
+    fn corrected(&self, here: &BranchPoint, along: &Direction, step: f64) -> Option<(BranchPoint, usize)> {
         let search = self.search;
         let least = 0.5 * LEAST_SHRINK * search.least_film(&here.trial);
         let (mut bent, mut place) = search.led_on(&here.trial, &along.moves, step, least)?;
@@ -289,8 +295,8 @@ impl Branch<'_, '_> {
             };
             let trial = trial.ok()?;
             let (correction, change) = match self.judged(along, &trial, part)? {
-                Judged::Point(ahead) => return Some((Point { trial, ahead, part }, corrections)),
-                Judged::Beside(correction, change) => (correction, change),
+                BranchFilm::Point(ahead) => return Some((BranchPoint { trial, ahead, part }, corrections)),
+                BranchFilm::Beside(correction, change) => (correction, change),
             };
             let size = length(correction.place) / self.clearance;
             if !(size + change.abs()).is_finite() || size > 2.0 * last.min(step) {
@@ -304,7 +310,7 @@ impl Branch<'_, '_> {
 
     /// Whether a film at this part is a point of the branch or, where it lies beside, the moves and the change of the
     /// part that lead across `along` to it.
-    fn judged(&self, along: &Direction, trial: &Trial, part: f64) -> Option<Judged> {
+    fn judged(&self, along: &Direction, trial: &Trial, part: f64) -> Option<BranchFilm> {
         let search = self.search;
         let wall = search.left_of_wall(trial);
         let tangents = search.tangents(trial, &trial.film, &wall, (FOLLOWED, 0.0)).ok()?;
@@ -316,11 +322,11 @@ impl Branch<'_, '_> {
             Some(_) => ON_BRANCH * length(self.first).min(search.scale),
         };
         if length(left) < near && wall.residual < CLOSED_ON_BRANCH {
-            return Some(Judged::Point(ahead));
+            return Some(BranchFilm::Point(ahead));
         }
         let back = tangents.solve(left.map(|left| -left), Some(&wall.wall)).ok()?;
         let change = -self.product(along, back.place, 0.0) / (along.part + self.product(along, ahead.place, 0.0));
-        Some(Judged::Beside(back.plus(change, &ahead), change))
+        Some(BranchFilm::Beside(back.plus(change, &ahead), change))
     }
 }
 
@@ -333,7 +339,7 @@ fn corrections(trial: &Trial) -> [usize; 2] {
 }
 
 /// What a film near a branch is.
-enum Judged {
+enum BranchFilm {
     /// A point of it, with how journal and wall move with the part.
     Point(Moves),
     /// One beside it: the moves to it, and the change of the part.
@@ -341,10 +347,10 @@ enum Judged {
 }
 
 /// What follows a point of a branch.
-enum Next {
-    Point(Box<Point>),
+enum BranchStep {
+    Point(Box<BranchPoint>),
     /// The balance.
-    End(Box<Balance>),
+    End(Box<JournalBalance>),
     /// The film of a balance in which the journal is in contact.
     Contact(Box<FilmProblem>),
 }

@@ -13,7 +13,7 @@
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{Bearing, CentreVelocity, JournalChange, JournalState};
 
-use crate::Load;
+use crate::JournalLoad;
 
 /// Coordinates or forces; with two coordinates the last two are zero.
 pub type Vector = [f64; 4];
@@ -29,7 +29,7 @@ pub struct Coordinates {
 
 impl Coordinates {
     /// The coordinates that are free under a load.
-    pub fn of(load: &Load, bearing: &Bearing) -> Self {
+    pub fn of(load: &JournalLoad, bearing: &Bearing) -> Self {
         Self { order: if load.tilting.is_some() { 4 } else { 2 }, arm: 0.5 * bearing.length }
     }
 

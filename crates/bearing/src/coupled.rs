@@ -7,7 +7,7 @@
 
 use std::borrow::Cow;
 
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::film_thickness::Closing;
 use oilwedge_reynolds::quantities::load::{load, load_change, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
@@ -16,7 +16,7 @@ use oilwedge_reynolds::{
 };
 
 use crate::coordinates::{Coordinates, Vector, moved, unit};
-use crate::deflection::{Bordered, Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
+use crate::deflection::{Bordered, Follower, Joint, Moves, NEARLY, WallResidual, contact_points, settled};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 
@@ -31,7 +31,7 @@ pub(crate) enum FilmSolve<'a> {
 /// How the journal of a film, and a wall that gives way, move where their balances are to change.
 pub(crate) enum Tangents<'a> {
     /// The wall is rigid.
-    Rigid(Rigid<'a>),
+    Rigid(RigidTangents<'a>),
     /// The wall gives way.
     Yielding(Box<Joint<'a>>),
     /// The wall gives way, and the film in cubic elements carries the load.
@@ -39,7 +39,7 @@ pub(crate) enum Tangents<'a> {
 }
 
 /// How force and film change with each coordinate of a journal in a rigid wall.
-pub(crate) struct Rigid<'a> {
+pub(crate) struct RigidTangents<'a> {
     film: &'a SolvedFilm,
     coordinates: Coordinates,
     stiffness: Stiffness,
@@ -48,7 +48,7 @@ pub(crate) struct Rigid<'a> {
     pub(crate) columns: Vec<MixedChange>,
 }
 
-impl Rigid<'_> {
+impl RigidTangents<'_> {
     /// The change of the forces by each coordinate [N/m], and the moves of a journal by each.
     pub(crate) fn by_place(&self) -> (Stiffness, Vec<Moves>) {
         let column =
@@ -70,8 +70,8 @@ impl Tangents<'_> {
                 let film = MixedChange::sum(place.into_iter().zip(&rigid.columns));
                 Ok(Moves { place, film, ..Moves::default() })
             }
-            Self::Yielding(joint) => Ok(joint.solve(force, wall).map_err(Failure::from)?),
-            Self::OfCubic(bordered) => Ok(bordered.solve(force, wall).map_err(Failure::from)?),
+            Self::Yielding(joint) => Ok(joint.solve(force, wall).map_err(NewtonFailure::from)?),
+            Self::OfCubic(bordered) => Ok(bordered.solve(force, wall).map_err(NewtonFailure::from)?),
         }
     }
 
@@ -82,14 +82,14 @@ impl Tangents<'_> {
     /// The linear systems could not be solved.
     pub(crate) fn pushed(&self, change: &JournalChange, rate: &[f64]) -> Result<(Vector, Vec<f64>), NoFilm> {
         match self {
-            Self::Rigid(Rigid { film, coordinates, .. }) => {
+            Self::Rigid(RigidTangents { film, coordinates, .. }) => {
                 let change = FilmChange::Journal(*change);
-                let columns = film.mixed_changes(&[change]).map_err(Failure::from)?;
+                let columns = film.mixed_changes(&[change]).map_err(NewtonFailure::from)?;
                 let unknown = MixedChange::sum(columns.iter().map(|column| (1.0, column)));
                 Ok((coordinates.forces(&load_change(film, &[change], &film.unknown_in(&unknown))), Vec::new()))
             }
-            Self::Yielding(joint) => Ok(joint.pushed(change, rate).map_err(Failure::from)?),
-            Self::OfCubic(bordered) => Ok(bordered.near().pushed(change, rate).map_err(Failure::from)?),
+            Self::Yielding(joint) => Ok(joint.pushed(change, rate).map_err(NewtonFailure::from)?),
+            Self::OfCubic(bordered) => Ok(bordered.near().pushed(change, rate).map_err(NewtonFailure::from)?),
         }
     }
 }
@@ -103,7 +103,7 @@ impl Search<'_> {
             FilmSolve::Settled(near) => problem.solve_from(self.system, near)?,
             FilmSolve::Step(start) => problem.step(self.system, start)?,
         };
-        let left = Left::of(&film, contact_points(&problem, self.system));
+        let left = WallResidual::of(&film, contact_points(&problem, self.system));
         let carried = load_touching(&film, left.contact.as_deref());
         let film = SolvedFilm { problem: counted(problem, (1, 0), left.residual), ..film };
         Ok(self.recorded(Trial {
@@ -129,7 +129,7 @@ impl Search<'_> {
 
     /// The trial of a film and of the same film in cubic elements, whose force counts.
     pub(crate) fn of_pair(&self, film: SolvedFilm, cubic: SolvedFilm) -> Trial {
-        let left = Left::of(&cubic, contact_points(&film.problem, self.system));
+        let left = WallResidual::of(&cubic, contact_points(&film.problem, self.system));
         let problem = counted(film.problem.clone(), (1, 0), left.residual);
         let (film, cubic) = (SolvedFilm { problem: problem.clone(), ..film }, SolvedFilm { problem, ..cubic });
         let carried = load(&cubic).total.resultant();
@@ -142,8 +142,8 @@ impl Search<'_> {
     }
 
     /// What a trial leaves of the balance of its wall.
-    pub(crate) fn left_of_wall<'t>(&self, trial: &'t Trial) -> Cow<'t, Left> {
-        let of = || Left::of(&trial.film, contact_points(&trial.film.problem, self.system));
+    pub(crate) fn left_of_wall<'t>(&self, trial: &'t Trial) -> Cow<'t, WallResidual> {
+        let of = || WallResidual::of(&trial.film, contact_points(&trial.film.problem, self.system));
         trial.left.as_ref().map_or_else(|| Cow::Owned(of()), Cow::Borrowed)
     }
 
@@ -156,17 +156,18 @@ impl Search<'_> {
         &'t self,
         trial: &'t Trial,
         film: &'t SolvedFilm,
-        left: &Left,
+        left: &WallResidual,
         (accuracy, rate): (f64, f64),
     ) -> Result<Tangents<'t>, NoFilm> {
-        let of = |film| Follower::touching(film, left.contact.clone()).map_err(Failure::from);
+        let of = |film| Follower::touching(film, left.contact.clone()).map_err(NewtonFailure::from);
         let Some(follower) = of(film)? else {
             return Ok(Tangents::Rigid(self.rigid(film, rate)?));
         };
         let (journal, velocity, held) =
             (&trial.film.problem.journal, self.options.centre_velocity, self.stiffness_beside());
         let change = |k: usize| self.change_at(journal, unit(k), rate);
-        let joint = |accuracy| Joint::of(follower, self.coordinates, change, held, accuracy).map_err(Failure::from);
+        let joint =
+            |accuracy| Joint::of(follower, self.coordinates, change, held, accuracy).map_err(NewtonFailure::from);
         let cubic = match &trial.cubic {
             None => None,
             Some(cubic) => of(cubic)?,
@@ -183,19 +184,19 @@ impl Search<'_> {
     }
 
     /// The tangent of a film in a rigid wall whose journal moves in pseudo-time.
-    fn rigid<'t>(&self, film: &'t SolvedFilm, rate: f64) -> Result<Rigid<'t>, NoFilm> {
+    fn rigid<'t>(&self, film: &'t SolvedFilm, rate: f64) -> Result<RigidTangents<'t>, NoFilm> {
         let changes: Vec<FilmChange> = (0..self.coordinates.order)
             .map(|k| FilmChange::Journal(self.change_at(&film.problem.journal, unit(k), rate)))
             .chain(self.options.warming.map(|_| FilmChange::Viscosity(1.0)))
             .collect();
-        let columns = film.mixed_changes(&changes).map_err(Failure::from)?;
+        let columns = film.mixed_changes(&changes).map_err(NewtonFailure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {
             let carried = load_change(film, &changes[k..=k], &film.unknown_in(&columns[k]));
             let mut column = self.coordinates.forces(&carried);
             column[k] += self.stiffness_beside()[k];
             Ok::<_, NoFilm>(column)
         })?;
-        Ok(Rigid { film, coordinates: self.coordinates, stiffness, columns })
+        Ok(RigidTangents { film, coordinates: self.coordinates, stiffness, columns })
     }
 
     /// Where a part of moves leads: the problem under the wall there, and the coordinates.

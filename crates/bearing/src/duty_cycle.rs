@@ -4,9 +4,9 @@
 //!
 //! | frame | axes | to the shell |
 //! |---|---|---|
-//! | [`Frame::Shell`] | of the bearing, x at angle 0 | - |
-//! | [`Frame::Cylinder`] | x from the crank's centre to the cylinder | turned by beta in a rod, else the same |
-//! | [`Frame::Pin`] | x from the crank's centre to the pin | by the crank angle, then as the cylinder's |
+//! | [`ForceAxes::Shell`] | of the bearing, x at angle 0 | - |
+//! | [`ForceAxes::Cylinder`] | x from the crank's centre to the cylinder | turned by beta in a rod, else the same |
+//! | [`ForceAxes::Pin`] | x from the crank's centre to the pin | by the crank angle, then as the cylinder's |
 //!
 //! Angles grow from x to y in all of them. A shell in a rod turns with it: x lies along the rod from the big end to the
 //! small end, and the journal turns against it with `omega (1 + d beta/d theta)`. The film has no inertia, so nothing
@@ -15,9 +15,9 @@
 //! **Angle.** A load goes by the angle of the crank, which turns with the journal, or by an angle of its own: one turn
 //! of it is then one period ([`DutyCycle::at_frequency`]).
 //!
-//! **Signs.** A force F is that of [`crate::Load`]: external, on the journal; the film pushes the journal with -F and
-//! the shell with F. The crank angle grows with time. Where the journal turns towards falling angles of its bearing,
-//! the mechanism is mirrored in the x axis.
+//! **Signs.** A force F is that of [`crate::JournalLoad`]: external, on the journal; the film pushes the journal with
+//! -F and the shell with F. The crank angle grows with time. Where the journal turns towards falling angles of its
+//! bearing, the mechanism is mirrored in the x axis.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -39,7 +39,7 @@ mod table;
 mod tests;
 
 pub use crank::{Crank, GasPressure, Linkage, PressureCurve, Throw};
-pub use frame::{Frame, Turning};
+pub use frame::{ForceAxes, Turning};
 pub use harmonics::Harmonic;
 pub use spline::{NoSpline, PeriodicSpline};
 pub use summary::{RowsSummary, Summary};
@@ -65,18 +65,18 @@ pub struct DutyCycle {
     angular_speed: f64,
     at: f64,
     unbalance: Option<[f64; 2]>,
-    source: Source,
+    source: CycleSource,
 }
 
 /// Where a load comes from.
 #[derive(Debug, Clone, PartialEq)]
-enum Source {
+enum CycleSource {
     /// The duty does not change.
     Constant(Duty),
     /// A curve through the points of a table and within them, in the frame of the shell.
     Table(Turning, PeriodicSpline<4>),
     /// Harmonics in a frame.
-    Harmonics(Turning, Frame, Vec<Harmonic>),
+    Harmonics(Turning, ForceAxes, Vec<Harmonic>),
     /// The big end of a crank.
     BigEnd(Turning, Crank),
     /// A main bearing between throws that have this crank drive each.
@@ -87,7 +87,7 @@ impl DutyCycle {
     /// A load that does not change, with a nominal period [rad] of the crank angle and an angular speed [rad/s] of the
     /// crank.
     pub fn constant(duty: Duty, period: f64, angular_speed: f64) -> Self {
-        Self { period, angular_speed, at: 0.0, unbalance: None, source: Source::Constant(duty) }
+        Self { period, angular_speed, at: 0.0, unbalance: None, source: CycleSource::Constant(duty) }
     }
 
     /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is
@@ -97,14 +97,14 @@ impl DutyCycle {
     ///
     /// # Errors
     /// [`NoSpline`]: the angles do not grow, or there are too few points.
-    pub fn of_table(points: &[LoadPoint], period: f64, frame: Frame, turning: Turning) -> Result<Self, NoSpline> {
+    pub fn of_table(points: &[LoadPoint], period: f64, frame: ForceAxes, turning: Turning) -> Result<Self, NoSpline> {
         let spline = table::spline(points, period, frame, &turning)?;
-        Ok(Self::of(period, turning, Source::Table(turning, spline)))
+        Ok(Self::of(period, turning, CycleSource::Table(turning, spline)))
     }
 
     /// The load that is a sum of harmonics in a frame; `period` [rad] is one of all of them.
-    pub fn of_harmonics(harmonics: Vec<Harmonic>, period: f64, frame: Frame, turning: Turning) -> Self {
-        Self::of(period, turning, Source::Harmonics(turning, frame, harmonics))
+    pub fn of_harmonics(harmonics: Vec<Harmonic>, period: f64, frame: ForceAxes, turning: Turning) -> Self {
+        Self::of(period, turning, CycleSource::Harmonics(turning, frame, harmonics))
     }
 
     /// The load of the big end of a crank that turns with `speed` [rad/s], positive towards growing angles of the
@@ -112,7 +112,7 @@ impl DutyCycle {
     pub fn of_big_end(crank: Crank, speed: f64) -> Self {
         let rod = Some(crank.linkage);
         let turning = Turning { speed, rod };
-        Self::of(crank.gas.period(), turning, Source::BigEnd(turning, crank))
+        Self::of(crank.gas.period(), turning, CycleSource::BigEnd(turning, crank))
     }
 
     /// The load of a main bearing of a crankshaft that turns with `speed` [rad/s], positive towards growing angles of
@@ -120,10 +120,10 @@ impl DutyCycle {
     /// points to the cylinders, which are in line.
     pub fn of_main(crank: Crank, throws: Vec<Throw>, speed: f64) -> Self {
         let turning = Turning { speed, rod: None };
-        Self::of(crank.gas.period(), turning, Source::Main(turning, crank, throws))
+        Self::of(crank.gas.period(), turning, CycleSource::Main(turning, crank, throws))
     }
 
-    fn of(period: f64, turning: Turning, source: Source) -> Self {
+    fn of(period: f64, turning: Turning, source: CycleSource) -> Self {
         Self { period, angular_speed: turning.speed.abs(), at: 0.0, unbalance: None, source }
     }
 
@@ -162,20 +162,22 @@ impl DutyCycle {
     pub fn at(&self, angle: f64) -> Duty {
         let angle = angle.rem_euclid(self.period);
         let mut duty = match &self.source {
-            Source::Constant(duty) => *duty,
-            Source::Table(turning, spline) => turning.duty(Acting::of_parts(spline.at(angle)), Frame::Shell, angle),
-            Source::Harmonics(turning, frame, harmonics) => {
+            CycleSource::Constant(duty) => *duty,
+            CycleSource::Table(turning, spline) => {
+                turning.duty(Acting::of_parts(spline.at(angle)), ForceAxes::Shell, angle)
+            }
+            CycleSource::Harmonics(turning, frame, harmonics) => {
                 turning.duty(Acting::of_parts(harmonics::sum(harmonics, angle)), *frame, angle)
             }
-            Source::BigEnd(turning, crank) => {
+            CycleSource::BigEnd(turning, crank) => {
                 let [x, y] = crank.force_on_pin(angle, turning.speed);
                 let acting = Acting::of_parts([-x, -turning.sense() * y, 0.0, 0.0]);
-                turning.duty(acting, Frame::Cylinder, angle)
+                turning.duty(acting, ForceAxes::Cylinder, angle)
             }
-            Source::Main(turning, crank, throws) => {
+            CycleSource::Main(turning, crank, throws) => {
                 let [x, y] = crank.force_on_main(throws, angle, turning.speed);
                 let acting = Acting::of_parts([x, turning.sense() * y, 0.0, 0.0]);
-                turning.duty(acting, Frame::Cylinder, angle)
+                turning.duty(acting, ForceAxes::Cylinder, angle)
             }
         };
         if let Some([along, across]) = self.unbalance {
@@ -194,18 +196,18 @@ impl DutyCycle {
     /// How the journal and the shell turn; `None`: the load is constant, and no crank is known.
     pub fn turning(&self) -> Option<Turning> {
         match &self.source {
-            Source::Constant(_) => None,
-            Source::Table(turning, _)
-            | Source::Harmonics(turning, ..)
-            | Source::BigEnd(turning, _)
-            | Source::Main(turning, ..) => Some(*turning),
+            CycleSource::Constant(_) => None,
+            CycleSource::Table(turning, _)
+            | CycleSource::Harmonics(turning, ..)
+            | CycleSource::BigEnd(turning, _)
+            | CycleSource::Main(turning, ..) => Some(*turning),
         }
     }
 
     /// The crank whose big end has this load, where it is one.
     pub fn crank(&self) -> Option<&Crank> {
         match &self.source {
-            Source::BigEnd(_, crank) => Some(crank),
+            CycleSource::BigEnd(_, crank) => Some(crank),
             _ => None,
         }
     }

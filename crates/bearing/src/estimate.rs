@@ -61,7 +61,7 @@ pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> O
 
 /// Eccentricity [1] at which the contact of a parallel journal in a plain ring carries `force` [N] alone; at most
 /// [`GREATEST_ECCENTRICITY`].
-pub fn first_contact(law: &ContactLaw, bearing: &Bearing, force: f64) -> f64 {
+pub fn first_contact(law: &dyn ContactLaw, bearing: &Bearing, force: f64) -> f64 {
     const HALVINGS: usize = 50;
     const POINTS: u32 = 2000;
     let (radius, clearance) = (bearing.radius, bearing.clearance);

@@ -14,7 +14,7 @@ use crate::coordinates::{Vector, length, moved};
 use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
 use crate::search_options::SearchOptions;
-use crate::{Load, Stiffness, WallByPlace};
+use crate::{JournalLoad, Stiffness, WallByPlace};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
@@ -27,7 +27,7 @@ const SHORT: f64 = 1e-2;
 /// `tangent` dW/de [N/m]; none where a film nearby has no hill, or forces do not come to the load.
 pub fn balance_hill(
     (film, hill): (&SolvedFilm, SharpFilm),
-    load: Load,
+    load: JournalLoad,
     tangent: Stiffness,
     options: &SearchOptions,
 ) -> Option<(Equilibrium, SharpFilm)> {

@@ -4,7 +4,7 @@ use crate::coordinates::Vector;
 
 /// Force on the journal, and what tilts it where its tilt is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
+pub struct JournalLoad {
     /// Force `(F_x, F_y)` [N].
     pub force: [f64; 2],
     /// What tilts the journal; `None`: its tilt is given.
@@ -22,14 +22,14 @@ pub struct Tilting {
     pub support: [f64; 2],
 }
 
-impl Load {
+impl JournalLoad {
     /// Magnitude of the force [N].
     pub fn magnitude(&self) -> f64 {
         self.force[0].hypot(self.force[1])
     }
 }
 
-impl Load {
+impl JournalLoad {
     /// This load with further forces in coordinates whose slopes are multiplied by `arm` [m].
     pub(crate) fn with(self, [x, y, z_x, z_y]: Vector, arm: f64) -> Self {
         let [force_x, force_y] = self.force;
@@ -41,7 +41,7 @@ impl Load {
     }
 }
 
-impl From<[f64; 2]> for Load {
+impl From<[f64; 2]> for JournalLoad {
     /// A force [N] on a journal of given tilt.
     fn from(force: [f64; 2]) -> Self {
         Self { force, tilting: None }

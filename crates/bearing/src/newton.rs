@@ -9,7 +9,7 @@
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | W, F, S x | N | `response`, `asked` |
-//! | d, C f - d | m | `deflection`, `Left` |
+//! | d, C f - d | m | `deflection`, `WallResidual` |
 //! | rate | 1/s | of pseudo-time |
 //!
 //! **Method.** A step assembles and factorises the film once, with the cavity that the step before foretells along its
@@ -29,7 +29,7 @@ use std::borrow::Cow;
 use oilwedge_reynolds::NoFilm;
 
 use crate::coordinates::length;
-use crate::deflection::{Left, Moves};
+use crate::deflection::{Moves, WallResidual};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::SearchEnd;
 use crate::search::{Search, Trial};
@@ -68,7 +68,7 @@ const CONTACT: f64 = 1e-6;
 
 /// What a balance may leave.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Goal {
+pub(crate) struct BalanceTolerance {
     /// Difference of force and load over the load [1].
     pub(crate) balanced: f64,
     /// Part of the deflection [1].
@@ -104,7 +104,7 @@ impl Search<'_> {
     pub(crate) fn newton(
         &self,
         first: Trial,
-        goal: Goal,
+        goal: BalanceTolerance,
         damping: Damping,
         tried: &mut usize,
     ) -> Result<Trial, Unbalanced> {
@@ -124,7 +124,7 @@ impl Coupled<'_, '_> {
     pub(crate) fn newton(
         &self,
         first: Vec<Trial>,
-        goal: Goal,
+        goal: BalanceTolerance,
         damping: Damping,
         tried: &mut usize,
     ) -> (Vec<Trial>, Option<SearchEnd>) {
@@ -172,7 +172,7 @@ impl Coupled<'_, '_> {
     fn stepped(
         &self,
         here: &[Trial],
-        (walls, closed): (&[Cow<'_, Left>], f64),
+        (walls, closed): (&[Cow<'_, WallResidual>], f64),
         (accuracy, rate): (f64, f64),
         tried: &mut usize,
     ) -> Result<Option<(Vec<Trial>, f64)>, NoFilm> {

@@ -18,7 +18,7 @@ const LEAST_SHRINK: f64 = 0.3;
 
 /// An operating point: what a prediction knows of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct OperatingPoint {
     /// What distinguishes it from its neighbours, in even steps.
     pub coordinate: f64,
     /// Logarithm of the load over that of drag through the clearance.
@@ -29,7 +29,7 @@ pub struct Point {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Visited {
     /// The operating point.
-    pub point: Point,
+    pub point: OperatingPoint,
     /// Eccentricity ratio.
     pub eccentricity: f64,
     /// Angle of the thinnest film [rad].
@@ -54,7 +54,7 @@ pub struct Predicted {
 ///
 /// Over the duty where that changes: the logarithm of the load is nearly linear in the logarithmic eccentricity, with a
 /// slope of one.
-pub fn predicted(visited: &[Visited], point: Point) -> Option<Predicted> {
+pub fn predicted(visited: &[Visited], point: OperatingPoint) -> Option<Predicted> {
     let last = visited.last()?;
     let points = &visited[visited.len().saturating_sub(MOST_POINTS)..];
     let duties: Vec<f64> = points.iter().map(|it| it.point.duty).collect();
@@ -105,7 +105,7 @@ mod tests {
 
     fn at(t: f64, duty: f64) -> Visited {
         Visited {
-            point: Point { coordinate: t, duty },
+            point: OperatingPoint { coordinate: t, duty },
             eccentricity: eccentricity_at(0.3 * t + 0.02 * t * t),
             angle: 6.2 + 0.1 * t,
             tilt: [1e-4 * t, 0.0],
@@ -130,7 +130,7 @@ mod tests {
         assert!(close(predicted(&visited, at(3.0, 1.0).point), at(3.0, 1.0)));
         // Over the duty, where that runs.
         let visited = [at(0.5, 0.5), at(1.0, 1.0), at(2.0, 2.0)]
-            .map(|it| Visited { point: Point { coordinate: it.point.duty.exp(), ..it.point }, ..it });
+            .map(|it| Visited { point: OperatingPoint { coordinate: it.point.duty.exp(), ..it.point }, ..it });
         assert!(close(predicted(&visited, at(3.0, 3.0).point), at(3.0, 3.0)));
         assert_eq!(predicted(&visited, at(60.0, 60.0).point), here(at(2.0, 2.0)));
         assert_eq!(predicted(&[at(2.0, 1.0), at(2.0, 1.0)], at(2.0, 1.0).point), here(at(2.0, 1.0)));

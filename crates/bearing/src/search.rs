@@ -10,12 +10,12 @@ use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
-use crate::deflection::{CLOSED, Left};
+use crate::deflection::{CLOSED, WallResidual};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
 use crate::time_terms::TimeTerms;
 use crate::work::Work;
-use crate::{Load, SearchOptions, ThermalFlows};
+use crate::{JournalLoad, SearchOptions, ThermalFlows};
 
 /// Part of a deflection that a trial may leave, over the difference of force and load at which the balance is found.
 pub(crate) const OF_BALANCE: f64 = 1e-2;
@@ -25,7 +25,7 @@ const OF_CONTACT: f64 = 1e-6;
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a Arc<FilmSystem>,
-    pub(crate) load: Load,
+    pub(crate) load: JournalLoad,
     /// Where the film is least in a wall that is not bent; see [`Self::gap_under`].
     pub(crate) gap: Gap,
     /// What is free under it.
@@ -87,7 +87,7 @@ pub(crate) struct Trial {
     /// Where surfaces touch, if that was asked.
     pub(crate) contact: Option<Arc<ContactPoints>>,
     /// What it leaves of the balance of its wall, where the wall is not closed at each place.
-    pub(crate) left: Option<Left>,
+    pub(crate) left: Option<WallResidual>,
     /// Least film [m], once it was asked for.
     pub(crate) least_film: OnceLock<f64>,
     /// What heats and cools it, once it was asked for.
@@ -107,7 +107,7 @@ impl<'a> Search<'a> {
     pub(crate) fn new(
         problem: &FilmProblem,
         system: &'a Arc<FilmSystem>,
-        load: Load,
+        load: JournalLoad,
         options: SearchOptions<'a>,
     ) -> Self {
         let gap = Gap::of(&problem.clone().with_wall_at_rest(), system);
@@ -118,7 +118,7 @@ impl<'a> Search<'a> {
     pub(crate) fn in_stage(
         problem: &FilmProblem,
         (system, gap): (&'a Arc<FilmSystem>, Gap),
-        (load, scale): (Load, f64),
+        (load, scale): (JournalLoad, f64),
         time: TimeTerms,
     ) -> Self {
         let search = Self::within(gap, problem, system, load, SearchOptions::default());
@@ -134,7 +134,7 @@ impl<'a> Search<'a> {
         gap: Gap,
         problem: &FilmProblem,
         system: &'a Arc<FilmSystem>,
-        load: Load,
+        load: JournalLoad,
         options: SearchOptions<'a>,
     ) -> Self {
         let reference_force = reference_force(problem, system, options.centre_velocity);
@@ -161,7 +161,7 @@ impl<'a> Search<'a> {
 
     /// A search whose journal stays where the problem has it: its wall and its temperature alone are unknown.
     pub(crate) fn held(problem: &FilmProblem, system: &'a Arc<FilmSystem>, options: SearchOptions<'a>) -> Self {
-        let search = Self::new(problem, system, Load::from([0.0; 2]), options);
+        let search = Self::new(problem, system, JournalLoad::from([0.0; 2]), options);
         Self { coordinates: Coordinates { order: 0, ..search.coordinates }, ..search }
     }
 

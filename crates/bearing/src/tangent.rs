@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::NoFilm;
 
 use crate::coordinates::{Vector, unit};
@@ -49,7 +49,7 @@ impl Search<'_> {
         let contact = trial.contact.clone();
         let contact = contact.or_else(|| contact_on_wall(&trial.film.problem, self.system));
         let followed = carried_touching(&trial.film, contact, &changes, FOLLOWED);
-        let followed: Vec<Carried> = followed.map_err(Failure::from)?;
+        let followed: Vec<Carried> = followed.map_err(NewtonFailure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {
             let mut column = self.coordinates.forces(&followed[k].by_film);
             column[k] += self.stiffness_beside()[k];

@@ -158,7 +158,7 @@ pub struct Balanced {
 
 /// Why there is no balance.
 #[derive(Debug, Clone, PartialEq)]
-pub enum NoBalance<E> {
+pub enum NoThermalBalance<E> {
     /// There is no film at any temperature.
     NoFilm(E),
     /// Films end before the heat is carried off.
@@ -181,13 +181,13 @@ pub enum NoBalance<E> {
 
 /// A film at a temperature.
 #[derive(Debug, Clone, Copy)]
-struct Point {
+struct ThermalPoint {
     temperature: f64,
     film: ThermalFlows,
     surplus: f64,
 }
 
-impl Point {
+impl ThermalPoint {
     /// Whether the surplus is at most this part of the power.
     fn is_balanced(&self, accuracy: f64) -> bool {
         self.surplus.abs() <= accuracy * self.film.power.abs()
@@ -198,25 +198,25 @@ impl Point {
 /// `evaluate` gives what heats and cools the film at a temperature [K].
 ///
 /// # Errors
-/// [`NoBalance`]: the reason why there is none.
+/// [`NoThermalBalance`]: the reason why there is none.
 pub fn find<E>(
     balance: &ThermalBalance,
     start: f64,
     accuracy: f64,
     mut evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
-) -> Result<Balanced, NoBalance<E>> {
+) -> Result<Balanced, NoThermalBalance<E>> {
     let [coldest, hottest] = balance.range();
     let mut films = 0;
     let mut at = |temperature: f64| {
         films += 1;
         evaluate(temperature)
-            .map(|film| (films, Point { temperature, film, surplus: balance.surplus(temperature, &film) }))
+            .map(|film| (films, ThermalPoint { temperature, film, surplus: balance.surplus(temperature, &film) }))
     };
     let first = at(start.clamp(coldest, hottest));
     let first = first.or_else(|reason| STARTS.into_iter().find_map(|above| at(coldest + above).ok()).ok_or(reason));
-    let (mut films, mut here) = first.map_err(NoBalance::NoFilm)?;
+    let (mut films, mut here) = first.map_err(NoThermalBalance::NoFilm)?;
     // A film on the other side of the root, and the nearest temperature beyond which there is none.
-    let (mut other, mut edge): (Option<Point>, Option<(f64, E)>) = (None, None);
+    let (mut other, mut edge): (Option<ThermalPoint>, Option<(f64, E)>) = (None, None);
     let mut secant = f64::NAN;
     let (mut slope, mut is_quick, mut width) = (secant, true, f64::INFINITY);
     while !here.is_balanced(accuracy) {
@@ -238,7 +238,7 @@ pub fn find<E>(
             (None, None) => {
                 let end = if here.surplus > 0.0 { hottest } else { coldest };
                 if here.temperature == end || films > MOST_FILMS {
-                    return Err(NoBalance::TooHot { temperature: here.temperature, film: here.film });
+                    return Err(NoThermalBalance::TooHot { temperature: here.temperature, film: here.film });
                 }
                 let told = balance.balanced_by(&here.film).clamp(coldest, hottest);
                 // A little beyond, so that the root does not lie at the end of the bracket.
@@ -262,7 +262,7 @@ pub fn find<E>(
         }
         let is_at_edge = |at: f64| (at - here.temperature).abs() < EDGE || films > MOST_FILMS;
         if let Some((_, reason)) = edge.take_if(|(at, _)| is_at_edge(*at)) {
-            return Err(NoBalance::Ends { temperature: here.temperature, film: here.film, reason });
+            return Err(NoThermalBalance::Ends { temperature: here.temperature, film: here.film, reason });
         }
     }
     Ok(Balanced { temperature: here.temperature, film: here.film, surplus: here.surplus, slope, films })

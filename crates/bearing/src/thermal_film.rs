@@ -116,7 +116,7 @@ pub fn balance_heat<E>(
     mut solve: impl FnMut(&HeatRound) -> Result<NodeNetwork, E>,
 ) -> Result<FilmHeat, NoHeat<E>> {
     let mut layered = LayeredFilm { layers, temperatures: start, viscosity };
-    let mut mixing = Mixing::default();
+    let mut mixing = AndersonMixing::default();
     let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, growth);
     loop {
         let before = changes.last().copied().unwrap_or(f64::INFINITY);
@@ -171,14 +171,14 @@ fn differences(network: &FilmNetwork, here: &[f64], next: &[f64]) -> [f64; 2] {
 
 /// Anderson's mixing: iterates, and what they lead to.
 #[derive(Debug, Default)]
-struct Mixing {
+struct AndersonMixing {
     /// Pairs of an iterate and its residual, the last one last.
     kept: Vec<[Vec<f64>; 2]>,
     /// Part of the residual of each point that a step takes: less where that goes back and forth.
     parts: Vec<f64>,
 }
 
-impl Mixing {
+impl AndersonMixing {
     /// The next iterate, where the last one leads to `image`; residuals are weighed by `weight`.
     fn next(&mut self, here: Vec<f64>, image: &[f64], weight: impl Fn(usize) -> f64) -> Vec<f64> {
         let residual: Vec<f64> = image.iter().zip(&here).map(|(image, here)| image - here).collect();

@@ -1,7 +1,7 @@
 //! Films whose balance is found together: that of one journal under its load, or those of all journals of a shaft.
 //!
-//! What they leave is one residual. Each film, its wall following, answers to its own journal ([`Response`]); the shaft
-//! joins the journals by a stiffness ([`ShaftBalance`]).
+//! What they leave is one residual. Each film, its wall following, answers to its own journal ([`JournalResponse`]);
+//! the shaft joins the journals by a stiffness ([`ShaftBalance`]).
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::coordinates::{Vector, length, moved, unit};
 use crate::coupled::{FilmSolve, Tangents, counted};
-use crate::deflection::{Left, Moves, resting};
+use crate::deflection::{Moves, WallResidual, resting};
 use crate::search::{Search, Trial};
 use crate::shaft::joined::{ShaftBalance, all_moved, magnitude};
 use crate::stiffness::Stiffness;
@@ -25,7 +25,7 @@ pub(crate) struct Coupled<'s, 'a> {
 }
 
 /// How a film, its wall following, answers to its journal.
-pub(crate) struct Response {
+pub(crate) struct JournalResponse {
     /// Change of the forces by each coordinate [N/m].
     pub(crate) stiffness: Stiffness,
     /// Moves of wall and film by each coordinate.
@@ -79,7 +79,7 @@ impl Coupled<'_, '_> {
     }
 
     /// What trials leave of the balances of their walls.
-    pub(crate) fn left_of_walls<'t>(&self, trials: &'t [Trial]) -> Vec<Cow<'t, Left>> {
+    pub(crate) fn left_of_walls<'t>(&self, trials: &'t [Trial]) -> Vec<Cow<'t, WallResidual>> {
         self.searches.iter().zip(trials).map(|(search, trial)| search.left_of_wall(trial)).collect()
     }
 
@@ -107,7 +107,7 @@ impl Coupled<'_, '_> {
     pub(crate) fn moves(
         &self,
         here: &[Trial],
-        walls: &[Cow<'_, Left>],
+        walls: &[Cow<'_, WallResidual>],
         (accuracy, rate): (f64, f64),
     ) -> Result<Option<Vec<Moves>>, NoFilm> {
         let excess = self.excess(here);
@@ -121,16 +121,16 @@ impl Coupled<'_, '_> {
             search.count(moves.products);
             return Ok(length(moves.place).is_finite().then(|| vec![moves]));
         };
-        let respond = |((search, trial), left): ((&Search, &Trial), &Cow<'_, Left>)| {
+        let respond = |((search, trial), left): ((&Search, &Trial), &Cow<'_, WallResidual>)| {
             let rate = rate * search.reference_rate;
             let film = resting(&trial.film, rate);
             let tangents = search.tangents(trial, &film, left, (accuracy, rate))?;
-            let response = Response::of(&tangents, search.coordinates.order, &left.wall)?;
+            let response = JournalResponse::of(&tangents, search.coordinates.order, &left.wall)?;
             search.count(response.closing.products);
             Ok(response)
         };
         let films = self.searches.par_iter().zip(here).zip(walls);
-        let responses: Vec<Response> = films.map(respond).collect::<Result<_, NoFilm>>()?;
+        let responses: Vec<JournalResponse> = films.map(respond).collect::<Result<_, NoFilm>>()?;
         let slopes: Vec<Stiffness> = responses.iter().map(|response| response.stiffness).collect();
         let closing: Vec<Vector> = responses.iter().map(|response| response.carried).collect();
         let left = all_moved(&excess, 1.0, &shaft.by_films(&closing));
@@ -183,7 +183,7 @@ impl Search<'_> {
     }
 }
 
-impl Response {
+impl JournalResponse {
     /// By the tangents of a film with so many coordinates whose wall is to be bent by `wall` [m] more.
     ///
     /// # Errors

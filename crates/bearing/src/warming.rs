@@ -20,7 +20,7 @@
 
 use std::fmt::Debug;
 
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
 use oilwedge_reynolds::quantities::load::oil_change;
 use oilwedge_reynolds::{CentreVelocity, FilmChange, FilmProblem, NoFilm, SolvedFilm};
@@ -213,7 +213,7 @@ impl Tangents<'_> {
             Self::Yielding(joint) => joint,
             Self::OfCubic(bordered) => bordered.near(),
         };
-        Ok(joint.following(FilmChange::Viscosity(1.0)).map_err(Failure::from)?)
+        Ok(joint.following(FilmChange::Viscosity(1.0)).map_err(NewtonFailure::from)?)
     }
 }
 

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 
-use oilwedge_scene::{Position, Scene, Theory};
+use oilwedge_scene::{PositionTable, Scene, TheoryKey};
 use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
 use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::quantities::{
@@ -42,7 +42,7 @@ const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 /// The film by one theory.
 #[derive(Debug, PartialEq)]
 struct TheoryFilm {
-    theory: Theory,
+    theory: TheoryKey,
     status: Status,
     reason: Option<String>,
     /// Film start [rad] that a long ring was given.
@@ -64,9 +64,9 @@ pub(crate) fn record(scene: &Scene, options: &RunOptions, result: &RunResult) ->
 
 /// The table of the short and the long film beside the full one.
 pub(crate) fn comparison(record: &TheoriesRecord) -> Comparison {
-    let full = record.films.iter().find(|film| film.theory == Theory::Full.name());
+    let full = record.films.iter().find(|film| film.theory == TheoryKey::Full.name());
     let full = full.map_or(Vec::new(), |film| read_back(&film.quantities, &[]));
-    let others = record.films.iter().filter(|film| film.theory != Theory::Full.name());
+    let others = record.films.iter().filter(|film| film.theory != TheoryKey::Full.name());
     let alternative = |film: &FilmRecord| Alternative {
         name: film.theory.clone(),
         pairs: pairs(&COMPARED, &full, &read_back(&film.quantities, &[])),
@@ -75,7 +75,7 @@ pub(crate) fn comparison(record: &TheoriesRecord) -> Comparison {
     Comparison {
         title: "short and long bearing theory (pressure flow along the axis only, around only), and in brackets the difference from the full film"
             .to_owned(),
-        film: Theory::Full.name().to_owned(),
+        film: TheoryKey::Full.name().to_owned(),
         alternatives: others.map(alternative).collect(),
         lists: Vec::new(),
         notes: notes(record),
@@ -85,8 +85,8 @@ pub(crate) fn comparison(record: &TheoriesRecord) -> Comparison {
 /// The short, the full and the long film, and what of the scene is left out of all three.
 fn films(scene: &Scene, options: &RunOptions, result: &RunResult) -> ([TheoryFilm; 3], Vec<&'static str>) {
     let (scene, without) = bare(scene, result);
-    let is_own = |theory: Theory| theory == scene.bearing.theory && without.is_empty();
-    let films = [Theory::Short, Theory::Full, Theory::Long].map(|theory| match is_own(theory) {
+    let is_own = |theory: TheoryKey| theory == scene.bearing.theory && without.is_empty();
+    let films = [TheoryKey::Short, TheoryKey::Full, TheoryKey::Long].map(|theory| match is_own(theory) {
         true => film(&scene, theory, result),
         false => other(&scene, theory, options),
     });
@@ -157,7 +157,7 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
 }
 
 /// The scene by a theory that is not its own.
-fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
+fn other(scene: &Scene, theory: TheoryKey, options: &RunOptions) -> TheoryFilm {
     let (scene, film_start) = by(scene, theory);
     let found = answer(&scene, options);
     match &found.result {
@@ -170,16 +170,16 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
 
 /// The scene by another theory, and the film start [rad] that it was given: a long ring at a given position begins
 /// where it is widest. A theory that lets no oil out at the ends has no tolerance of that flow.
-fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
+fn by(scene: &Scene, theory: TheoryKey) -> (Scene, Option<f64>) {
     let mut scene = scene.clone();
     scene.bearing.theory = theory;
-    if theory != Theory::Long {
+    if theory != TheoryKey::Long {
         return (scene, None);
     }
     scene.remove_tolerance(SIDE_FLOW.name);
     let is_open = scene.bearing.arc.is_none() && scene.bearing.film_start.is_none();
     let start = match scene.journal.position {
-        Position::Given { min_film_angle, .. } if is_open => Some((min_film_angle + PI).rem_euclid(TAU)),
+        PositionTable::Given { min_film_angle, .. } if is_open => Some((min_film_angle + PI).rem_euclid(TAU)),
         _ => None,
     };
     scene.bearing.film_start = scene.bearing.film_start.or(start);
@@ -187,7 +187,7 @@ fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
 }
 
 /// The numbers of a run that are compared.
-fn film(scene: &Scene, theory: Theory, result: &RunResult) -> TheoryFilm {
+fn film(scene: &Scene, theory: TheoryKey, result: &RunResult) -> TheoryFilm {
     let given = GIVEN[usize::from(scene.journal.load().is_some())];
     let wanted = COMPARED.iter().filter(|row| !given.contains(row));
     TheoryFilm {

@@ -1,7 +1,9 @@
 //! A convergence study for people: a table of levels for each strategy, and the cost of accuracies.
 
 use crate::readable::{readable_unit, significant};
-use oilwedge_campaign::convergence::{ConvergenceReport, LevelReport, Measure, Price, StrategyLevels, TIME_PARTS};
+use oilwedge_campaign::convergence::{
+    AccuracyMeasure, ConvergenceReport, LevelReport, Price, StrategyLevels, TIME_PARTS,
+};
 use oilwedge_report::sheet::{Sheet, numeral, text};
 use oilwedge_report::tables::{effects, time, whole_run};
 use oilwedge_study::quantities::{self, Unit};
@@ -22,8 +24,8 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
         parts.push(Sheet { title, ..levels(course, report) }.terminal());
     }
     let lists = [
-        (Measure::Bar, "Cost of accuracy, by error bars"),
-        (Measure::Error, "Cost of accuracy, by the true error, which only finer meshes show"),
+        (AccuracyMeasure::Bar, "Cost of accuracy, by error bars"),
+        (AccuracyMeasure::Error, "Cost of accuracy, by the true error, which only finer meshes show"),
     ];
     for (measure, title) in lists {
         let list: Vec<&Price> = report.prices.iter().filter(|price| price.measure == measure).collect();

@@ -15,7 +15,7 @@ use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page};
 use oilwedge_report::result_json;
 use oilwedge_report::results::{ResultCompanions, earlier_orbit, write_results};
-use oilwedge_report::tables::{Shown, Written, run_report};
+use oilwedge_report::tables::{ShownQuantities, Written, run_report};
 use oilwedge_report::vtu::{Compression, Precision, VtuForm, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::Plan;
@@ -353,10 +353,10 @@ impl Solve {
         }
     }
 
-    fn shown(&self) -> Shown {
+    fn shown(&self) -> ShownQuantities {
         match self.all {
-            true => Shown::All,
-            false => Shown::Headlines,
+            true => ShownQuantities::All,
+            false => ShownQuantities::Headlines,
         }
     }
 

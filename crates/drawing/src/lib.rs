@@ -51,7 +51,7 @@ pub const POINT: f64 = 25.4 / 72.0;
 pub const SMALLEST_LETTERS: f64 = 7.0;
 /// Height of usual letters [points].
 pub const LETTERS: f64 = 8.0;
-/// Width of a figure over the whole text of a page, and over one of two columns [mm].
+/// Width of a figure over the whole text of a page [mm].
 pub const PAGE_WIDTH: f64 = 170.0;
 /// Width of a figure in one of two columns [mm].
 pub const COLUMN_WIDTH: f64 = 85.0;

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 use crate::conservation_law::TangentKind;
 use crate::linear_solver::Enough;
-use crate::newton::{Equation, Failure, NewtonStep, Seconds, Solution, greatest};
+use crate::newton::{Equation, NewtonFailure, NewtonStep, Seconds, Solution, greatest};
 use crate::{Constraints, Error, Linearisation, Matrix};
 
 /// Most steps of one solve.
@@ -69,8 +69,8 @@ pub struct ObstacleSolution {
 /// Solves the obstacle problem from `guess`. Given dofs are never in contact. A linear law is assembled once.
 ///
 /// # Errors
-/// [`Failure`] with the history.
-pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: WarmStart) -> Result<ObstacleSolution, Failure> {
+/// [`NewtonFailure`] with the history.
+pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: WarmStart) -> Result<ObstacleSolution, NewtonFailure> {
     let mut iteration = Iteration::new(equation, obstacle, guess)?;
     let mut exchange = Exchange::default();
     while iteration.history.len() < MOST_STEPS {
@@ -83,19 +83,19 @@ pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: WarmStart) -> Resu
         exchange.apply(&wrong, &mut iteration.held);
         iteration = iteration.with_contact_changed(reactions)?;
     }
-    Err(Failure::TooManySteps { history: iteration.history })
+    Err(NewtonFailure::TooManySteps { history: iteration.history })
 }
 
 /// One step of the active-set iteration from `guess`: held dofs whose reactions there pull are let go, and the law is
 /// solved with that contact set. A law that is not linear is solved with all steps that it needs.
 ///
 /// # Errors
-/// [`Failure`] with the history.
+/// [`NewtonFailure`] with the history.
 pub fn step(
     equation: &Equation,
     obstacle: &Obstacle,
     guess: WarmStart,
-) -> Result<(ObstacleSolution, Vec<usize>), Failure> {
+) -> Result<(ObstacleSolution, Vec<usize>), NewtonFailure> {
     if equation.law.tangent() != TangentKind::Conduction {
         return Ok((solve(equation, obstacle, guess)?, Vec::new()));
     }
@@ -123,12 +123,12 @@ struct Iteration<'a> {
 }
 
 impl<'a> Iteration<'a> {
-    fn new(equation: &'a Equation, obstacle: &'a Obstacle, guess: WarmStart) -> Result<Self, Failure> {
+    fn new(equation: &'a Equation, obstacle: &'a Obstacle, guess: WarmStart) -> Result<Self, NewtonFailure> {
         Self::begun(equation, obstacle, guess, false)
     }
 
     /// From a guess that is nearly a solution: held dofs whose reactions pull are let go.
-    fn released(equation: &'a Equation, obstacle: &'a Obstacle, guess: WarmStart) -> Result<Self, Failure> {
+    fn released(equation: &'a Equation, obstacle: &'a Obstacle, guess: WarmStart) -> Result<Self, NewtonFailure> {
         Self::begun(equation, obstacle, guess, true)
     }
 
@@ -137,7 +137,7 @@ impl<'a> Iteration<'a> {
         obstacle: &'a Obstacle,
         guess: WarmStart,
         releases: bool,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, NewtonFailure> {
         let WarmStart { mut u, mut held } = guess;
         for (i, held) in held.iter_mut().enumerate() {
             *held &= obstacle.candidates[i] && !equation.constraints.fixed[i];
@@ -175,7 +175,7 @@ impl<'a> Iteration<'a> {
 
     /// Takes Newton's step with this contact set; the reactions that the tangent predicts, exact for a linear law, and
     /// whether `u` has settled.
-    fn step(&mut self) -> Result<(Vec<f64>, bool), Failure> {
+    fn step(&mut self) -> Result<(Vec<f64>, bool), NewtonFailure> {
         let solver = self.equation.solver;
         let minus: Vec<f64> = self.residual.iter().map(|r| -r).collect();
         let enough = match self.is_sure {
@@ -221,7 +221,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// The linearisation and the residual with a new contact set, whose dofs are moved to the obstacle.
-    fn with_contact_changed(mut self, reactions: Vec<f64>) -> Result<Self, Failure> {
+    fn with_contact_changed(mut self, reactions: Vec<f64>) -> Result<Self, NewtonFailure> {
         let Equation { assembler, solver, law, .. } = *self.equation;
         let masked = with_contact(self.equation.constraints, self.obstacle, &self.held);
         let before = self.u.clone();

@@ -35,7 +35,7 @@ impl NewtonStep {
 /// Why an iteration ended without a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Failure {
+pub enum NewtonFailure {
     /// Halving the step did not reduce the residual.
     #[error("the residual could not be reduced any more (after {} steps)", history.len())]
     Stagnated {
@@ -64,13 +64,13 @@ pub enum Failure {
     },
 }
 
-impl From<Error> for Failure {
+impl From<Error> for NewtonFailure {
     fn from(error: Error) -> Self {
         Self::Linear { error, history: Vec::new() }
     }
 }
 
-impl Failure {
+impl NewtonFailure {
     /// What was tried.
     pub fn history(&self) -> &[NewtonStep] {
         match self {
@@ -176,8 +176,8 @@ impl Equation<'_> {
 /// Solves an equation from the start `u`; given values are imposed first.
 ///
 /// # Errors
-/// [`Failure`] with the history.
-pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> {
+/// [`NewtonFailure`] with the history.
+pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, NewtonFailure> {
     let (assembler, law, constraints) = (equation.assembler, equation.law, equation.constraints);
     constraints.impose(&mut u);
     let linear = law.tangent() == TangentKind::Conduction;
@@ -190,14 +190,14 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
         let norm = constraints.free_norm(&residual);
         if !norm.is_finite() {
             let error = Error::NotFinite { what: "residual" };
-            return Err(Failure::Linear { error, history });
+            return Err(NewtonFailure::Linear { error, history });
         }
         let first = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
         let (linearisation, step) = match equation.newton_step(matrix, &residual, first, &mut seconds) {
             Ok(newton) => newton,
             Err(error) => {
                 history.push(NewtonStep::active(norm / first, 0));
-                return Err(Failure::Linear { error, history });
+                return Err(NewtonFailure::Linear { error, history });
             }
         };
         let converged = linear || equation.has_converged(&step, &u);
@@ -212,7 +212,7 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
             damped.or_else(|| converged.then(|| equation.stepped(&u, &step, 1.0)))
         };
         let Some((damping, next, reactions)) = next else {
-            return Err(Failure::Stagnated { history });
+            return Err(NewtonFailure::Stagnated { history });
         };
         u = next;
         history.push(NewtonStep { residual: constraints.free_norm(&reactions) / first, damping, active: 0 });
@@ -221,7 +221,7 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
         }
         matrix = linearisation.into_matrix();
     }
-    Err(Failure::TooManySteps { history })
+    Err(NewtonFailure::TooManySteps { history })
 }
 
 fn add(u: &mut [f64], factor: f64, step: &[f64]) {

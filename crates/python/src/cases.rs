@@ -13,7 +13,7 @@ use pyo3::types::PyBytes;
 
 use crate::failure::PythonFailure;
 use crate::run::RunRequest;
-use crate::scene::Scene;
+use crate::scene::PyScene;
 use crate::work::done;
 
 /// A table as Python has it: CSV, JSON, and words for people.
@@ -31,7 +31,7 @@ pub(crate) struct Cases {
 impl Cases {
     /// The cases of a scene.
     #[new]
-    fn of(py: Python<'_>, scene: &Scene) -> PyResult<Self> {
+    fn of(py: Python<'_>, scene: &PyScene) -> PyResult<Self> {
         let (own, path) = (Arc::new(scene.scene.clone()), scene.path.clone());
         let read = Arc::clone(&own);
         let place = path.clone();

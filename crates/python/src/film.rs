@@ -2,7 +2,7 @@
 //! made, which lives as long as they are drawn.
 
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
-use oilwedge_study::fields::FILE_FIELDS;
+use oilwedge_study::fields::file_fields;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -103,7 +103,7 @@ fn picture_fields(fields: &Bound<'_, PyAny>, only: Option<&str>) -> PyResult<Vec
                 FieldValues::Vectors(rows::<f64, 3>(vectors.as_slice()?))
             }
         };
-        let row = FILE_FIELDS.iter().find(|row| row.name == name);
+        let row = file_fields().find(|row| row.name == name);
         found.push(PictureField { unit: row.map_or("", |row| row.unit).into(), name: name.into(), values });
     }
     Ok(found)

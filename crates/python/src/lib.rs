@@ -37,7 +37,7 @@ mod _native {
     #[pymodule_export]
     use crate::run::solve;
     #[pymodule_export]
-    use crate::scene::{Scene, kind, kinds};
+    use crate::scene::{PyScene, kind, kinds};
     #[pymodule_export]
     use crate::sweep::sweep;
 }

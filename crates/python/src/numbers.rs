@@ -1,7 +1,7 @@
 //! The numbers of a run, as JSON and as tables.
 
 use oilwedge_campaign::Records;
-use oilwedge_report::tables::{Shown, run_report};
+use oilwedge_report::tables::{ShownQuantities, run_report};
 use oilwedge_study::result::RunResult;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
@@ -28,11 +28,11 @@ impl Numbers {
         Self { json, tables: Tables::Run(Box::new(result), Box::new(records)) }
     }
 
-    fn shown(&self, shown: Shown) -> String {
+    fn shown(&self, shown: ShownQuantities) -> String {
         match (&self.tables, shown) {
             (Tables::Run(result, records), shown) => run_report(result, shown, records, None),
-            (Tables::Texts([short, _]), Shown::Headlines) => short.clone(),
-            (Tables::Texts([_, whole]), Shown::All) => whole.clone(),
+            (Tables::Texts([short, _]), ShownQuantities::Headlines) => short.clone(),
+            (Tables::Texts([_, whole]), ShownQuantities::All) => whole.clone(),
         }
     }
 }
@@ -47,12 +47,12 @@ impl Numbers {
 
     /// The main quantities, what was simulated, balances, times and the verdict.
     fn headlines(&self) -> String {
-        self.shown(Shown::Headlines)
+        self.shown(ShownQuantities::Headlines)
     }
 
     /// All quantities, what was simulated, balances, times and the verdict.
     fn whole(&self) -> String {
-        self.shown(Shown::All)
+        self.shown(ShownQuantities::All)
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyType>, (String, String, String)) {

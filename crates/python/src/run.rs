@@ -12,7 +12,7 @@ use pyo3::types::{PyBytes, PyDict};
 use crate::failure::PythonFailure;
 use crate::film::moved;
 use crate::numbers::Numbers;
-use crate::scene::Scene;
+use crate::scene::PyScene;
 use crate::work::done;
 
 /// How a scene is run, as Python says it.
@@ -54,7 +54,7 @@ type SolveReturn<'py> = (Numbers, Option<Bound<'py, PyDict>>, Option<Bound<'py, 
 #[pyfunction]
 pub(crate) fn solve<'py>(
     py: Python<'py>,
-    scene: &Scene,
+    scene: &PyScene,
     asked: RunRequest,
     add_ons: Vec<String>,
 ) -> PyResult<SolveReturn<'py>> {

@@ -10,8 +10,8 @@ use crate::failure::PythonFailure;
 use crate::node::{Values, document, lines};
 
 /// A scene that was read and checked.
-#[pyclass(frozen, module = "oilwedge._native")]
-pub(crate) struct Scene {
+#[pyclass(frozen, name = "Scene", module = "oilwedge._native")]
+pub(crate) struct PyScene {
     /// The scene as the program reads it.
     pub(crate) scene: oilwedge_scene::Scene,
     /// Path at which the scene stands.
@@ -20,7 +20,7 @@ pub(crate) struct Scene {
 }
 
 #[pymethods]
-impl Scene {
+impl PyScene {
     /// Reads the file `path`.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
@@ -96,7 +96,7 @@ impl Scene {
     }
 }
 
-impl Scene {
+impl PyScene {
     fn of_text(text: &str, path: PathBuf) -> Result<Self, PythonFailure> {
         let scene = oilwedge_study::parse(text, Path::new(&path))?;
         Ok(Self { scene, path })

@@ -11,14 +11,14 @@ use pyo3::types::PyBytes;
 use crate::cases::{SweepTexts, sweep_of};
 use crate::failure::PythonFailure;
 use crate::run::RunRequest;
-use crate::scene::Scene;
+use crate::scene::PyScene;
 use crate::work::done;
 
 /// Runs the sweep of a scene into the folder `out`, or into none that stays.
 #[pyfunction]
 pub(crate) fn sweep<'py>(
     py: Python<'py>,
-    scene: &Scene,
+    scene: &PyScene,
     asked: RunRequest,
     out: Option<PathBuf>,
     fresh: bool,

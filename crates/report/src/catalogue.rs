@@ -4,7 +4,7 @@ use oilwedge_scene::catalogue::keys;
 use oilwedge_scene::keys::Key;
 use oilwedge_scene::spelling::nearest;
 use oilwedge_study::effects::{EFFECTS, Effect};
-use oilwedge_study::fields::{FILE_FIELDS, FieldRow};
+use oilwedge_study::fields::{FieldRow, file_fields};
 use oilwedge_study::quantities::{
     BOLT_PRELOAD, CATALOGUE, CONTACT_SHARE, CRITICAL_MASS, CYCLE_POWER_LOSS, CYCLE_SIDE_FLOW, FEED_FLOW,
     FRICTION_COEFFICIENT, FRICTION_POWER, INLET_FLOW, LOGARITHMIC_DECREMENT, Row, SIDE_FLOW, SIDE_FLOW_HIGH,
@@ -70,7 +70,7 @@ pub fn entries() -> Vec<CatalogueEntry> {
     let keys = keys().map(of_key);
     let quantities = CATALOGUE.iter().map(|row| of_quantity(row));
     let effects = EFFECTS.iter().map(|effect| of_effect(effect));
-    let fields = FILE_FIELDS.iter().map(|field| of_field(field));
+    let fields = file_fields().map(of_field);
     let warnings = KINDS.iter().map(|kind| of_warning(kind));
     let beside = BESIDE_VALUES.iter();
     let beside =

@@ -226,13 +226,7 @@ fn tolerances() -> Value {
             None => drop(properties.insert(row.name.to_owned(), ratio.clone())),
         }
     }
-    json!({
-        "type": "object",
-        "properties": properties,
-        "patternProperties": patterns,
-        "additionalProperties": false,
-        "minProperties": 1,
-    })
+    table_of(properties, patterns)
 }
 
 /// The keys that a sweep can vary, below their tables. Of lists of tables those of feeds alone have names.
@@ -248,10 +242,21 @@ fn swept() -> impl Iterator<Item = &'static Key> {
     })
 }
 
+/// A table with at least one of these keys, and no other.
+fn table_of(properties: Map<String, Value>, patterns: Map<String, Value>) -> Value {
+    json!({
+        "type": "object",
+        "properties": properties,
+        "patternProperties": patterns,
+        "additionalProperties": false,
+        "minProperties": 1,
+    })
+}
+
 /// The tables of a bearing's scene and of a crankshaft's whose keys can be swept.
 fn swept_tables() -> impl Iterator<Item = &'static str> {
     let of_shaft = SWEPT_OF_SHAFT.into_iter().filter(|table| !SWEPT.contains(table));
-    SWEPT.into_iter().chain(of_shaft)
+    SWEPT.iter().copied().chain(of_shaft)
 }
 
 /// Axes by the names of keys: short, in quotes with their tables, or below their tables.
@@ -273,13 +278,7 @@ fn sweep() -> Value {
             .filter(|(key, _)| key.path == "sweep.columns")
             .map(|(key, name)| (name.to_owned(), of_key(key))),
     );
-    json!({
-        "type": "object",
-        "properties": properties,
-        "patternProperties": patterns,
-        "additionalProperties": false,
-        "minProperties": 1,
-    })
+    table_of(properties, patterns)
 }
 
 /// The axes of the keys of a table; those of a feed stand below the name of its region.

@@ -3,7 +3,7 @@
 use oilwedge_mesh::{Locator, Mesh, Region};
 use oilwedge_reynolds::supply::{BoundaryKind, Supply};
 use oilwedge_scene::wording::{bars, degrees, millimetres, newtons};
-use oilwedge_scene::{Feed, Journal, Position, Scene};
+use oilwedge_scene::{Feed, Journal, PositionTable, Scene};
 
 /// Letters along the circumference and lines along the axis.
 const COLUMNS: usize = 72;
@@ -40,7 +40,7 @@ fn inlet_in_words(scene: &Scene) -> Option<String> {
 }
 
 fn load_in_words(journal: &Journal) -> Option<String> {
-    let Position::Load { force, angle } = journal.position else {
+    let PositionTable::Load { force, angle } = journal.position else {
         return None;
     };
     Some(format!("load of {} at {}; the position of the journal is found", newtons(force), degrees(angle)))

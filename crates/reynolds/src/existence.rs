@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::Field;
-use oilwedge_fem::newton::{Failure, NewtonStep};
+use oilwedge_fem::newton::{NewtonFailure, NewtonStep};
 
 use crate::lubricant::{LawKind, Lubricant, PressureLaw};
 use crate::solve::Neighbour;
@@ -120,7 +120,7 @@ pub enum NoFilm {
     },
     /// The iteration failed.
     #[error("not converged: {0}")]
-    NotConverged(#[from] Failure),
+    NotConverged(#[from] NewtonFailure),
 }
 
 /// Six significant digits, without an exponent where that is short.

@@ -26,7 +26,7 @@ const RATIO: f64 = 2.0;
 
 /// How the triangles of coarser meshes lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Layout {
+pub enum LevelLayout {
     /// Rows along the flow for a film that conserves oil, where its own mesh lies in rows: oil that triangles spread
     /// across the flow would feed a film that should starve.
     Rows,
@@ -48,14 +48,14 @@ pub struct CoarseLevel {
 
 impl FilmSystem {
     /// The system with coarser ones behind it for a problem, as long as there are any.
-    pub fn with_coarser(self, problem: &FilmProblem, layout: Layout) -> Self {
+    pub fn with_coarser(self, problem: &FilmProblem, layout: LevelLayout) -> Self {
         self.with_levels(problem, layout, &problem.film_thickness)
     }
 
     fn with_levels(
         mut self,
         problem: &FilmProblem,
-        layout: Layout,
+        layout: LevelLayout,
         film_thickness: &[Arc<dyn FilmContribution>],
     ) -> Self {
         self.coarser = CoarseLevel::of(&self, (problem, layout), film_thickness).map(Box::new);
@@ -66,16 +66,16 @@ impl FilmSystem {
 impl CoarseLevel {
     fn of(
         fine: &FilmSystem,
-        (problem, layout): (&FilmProblem, Layout),
+        (problem, layout): (&FilmProblem, LevelLayout),
         film_thickness: &[Arc<dyn FilmContribution>],
     ) -> Option<Self> {
         let (mesh, bearing) = (fine.space().mesh(), &problem.bearing);
         let (liner, line) = (liner(fine, bearing), line(fine, bearing));
         let coarse = match layout {
-            Layout::Rows if problem.cavitation.conserves_oil() && lies_in_rows(mesh) => {
+            LevelLayout::Rows if problem.cavitation.conserves_oil() && lies_in_rows(mesh) => {
                 coarsen::coarser_in_rows(mesh, &liner, line, RATIO, Sense::of(problem.journal.speed))
             }
-            Layout::Rows | Layout::Free => coarsen::coarser(mesh, &liner, line, RATIO),
+            LevelLayout::Rows | LevelLayout::Free => coarsen::coarser(mesh, &liner, line, RATIO),
         }?;
         // A mesh that is bound by its length, not by the sizes asked for, would not become coarser for ever.
         if 2 * coarse.mesh.triangles().len() > mesh.triangles().len() {

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use oilwedge_fem::Error;
 use oilwedge_fem::complementarity::WarmStart;
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 
 use crate::cavitation;
 use crate::film_law::FilmLaw;
@@ -40,7 +40,7 @@ impl SolvedFilm {
         if self.solution.film_fraction.is_some() {
             return moved.solve_from(&self.system, Neighbour::Start(self));
         }
-        let unknown = self.unknown_change(change).map_err(Failure::from)?;
+        let unknown = self.unknown_change(change).map_err(NewtonFailure::from)?;
         Ok(self.along_tangent(moved, &[change.into()], &unknown))
     }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::complementarity::{self, Obstacle, WarmStart};
-use oilwedge_fem::newton::{self, Equation, Failure};
+use oilwedge_fem::newton::{self, Equation, NewtonFailure};
 use oilwedge_fem::{Constraints, Error, LinearSolver};
 
 use crate::film_law::FilmLaw;
@@ -142,7 +142,7 @@ impl FilmProblem {
         (system, solver, motion): (&FilmSystem, &LinearSolver, f64),
         start: WarmStart,
         steps: StepBudget,
-    ) -> Result<FilmSolution, Failure> {
+    ) -> Result<FilmSolution, NewtonFailure> {
         let law = FilmLaw::new(self, motion);
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
         let equation = Equation {
@@ -197,12 +197,12 @@ impl FilmProblem {
         let part = match &failure {
             // The tangent is singular at a fold, and Newton's method finds nothing beyond.
             NoFilm::NotConverged(
-                Failure::Stagnated { .. }
-                | Failure::TooManySteps { .. }
-                | Failure::Linear { error: Error::NotPositiveDefinite, .. },
+                NewtonFailure::Stagnated { .. }
+                | NewtonFailure::TooManySteps { .. }
+                | NewtonFailure::Linear { error: Error::NotPositiveDefinite, .. },
             ) if reached > 0.0 => reached,
             // There is a film at rest, and none after the least step: the fold lies between.
-            NoFilm::NotConverged(Failure::Linear { error: Error::NotPositiveDefinite, .. }) => next,
+            NoFilm::NotConverged(NewtonFailure::Linear { error: Error::NotPositiveDefinite, .. }) => next,
             _ => return failure,
         };
         NoFilm::Fold { last: part * asked, asked }

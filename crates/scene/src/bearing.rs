@@ -37,7 +37,7 @@ keys! {
 
 /// The liner.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bearing {
+pub struct BearingTable {
     /// Bore D [m].
     pub diameter: f64,
     /// Full length B [m].
@@ -57,10 +57,10 @@ pub struct Bearing {
     /// computed with it.
     pub elastic_modulus: Option<f64>,
     /// The directions in which pressure drives oil.
-    pub theory: Theory,
+    pub theory: TheoryKey,
 }
 
-impl Bearing {
+impl BearingTable {
     /// Journal radius R = D/2 [m].
     pub fn radius(&self) -> f64 {
         0.5 * self.diameter
@@ -78,7 +78,7 @@ pub struct Arc {
 
 /// The directions in which pressure drives oil.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Theory {
+pub enum TheoryKey {
     /// Pressure drives oil around and along the axis.
     #[default]
     Full,
@@ -88,7 +88,7 @@ pub enum Theory {
     Long,
 }
 
-impl Theory {
+impl TheoryKey {
     /// Name in scenes and reports.
     pub fn name(self) -> &'static str {
         match self {
@@ -100,7 +100,7 @@ impl Theory {
 }
 
 /// Reads the table; `usual_ratio` is the clearance over the radius where none is written.
-pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bearing {
+pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> BearingTable {
     let diameter = table.required("diameter");
     let length = table.required("length");
     let diametral = table.given("diametral_clearance");
@@ -131,8 +131,8 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
         "has a meaning on a full ring only, and this bearing has an arc",
         "remove film_start (the film starts at the edge of the arc), or remove arc",
     );
-    let theories = [Theory::Full, Theory::Short, Theory::Long].map(|theory| (theory.name(), theory));
-    Bearing {
+    let theories = [TheoryKey::Full, TheoryKey::Short, TheoryKey::Long].map(|theory| (theory.name(), theory));
+    BearingTable {
         diameter,
         length,
         clearance,
@@ -177,8 +177,8 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         complaints.refuse_if(wrong, "bearing.theory", message, help);
     };
     match bearing.theory {
-        Theory::Full => {}
-        Theory::Short => {
+        TheoryKey::Full => {}
+        TheoryKey::Short => {
             refuse_if(
                 bearing.arc.is_some(),
                 "bearing.arc is given: a short film has pressures at the ends only, and cannot meet those at the edges of an arc",
@@ -190,7 +190,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
                 "remove theory, or remove the feed",
             );
         }
-        Theory::Long => {
+        TheoryKey::Long => {
             refuse_if(
                 bearing.arc.is_none() && bearing.film_start.is_none(),
                 "no line of the bearing has a pressure: its ends are sealed, and the pressure of a long ring is known up to a constant only",

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
-use crate::{Complaints, Scene, Theory};
+use crate::{Complaints, Scene, TheoryKey};
 
 keys! {
     "bore" = Tables; "", "the bore is a circle", "each with one of `crown`, `oval`, `worn`, `envelope` and `file`",
@@ -136,7 +136,7 @@ impl Scene {
 /// A long bearing knows no axial position.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     complaints.refuse_if(
-        scene.bearing.theory == Theory::Long && scene.has_shape_along_the_axis(),
+        scene.bearing.theory == TheoryKey::Long && scene.has_shape_along_the_axis(),
         "bearing.theory",
         "is \"long\", but the shape of bore or shaft changes along the axis: a long film is the same all along it",
         "remove theory, or remove bore.crown, bore.file and [shaft]",

@@ -66,7 +66,7 @@ pub struct Cap {
     /// Bolts of the cap.
     pub bolts: Bolts,
     /// The shell, if its halves stand out.
-    pub shell: Option<Shell>,
+    pub shell: Option<ShellTable>,
 }
 
 /// The bolts of a cap.
@@ -88,7 +88,7 @@ pub struct Bolts {
 
 /// A half of the bearing shell before it is clamped.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shell {
+pub struct ShellTable {
     /// How far Delta [m] it stands out of its seat.
     pub protrusion: f64,
     /// Modulus of elasticity E [Pa] of its back.
@@ -161,8 +161,8 @@ fn bolts(mut table: TableReader<'_>) -> Bolts {
     }
 }
 
-fn shell(mut table: TableReader<'_>) -> Shell {
-    Shell {
+fn shell(mut table: TableReader<'_>) -> ShellTable {
+    ShellTable {
         protrusion: table.required("protrusion"),
         modulus: table.required("modulus"),
         section: table.required("section"),

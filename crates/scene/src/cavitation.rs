@@ -2,7 +2,7 @@
 
 use crate::reader::TableReader;
 use crate::wording::bars;
-use crate::{Complaints, Scene, Theory};
+use crate::{Complaints, Scene, TheoryKey};
 
 keys! {
     "cavitation" = Table; "", "a full film, whatever its pressure", "",
@@ -18,7 +18,7 @@ const SAME: f64 = 1e-12;
 
 /// What happens where the film would break.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cavitation {
+pub struct CavitationTable {
     /// The closure.
     pub model: CavitationModel,
     /// Gauge pressure in the cavity p_c [Pa].
@@ -75,14 +75,14 @@ impl Scene {
     }
 }
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Option<Cavitation> {
+pub(crate) fn read(mut table: TableReader<'_>) -> Option<CavitationTable> {
     if !table.has("model") && table.is_readable() {
         let help = "write model = \"none\", \"guembel\", \"reynolds\" or \"jfo\"";
         table.complain("model", "is missing", help);
     }
     let model = table.word("model", &CavitationModel::ALL.map(|model| (model.name(), model)));
     let pressure = table.number("pressure").or_usual();
-    model.map(|model| Cavitation { model, pressure })
+    model.map(|model| CavitationTable { model, pressure })
 }
 
 /// Pressures that leave oil at the supply, and what a cavity that conserves oil needs.
@@ -110,7 +110,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 fn conservation(scene: &Scene, complaints: &mut Complaints) {
     let conserves = scene.conserves_oil();
     complaints.refuse_if(
-        conserves && scene.bearing.theory == Theory::Short,
+        conserves && scene.bearing.theory == TheoryKey::Short,
         "bearing.theory",
         "is \"short\", but cavitation.model is \"jfo\": its cells exchange oil in both directions",
         "take cavitation.model = \"guembel\", which is usual for short bearings, or \"reynolds\"; or remove theory",

@@ -24,7 +24,7 @@ keys! {
 
 /// Contact of journal and liner.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct ContactTable {
     /// How its pressure depends on the gap.
     pub model: ContactModel,
     /// Hardness of the softer surface [Pa].
@@ -56,7 +56,7 @@ pub enum ContactModel {
 const MODELS: [(&str, bool); 2] = [(GREENWOOD_TRIPP, true), ("bearing-curve", false)];
 const GREENWOOD_TRIPP: &str = "greenwood-tripp";
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Option<Contact> {
+pub(crate) fn read(mut table: TableReader<'_>) -> Option<ContactTable> {
     if !table.has("model") && table.is_readable() {
         let help = "write model = \"greenwood-tripp\" or \"bearing-curve\"";
         table.complain("model", "is missing", help);
@@ -88,7 +88,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Contact> {
         .number("friction")
         .within("is negative", "give the friction coefficient of surfaces that touch, some 0.1");
     let friction = friction.required();
-    is_of_asperities.map(|is_of_asperities| Contact {
+    is_of_asperities.map(|is_of_asperities| ContactTable {
         model: match is_of_asperities {
             true => ContactModel::GreenwoodTripp { density, sharpness, modulus: modulus.unwrap_or(f64::NAN) },
             false => ContactModel::BearingCurve { depth: depth.unwrap_or(f64::NAN) },
@@ -98,7 +98,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Contact> {
     })
 }
 
-/// Asperities have the roughness of the bearing.
+/// Asperities have the roughness of the bearing, and a criterion of contact is one of a scene with contact.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_of_asperities = (scene.contact).is_some_and(|it| matches!(it.model, ContactModel::GreenwoodTripp { .. }));
     complaints.refuse_if(
@@ -107,17 +107,23 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "is \"greenwood-tripp\", but the bearing has no roughness",
         "give bearing.roughness = \"0.6 um\", the root mean square of both surfaces together",
     );
+    complaints.refuse_if(
+        complaints.has("criteria.contact_share_max") && scene.contact.is_none(),
+        "criteria.contact_share_max",
+        "has nothing to be compared with: the scene simulates no contact",
+        "add [contact], or remove the criterion",
+    );
 }
 
 #[cfg(test)]
 mod tests {
     use crate::scene::tests::{STUDY, read};
-    use crate::{Contact, ContactModel};
+    use crate::{ContactModel, ContactTable};
 
     const CURVE: &str = "model = \"bearing-curve\"\ndepth = \"1.2 um\"\nhardness = \"900 MPa\"\nfriction = 0.1";
     const ASPERITIES: &str = "model = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\nmodulus = \"115 GPa\"\nhardness = \"1 GPa\"\nfriction = 0";
 
-    fn asked(roughness: &str, keys: &str) -> Result<Contact, String> {
+    fn asked(roughness: &str, keys: &str) -> Result<ContactTable, String> {
         let text =
             format!("{STUDY}\n[contact]\n{keys}\n").replacen("bearing = {", &format!("bearing = {{ {roughness}"), 1);
         let scene = read(&text).map_err(|error| error.to_string())?;
@@ -128,11 +134,15 @@ mod tests {
     fn both_models_are_read() {
         assert_eq!(
             asked("", CURVE),
-            Ok(Contact { model: ContactModel::BearingCurve { depth: 1.2e-6 }, hardness: 900.0 * 1e6, friction: 0.1 })
+            Ok(ContactTable {
+                model: ContactModel::BearingCurve { depth: 1.2e-6 },
+                hardness: 900.0 * 1e6,
+                friction: 0.1
+            })
         );
         assert_eq!(
             asked("roughness = \"0.6 um\",", ASPERITIES),
-            Ok(Contact {
+            Ok(ContactTable {
                 model: ContactModel::GreenwoodTripp { density: 0.05, sharpness: 0.01, modulus: 115.0 * 1e9 },
                 hardness: 1e9,
                 friction: 0.0,

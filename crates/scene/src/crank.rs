@@ -40,18 +40,18 @@ keys! {
 
 /// The slider crank of a big end or a main bearing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Crank {
+pub struct CrankTable {
     /// Radius of the crank [m].
     pub radius: f64,
     /// Length of the rod between its eyes [m].
     pub rod_length: f64,
     /// What loads it; `None`: the load is given.
-    pub drive: Option<Drive>,
+    pub drive: Option<CrankDrive>,
 }
 
 /// Masses of a crank and the pressure on its piston.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Drive {
+pub struct CrankDrive {
     /// Mass of the piston with what belongs to it, and of the rod at its small end [kg].
     pub reciprocating_mass: f64,
     /// Mass of the rod at its big end [kg].
@@ -61,12 +61,12 @@ pub struct Drive {
     /// Pressure on the piston.
     pub gas: Gas,
     /// The throws beside a main bearing; none for a big end.
-    pub throws: Vec<Throw>,
+    pub throws: Vec<ThrowTable>,
 }
 
 /// A throw beside a main bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Throw {
+pub struct ThrowTable {
     /// Crank angle by which it follows [rad].
     pub angle: f64,
     /// Share of its load that the bearing takes [1].
@@ -91,7 +91,7 @@ pub enum Gas {
     },
 }
 
-impl Crank {
+impl CrankTable {
     /// The file of the gas pressure, if there is one.
     pub fn gas_file(&self) -> Option<&Path> {
         match self.drive.as_ref().map(|drive| &drive.gas) {
@@ -105,7 +105,7 @@ impl Crank {
 const DRIVE: [&str; 5] = ["reciprocating_mass", "rotating_mass", "bore", "gas", "throws"];
 
 /// Reads the table of a scene that stands at `scene` and has this load.
-pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadCycle>) -> Crank {
+pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadCycle>) -> CrankTable {
     let radius = table.required("radius");
     let rod_length = table.required("rod_length");
     table.refuse_if(
@@ -123,7 +123,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadC
     let rotating_mass = mass("rotating_mass");
     let bore = table.given("bore");
     let gas = table.table_if_given("gas").map(|table| gas(table, scene));
-    let throws: Vec<Throw> = table.tables("throws").into_iter().map(throw).collect();
+    let throws: Vec<ThrowTable> = table.tables("throws").into_iter().map(throw).collect();
     let computed = load.and_then(|load| match load.source {
         LoadSource::Crank(bearing) => Some(bearing),
         _ => None,
@@ -140,18 +140,18 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadC
             table.complain(key, "has no effect, since the load is given", help);
         }
     }
-    let drive = gas.filter(|_| computed.is_some()).map(|gas| Drive {
+    let drive = gas.filter(|_| computed.is_some()).map(|gas| CrankDrive {
         reciprocating_mass,
         rotating_mass,
         bore: bore.unwrap_or(f64::NAN),
         gas,
         throws,
     });
-    Crank { radius, rod_length, drive }
+    CrankTable { radius, rod_length, drive }
 }
 
 /// A main bearing has throws beside it, a big end has none.
-fn check_throws(table: &mut TableReader<'_>, bearing: CrankBearing, throws: &[Throw]) {
+fn check_throws(table: &mut TableReader<'_>, bearing: CrankBearing, throws: &[ThrowTable]) {
     match bearing {
         CrankBearing::BigEnd => table.refuse_if(
             table.has("throws"),
@@ -169,13 +169,13 @@ fn check_throws(table: &mut TableReader<'_>, bearing: CrankBearing, throws: &[Th
     }
 }
 
-fn throw(mut table: TableReader<'_>) -> Throw {
+fn throw(mut table: TableReader<'_>) -> ThrowTable {
     let share = table.number("share").within(
         "is not above 0 and at most 1",
         "give the share of the load of the throw that the bearing takes, 0.5 midway between two",
     );
     let share = share.required();
-    Throw { angle: table.number("angle").or_usual(), share, web_mass: table.number("web_mass").or_usual() }
+    ThrowTable { angle: table.number("angle").or_usual(), share, web_mass: table.number("web_mass").or_usual() }
 }
 
 fn gas(mut table: TableReader<'_>, scene: &Path) -> Gas {

@@ -39,7 +39,7 @@ keys! {
 
 /// A shaft, where it rests, and what loads it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Crankshaft {
+pub struct CrankshaftTable {
     /// Angular speed [rad/s], positive.
     pub speed: f64,
     /// Young's modulus [Pa].
@@ -84,7 +84,7 @@ pub enum ShaftTilt {
     None,
 }
 
-impl Crankshaft {
+impl CrankshaftTable {
     /// Length of a piece along the axis [m].
     pub fn length_of(&self, piece: &ShaftPiece) -> f64 {
         match (piece, &self.throw) {
@@ -124,7 +124,7 @@ impl Crankshaft {
 }
 
 /// Reads the table of a scene that stands at `scene`.
-pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Crankshaft {
+pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> CrankshaftTable {
     let speed = table.required("speed");
     let youngs_modulus = table.required("youngs_modulus");
     let shear_modulus = table.given("shear_modulus");
@@ -142,7 +142,7 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Crankshaft {
     ] {
         table.refuse_if(!table.has(key) && table.is_readable(), key, "is missing", format!("write {example}"));
     }
-    Crankshaft {
+    CrankshaftTable {
         speed,
         youngs_modulus,
         shear_modulus,

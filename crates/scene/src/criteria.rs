@@ -177,12 +177,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
             "add [heat], which finds the temperature, or remove the limit",
         );
     }
-    complaints.refuse_if(
-        complaints.has("criteria.contact_share_max") && scene.contact.is_none(),
-        "criteria.contact_share_max",
-        "has nothing to be compared with: the scene simulates no contact",
-        "add [contact], or remove the criterion",
-    );
     let has_rotor = scene.dynamics.as_ref().is_some_and(|dynamics| dynamics.mass.is_some());
     complaints.refuse_if(
         complaints.has("criteria.decrement_min") && !has_rotor,

@@ -16,14 +16,14 @@ const MOST: usize = 16;
 
 /// What is asked about small motions of the journal.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Dynamics {
+pub struct DynamicsTable {
     /// Frequencies of the motion over the speed of the journal [1]; at least one.
     pub whirl: Vec<f64>,
     /// Mass of the rotor for this bearing [kg]; `None`: none is given.
     pub mass: Option<f64>,
 }
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
+pub(crate) fn read(mut table: TableReader<'_>) -> DynamicsTable {
     let ratios = table.numbers("whirl");
     let bounds = table.bounds("whirl");
     if let Some(wrong) = ratios.iter().flatten().find(|ratio| !bounds.hold(**ratio)) {
@@ -36,15 +36,15 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Dynamics {
     }
     let number = ratios.as_ref().map_or(1, Vec::len);
     table.refuse_if(number > MOST, "whirl", format!("has {number} ratios, more than {MOST}"), "give fewer");
-    Dynamics { whirl: ratios.unwrap_or_else(|| vec![0.0]), mass: table.given("mass") }
+    DynamicsTable { whirl: ratios.unwrap_or_else(|| vec![0.0]), mass: table.given("mass") }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::Dynamics;
+    use crate::DynamicsTable;
     use crate::scene::tests::{STUDY, read};
 
-    fn asked(keys: &str) -> Result<Dynamics, String> {
+    fn asked(keys: &str) -> Result<DynamicsTable, String> {
         let text = format!("{STUDY}\n[dynamics]\n{keys}\n");
         let scene = read(&text).map_err(|error| error.to_string())?;
         Ok(scene.dynamics.expect("the table is there"))
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn what_is_asked_is_read() {
-        let of = |whirl: &[f64], mass| Dynamics { whirl: whirl.to_vec(), mass };
+        let of = |whirl: &[f64], mass| DynamicsTable { whirl: whirl.to_vec(), mass };
         assert_eq!(asked(""), Ok(of(&[0.0], None)));
         assert_eq!(asked("whirl = 1"), Ok(of(&[1.0], None)));
         assert_eq!(asked("whirl = [0, 0.5, 1]\nmass = \"0.2 t\""), Ok(of(&[0.0, 0.5, 1.0], Some(0.2 * 1e3))));

@@ -6,7 +6,7 @@ pub use field::{HeatBush, HeatExpansion, HeatField, HeatJournal};
 
 use crate::criteria::{Criteria, SHARED, TABLES, read_shared, refuse_beside};
 use crate::reader::TableReader;
-use crate::{Complaints, Scene, Theory, Viscosity};
+use crate::{Complaints, Scene, TheoryKey, Viscosity};
 
 keys! {
     "heat" = Table; "", "the temperature of the film is given, or has no effect", "",
@@ -49,18 +49,18 @@ pub struct Heat {
     /// Heat capacity per volume rho c [J/(m3 K)].
     pub heat_capacity: f64,
     /// What the housing gives off; `None`: all heat leaves with the oil.
-    pub housing: Option<Housing>,
+    pub housing: Option<HousingTable>,
     /// Hot oil that is carried over and mixes with the fresh one; `None`: the film gets fresh oil.
     pub mixing: Option<Mixing>,
     /// The engine that the bearing belongs to.
-    pub engine: Option<Engine>,
+    pub engine: Option<EngineKind>,
     /// The temperature as a field; `None`: the film has one temperature.
     pub field: Option<HeatField>,
 }
 
 /// A housing at the temperature of the film.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Housing {
+pub struct HousingTable {
     /// Heat conductance G from the film to its surroundings [W/K].
     pub conductance: f64,
     /// Temperature t_a of the surroundings [K].
@@ -78,14 +78,14 @@ pub enum Mixing {
 
 /// Usual values of an engine's crankshaft bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Engine {
+pub enum EngineKind {
     /// Spark ignition.
     Petrol,
     /// Compression ignition.
     Diesel,
 }
 
-impl Engine {
+impl EngineKind {
     /// Name in scenes and reports.
     pub fn name(self) -> &'static str {
         match self {
@@ -149,13 +149,13 @@ impl Scene {
 
 /// The table, and the limits in it.
 pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
-    let engines = [Engine::Petrol, Engine::Diesel].map(|engine| (engine.name(), engine));
+    let engines = [EngineKind::Petrol, EngineKind::Diesel].map(|engine| (engine.name(), engine));
     let engine = table.word("preset", &engines);
     if !table.has("preset") {
         let example = "\"75 C\", the temperature of the oil that is fed, or preset = \"petrol\"";
         table.require_as("inlet", example);
     }
-    let usual = engine.map_or(f64::NAN, |engine| Engine::middle(engine.inlet()));
+    let usual = engine.map_or(f64::NAN, |engine| EngineKind::middle(engine.inlet()));
     let heat_capacity = table.number("heat_capacity").within_or(
         |_, [least, most]| format!("is not the heat capacity of an oil: {least:e} to {most:e} J/(m3.K)"),
         "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
@@ -174,7 +174,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
 }
 
 /// The conductance as one number, or as that of a surface times its area.
-fn housing(mut table: TableReader<'_>) -> Housing {
+fn housing(mut table: TableReader<'_>) -> HousingTable {
     let conductance = table.given("conductance");
     let transfer = table.given("transfer");
     let area = table.given("area");
@@ -195,7 +195,7 @@ fn housing(mut table: TableReader<'_>) -> Housing {
         }
     };
     let ambient = table.oil_temperature("ambient").required();
-    Housing { conductance, ambient }
+    HousingTable { conductance, ambient }
 }
 
 fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
@@ -237,7 +237,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         ),
     }
     complaints.refuse_if(
-        scene.bearing.theory == Theory::Long && heat.housing.is_none(),
+        scene.bearing.theory == TheoryKey::Long && heat.housing.is_none(),
         "bearing.theory",
         "\"long\" seals the ends, so that no oil carries heat off",
         "give heat.housing, or another theory",
@@ -268,7 +268,10 @@ mod tests {
             "preset = \"diesel\", heat_capacity = \"1800 kJ/(m3 K)\", film_min = \"2 um\", temperature_max = \"130 C\", \
              housing = { transfer = \"20 W/(m2 K)\", area = \"0.1 m2\", ambient = \"30 C\" }, mixing = { share = 0.5 }",
         );
-        assert_eq!((full.inlet, full.engine, full.mixing), (350.65, Some(Engine::Diesel), Some(Mixing::Share(0.5))));
+        assert_eq!(
+            (full.inlet, full.engine, full.mixing),
+            (350.65, Some(EngineKind::Diesel), Some(Mixing::Share(0.5)))
+        );
         let housing = full.housing.expect("a housing");
         assert!((housing.conductance - 2.0).abs() < 1e-12 && (housing.ambient - 303.15).abs() < 1e-9);
         assert_eq!(heat("inlet = \"60 C\", preset = \"petrol\"").inlet, 333.15);

@@ -26,9 +26,9 @@ pub struct Journal {
     /// Angular speed omega [rad/s]; positive towards growing angles.
     pub speed: f64,
     /// Position of the journal.
-    pub position: Position,
+    pub position: PositionTable,
     /// Velocity of its centre; `None`: the centre rests.
-    pub squeeze: Option<squeeze::Squeeze>,
+    pub squeeze: Option<squeeze::SqueezeTable>,
     /// Slope of its axis against that of the bearing, towards x and y [rad]; `None`: the axes are parallel.
     pub tilt: Option<[f64; 2]>,
     /// Rate of that slope [rad/s]; `None`: it does not change.
@@ -37,7 +37,7 @@ pub struct Journal {
 
 /// How the position of the journal is known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Position {
+pub enum PositionTable {
     /// A fixed position.
     Given {
         /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
@@ -61,20 +61,20 @@ pub enum Position {
 impl Journal {
     /// A journal that turns at `speed` [rad/s] under no load, without tilt or motion of its own.
     pub fn without_load(speed: f64) -> Self {
-        Self { speed, position: Position::Load { force: 0.0, angle: 0.0 }, ..Self::default() }
+        Self { speed, position: PositionTable::Load { force: 0.0, angle: 0.0 }, ..Self::default() }
     }
 
     /// The force on the journal `(F cos, F sin)` [N]; `None` at a given position and under a load that changes.
     pub fn load(&self) -> Option<[f64; 2]> {
         match self.position {
-            Position::Given { .. } | Position::Cycle => None,
-            Position::Load { force, angle } => Some([force * angle.cos(), force * angle.sin()]),
+            PositionTable::Given { .. } | PositionTable::Cycle => None,
+            PositionTable::Load { force, angle } => Some([force * angle.cos(), force * angle.sin()]),
         }
     }
 }
 
 /// Reads the table; `load` is the position under a load, if the scene has one.
-pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journal {
+pub(crate) fn read(mut table: TableReader<'_>, load: Option<PositionTable>) -> Journal {
     Journal {
         speed: table.required("speed"),
         squeeze: table.table_if_given("squeeze").map(squeeze::read),
@@ -86,7 +86,7 @@ pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journa
 
 /// Keys that must fit each other.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let touches = matches!(scene.journal.position, Position::Given { eccentricity, .. } if eccentricity >= 1.0);
+    let touches = matches!(scene.journal.position, PositionTable::Given { eccentricity, .. } if eccentricity >= 1.0);
     complaints.refuse_if(
         touches && scene.is_circular(),
         "journal.eccentricity",
@@ -113,7 +113,7 @@ fn refuse_beside_a_cycle(key: &str, scene: &Scene, complaints: &mut Complaints) 
     );
 }
 
-fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
+fn position(table: &mut TableReader<'_>, load: Option<PositionTable>) -> PositionTable {
     let eccentricity = table.number("eccentricity").which(
         |eccentricity| eccentricity >= 0.0,
         "is negative",
@@ -136,7 +136,7 @@ fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
     if eccentricity.is_some_and(|eccentricity| eccentricity != 0.0) {
         table.require("min_film_angle");
     }
-    Position::Given { eccentricity: eccentricity.unwrap_or(f64::NAN), min_film_angle: angle.unwrap_or(0.0) }
+    PositionTable::Given { eccentricity: eccentricity.unwrap_or(f64::NAN), min_film_angle: angle.unwrap_or(0.0) }
 }
 
 #[cfg(test)]
@@ -158,7 +158,7 @@ pub(crate) mod tests {
     fn a_load_stands_in_place_of_the_position() {
         let (force, angle) = (5e3, 270f64 * (std::f64::consts::PI / 180.0));
         let found = journal("", LOAD).position;
-        assert_eq!(found, Position::Load { force, angle });
+        assert_eq!(found, PositionTable::Load { force, angle });
         journal("", "load = { force = \"0 N\", angle = \"0 deg\" }\n");
         let one = |position: &str, load: &str, wanted: &str| {
             let text = STUDY.replacen(POSITION, position, 1).replace("\njournal", &format!("\n{load}journal"));

@@ -281,7 +281,7 @@ pub(crate) fn refuse_all(found: &[KeyTolerance], complaints: &mut Complaints) {
 #[cfg(test)]
 mod tests {
     use crate::scene::tests::{STUDY, good, read};
-    use crate::{Position, Scene};
+    use crate::{PositionTable, Scene};
 
     const CLEARANCE: &str = "clearance = \"37.5 um\"";
 
@@ -319,7 +319,7 @@ mod tests {
     fn feeds_are_named_by_their_group_and_plain_numbers_have_no_unit() {
         let scene = with("eccentricity = 0.6", "eccentricity = \"0.6 +- 0.05\"");
         assert_eq!(scene.tolerances[0].key, "journal.eccentricity");
-        assert!(matches!(scene.journal.position, Position::Given { eccentricity: 0.6, .. }));
+        assert!(matches!(scene.journal.position, PositionTable::Given { eccentricity: 0.6, .. }));
         let scene = with("pressure = \"1.96 bar\"", "pressure = \"1.96 bar +- 5 %\"");
         assert_eq!(scene.tolerances[0].key, format!("feed.{}.pressure", scene.feeds[0].group));
         let values = [(&scene.tolerances[0], 2e5)];

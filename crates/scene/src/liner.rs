@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
+use crate::wording::bars;
+use crate::{Complaints, Scene};
 
 keys! {
     "liner" = Table; "", "the liner is rigid", "",
@@ -42,7 +44,7 @@ pub enum OuterSurface {
 
 /// A wall of one material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Material {
+pub struct WallMaterial {
     /// Thickness t of the wall [m].
     pub thickness: f64,
     /// Young's modulus E [Pa].
@@ -57,7 +59,7 @@ pub enum Layer {
     /// Displacement for each pressure [m/Pa].
     Given(f64),
     /// Displacement of a thin layer of this material on a rigid housing.
-    Of(Material),
+    Of(WallMaterial),
 }
 
 /// How the wall gives way.
@@ -68,7 +70,7 @@ pub enum Liner {
     /// Each slice as a ring in plane strain.
     Wall {
         /// What it is made of.
-        of: Material,
+        of: WallMaterial,
         /// What holds its outer surface.
         outer: OuterSurface,
     },
@@ -122,8 +124,8 @@ fn wall(mut table: TableReader<'_>) -> Liner {
 }
 
 /// Thickness, modulus and Poisson's ratio.
-fn material(table: &mut TableReader<'_>) -> Material {
-    Material {
+fn material(table: &mut TableReader<'_>) -> WallMaterial {
+    WallMaterial {
         thickness: table.required("thickness"),
         modulus: table.required("modulus"),
         poisson: (table.number("poisson"))
@@ -138,6 +140,35 @@ fn material(table: &mut TableReader<'_>) -> Material {
 fn matrix(mut table: TableReader<'_>, scene: &Path) -> Liner {
     let file = table.text("file");
     Liner::Compliance { file: scene.parent().unwrap_or(Path::new("")).join(file) }
+}
+
+/// Refuses a wall that the load would press through: far too soft, mostly by its unit.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    if ["liner", "bearing", "load.force"].iter().any(|table| complaints.concern(table)) {
+        return;
+    }
+    let (key, material) = match &scene.liner {
+        Some(Liner::Winkler(Layer::Of(material))) => ("liner.winkler.modulus", material),
+        Some(Liner::Wall { of, .. }) => ("liner.wall.modulus", of),
+        _ => return,
+    };
+    let Some([x, y]) = scene.journal.load() else { return };
+    let pressure = x.hypot(y) / (scene.bearing.diameter * scene.bearing.length);
+    complaints.refuse_if(
+        pressure >= confined(material),
+        key,
+        format!(
+            "is too soft: the mean pressure of the load, {}, presses the wall in by its whole thickness",
+            bars(pressure)
+        ),
+        "give the modulus of the wall's material, such as \"210 GPa\" of steel or \"2 GPa\" of a polymer; is its unit right?",
+    );
+}
+
+/// Modulus [Pa] of a layer that cannot move sideways: `E (1 - nu)/((1 + nu) (1 - 2 nu))`.
+fn confined(material: &WallMaterial) -> f64 {
+    let (modulus, poisson) = (material.modulus, material.poisson);
+    modulus * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
 }
 
 #[cfg(test)]
@@ -158,10 +189,10 @@ mod tests {
         assert!((per_pressure / 2e-14 - 1.0).abs() < 1e-14);
         let ring = "wall = { thickness = \"10 mm\", modulus = \"210 GPa\", poisson = 0.3";
         for (more, outer) in [(" }", OuterSurface::Clamped), (", outer = \"free\" }", OuterSurface::Free)] {
-            let of = Material { thickness: 10.0 * 1e-3, modulus: 210.0 * 1e9, poisson: 0.3 };
+            let of = WallMaterial { thickness: 10.0 * 1e-3, modulus: 210.0 * 1e9, poisson: 0.3 };
             assert_eq!(asked(&format!("{ring}{more}")), Ok(Liner::Wall { of, outer }));
         }
-        let metal = Material { thickness: 0.3 * 1e-3, modulus: 50.0 * 1e9, poisson: 0.35 };
+        let metal = WallMaterial { thickness: 0.3 * 1e-3, modulus: 50.0 * 1e9, poisson: 0.35 };
         assert_eq!(
             asked("winkler = { thickness = \"0.3 mm\", modulus = \"50 GPa\", poisson = 0.35 }"),
             Ok(Liner::Winkler(Layer::Of(metal)))

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::journal::tilt;
 use crate::reader::TableReader;
-use crate::{Complaints, LoadCycle, Position, Scene};
+use crate::{Complaints, LoadCycle, PositionTable, Scene};
 
 keys! {
     "load" = Table; "", "the position is given", "",
@@ -27,9 +27,9 @@ keys! {
 }
 
 /// The load on a journal.
-pub(crate) struct Load {
+pub(crate) struct LoadTable {
     /// Force and angle, or that the load changes.
-    pub(crate) position: Position,
+    pub(crate) position: PositionTable,
     /// How it changes over a cycle; `None`: it does not.
     pub(crate) cycle: Option<LoadCycle>,
     /// Axial position at which the force acts [m]; `None`: not written.
@@ -39,7 +39,7 @@ pub(crate) struct Load {
 }
 
 /// Reads the table of a scene that stands at `scene`.
-pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Load {
+pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> LoadTable {
     let cycle = cycle::read(&mut table, scene);
     let force = table.number("force").within("is negative", "give force >= 0, and turn angle by 180 deg");
     let force = force.given();
@@ -60,10 +60,10 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Load {
             }
         }
     }
-    Load {
+    LoadTable {
         position: match cycle {
-            Some(_) => Position::Cycle,
-            None => Position::Load { force: force.unwrap_or(f64::NAN), angle: angle.unwrap_or(f64::NAN) },
+            Some(_) => PositionTable::Cycle,
+            None => PositionTable::Load { force: force.unwrap_or(f64::NAN), angle: angle.unwrap_or(f64::NAN) },
         },
         cycle,
         at: table.given("at"),

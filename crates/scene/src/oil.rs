@@ -6,11 +6,11 @@ pub(crate) mod high_shear;
 pub(crate) mod roelands;
 pub(crate) mod temperature;
 
-pub use barus::{Barus, BarusForm};
-pub use density::Density;
+pub use barus::{BarusForm, BarusTable};
+pub use density::MeasuredDensity;
 pub use high_shear::HighShear;
-pub use roelands::{Roelands, RoelandsExponent};
-pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
+pub use roelands::{RoelandsExponent, RoelandsTable};
+pub use temperature::{PointViscosity, TemperatureLawTable, ViscosityPoint};
 
 use crate::reader::TableReader;
 use crate::{Complaints, Scene};
@@ -28,17 +28,17 @@ keys! {
 
 /// The oil.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Oil {
+pub struct OilTable {
     /// Viscosity of the oil at gauge pressure zero.
     pub viscosity: Viscosity,
     /// How the viscosity depends on pressure.
-    pub pressure_law: PressureLaw,
+    pub pressure_law: PressureLawTable,
     /// Temperature of the film [K], where the scene gives it.
     pub temperature: Option<f64>,
     /// Heat conductivity k [W/(m K)].
     pub conductivity: f64,
     /// Density, where the scene gives it.
-    pub density: Option<Density>,
+    pub density: Option<MeasuredDensity>,
     /// What high shear rates leave of the viscosity, where the scene gives it.
     pub high_shear: Option<HighShear>,
 }
@@ -49,21 +49,21 @@ pub enum Viscosity {
     /// One number mu0 [Pa.s].
     Constant(f64),
     /// Falls with temperature.
-    ByTemperature(TemperatureLaw),
+    ByTemperature(TemperatureLawTable),
 }
 
 /// How the viscosity depends on pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PressureLaw {
+pub enum PressureLawTable {
     /// Constant viscosity: mu = mu0.
     Constant,
     /// Barus' law: mu = mu0 exp(alpha p).
-    Barus(Barus),
+    Barus(BarusTable),
     /// Roelands' law: mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
-    Roelands(Roelands),
+    Roelands(RoelandsTable),
 }
 
-impl PressureLaw {
+impl PressureLawTable {
     /// Key of the table that gives it; none of a constant viscosity.
     pub fn key(&self) -> Option<&'static str> {
         match self {
@@ -75,7 +75,7 @@ impl PressureLaw {
 }
 
 /// Reads a law of pressure.
-type ReadLaw = fn(TableReader<'_>) -> PressureLaw;
+type ReadLaw = fn(TableReader<'_>) -> PressureLawTable;
 /// Laws of pressure by the table that gives them.
 const PRESSURE_LAWS: &[(&str, ReadLaw)] = &[
     ("barus", barus::read),       // mu0 exp(alpha p)
@@ -91,7 +91,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 
 /// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene
 /// must give it.
-pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
+pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> OilTable {
     let constant = table.given("viscosity");
     let law = temperature::read(&mut table);
     let temperature = table.oil_temperature("temperature").given();
@@ -132,9 +132,9 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
         table.complain(second, message, "keep one law, and remove the other");
     }
     let constant = Viscosity::Constant(constant.unwrap_or(f64::NAN));
-    Oil {
+    OilTable {
         viscosity: law.map_or(constant, Viscosity::ByTemperature),
-        pressure_law: laws.first().map_or(PressureLaw::Constant, |(_, law)| *law),
+        pressure_law: laws.first().map_or(PressureLawTable::Constant, |(_, law)| *law),
         temperature,
         conductivity,
         density: density::read(&mut table),

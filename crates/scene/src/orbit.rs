@@ -31,7 +31,7 @@ keys! {
 
 /// How the orbit of a journal is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Orbit {
+pub struct OrbitTable {
     /// Local error of a step: offset over the least film [1].
     pub tolerance: f64,
     /// Most cycles.
@@ -44,14 +44,14 @@ pub struct Orbit {
     pub start: Option<[f64; 2]>,
 }
 
-impl Orbit {
+impl OrbitTable {
     /// The one of an empty table.
     pub fn usual() -> Self {
         Self { tolerance: TOLERANCE, cycles: CYCLES as usize, closure: CLOSURE * TOLERANCE, mass: 0.0, start: None }
     }
 }
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
+pub(crate) fn read(mut table: TableReader<'_>) -> OrbitTable {
     let tolerance = (table.number("tolerance"))
         .within("is not between 1e-10 and 0.1", "give 1e-3, or less for a sharper orbit")
         .or(TOLERANCE);
@@ -61,7 +61,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
     let closure =
         (table.number("closure")).within("is not between 1e-12 and 0.1", "give 1e-4, or less").or(CLOSURE * tolerance);
     let mass = (table.number("mass")).within("is negative", "give mass >= 0").or_usual();
-    Orbit {
+    OrbitTable {
         tolerance,
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above; NaN becomes 0")]
         cycles: cycles as usize,

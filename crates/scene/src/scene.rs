@@ -14,13 +14,13 @@ use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
-    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
-    Feed, Heat, Journal, KeyTolerance, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError,
-    Shaft, ShaftScene, Support, Tolerance, Turbulence,
+    BearingTable, Bore, Cap, CavitationTable, Check, Complaint, Complaints, CrankTable, Criteria, DynamicsTable, Ends,
+    EngineKind, Feed, Heat, Journal, JournalShape, KeyTolerance, LoadCycle, LoadSource, MeshSource, OilTable,
+    OrbitTable, Roughness, SceneError, ShaftScene, Support, Tolerance, Turbulence,
 };
 use crate::{
-    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance,
-    limits, liner, load, mesh, oil, orbit, roughness, shaft, support, turbulence,
+    bearing, bore, cap, cavitation, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance, limits, load,
+    mesh, oil, orbit, roughness, shaft, support, turbulence,
 };
 
 /// The largest scene file that is read [bytes].
@@ -33,7 +33,7 @@ const MESH_OPENING: &[u8] = b"$MeshFormat";
 /// Key of the mesh file.
 pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 21] = [
+pub const SWEPT: &[&str] = &[
     "bearing",
     "bore",
     "shaft",
@@ -59,7 +59,7 @@ pub const SWEPT: [&str; 21] = [
 /// Tables of a crankshaft whose keys can be swept.
 pub const SWEPT_OF_SHAFT: [&str; 3] = ["crankshaft", "crank", "orbit"];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 14] = [
+const CHECKS: &[Check] = &[
     bearing::check,
     bore::check,
     feed::check,
@@ -71,9 +71,10 @@ const CHECKS: [Check; 14] = [
     heat::check,
     criteria::check,
     cavitation::check,
-    contact::check,
+    crate::contact::check,
     roughness::check,
     turbulence::check,
+    crate::liner::check,
 ];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
@@ -82,11 +83,11 @@ pub struct Scene {
     /// Title of the study; the name of the file where the scene gives none.
     pub title: String,
     /// The liner.
-    pub bearing: Bearing,
+    pub bearing: BearingTable,
     /// Shapes of the bore, whose depths add up; none of a circle.
     pub bores: Vec<Bore>,
     /// The shape of the journal; `None`: a cylinder.
-    pub shaft: Option<Shaft>,
+    pub shaft: Option<JournalShape>,
     /// Origin of the mesh.
     pub mesh: MeshSource,
     /// How small error bars must become by refinement of that mesh; `None`: it is used as it is.
@@ -104,29 +105,29 @@ pub struct Scene {
     /// How the load changes over a cycle; `None`: it does not, or the position is given.
     pub load_cycle: Option<LoadCycle>,
     /// The crank whose rod holds the shell; `None`: the shell is at rest.
-    pub crank: Option<Crank>,
+    pub crank: Option<CrankTable>,
     /// How the path of the journal is followed over a cycle; `None`: it is not.
-    pub orbit: Option<Orbit>,
+    pub orbit: Option<OrbitTable>,
     /// What holds the shaft against its tilt; `None`: nothing.
     pub support: Option<Support>,
     /// The oil.
-    pub oil: Oil,
+    pub oil: OilTable,
     /// The balance that finds the temperature of the film; `None`: it is given, or has no effect.
     pub heat: Option<Heat>,
     /// What the bearing is judged by.
     pub criteria: Criteria,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
-    pub cavitation: Option<Cavitation>,
+    pub cavitation: Option<CavitationTable>,
     /// Contact of rough surfaces; `None`: they do not touch.
-    pub contact: Option<Contact>,
+    pub contact: Option<crate::ContactTable>,
     /// How roughness changes the flow of oil; `None`: the surfaces are smooth.
     pub roughness: Option<Roughness>,
     /// How a turbulent film resists; `None`: the film is laminar.
     pub turbulence: Option<Turbulence>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
-    pub liner: Option<Liner>,
+    pub liner: Option<crate::Liner>,
     /// What is asked about small motions of the journal; `None`: nothing.
-    pub dynamics: Option<Dynamics>,
+    pub dynamics: Option<DynamicsTable>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
@@ -174,10 +175,9 @@ impl Scene {
             Some(LoadSource::File { path, .. }) => Some(path.as_path()),
             _ => None,
         };
-        let wall = self.liner.as_ref().and_then(Liner::file);
-        let gas = self.crank.as_ref().and_then(Crank::gas_file);
+        let gas = self.crank.as_ref().and_then(CrankTable::gas_file);
         let shaft = match &self.shaft {
-            Some(Shaft::Measured(path)) => Some(path.as_path()),
+            Some(JournalShape::Measured(path)) => Some(path.as_path()),
             _ => None,
         };
         let bores = self.bores.iter().enumerate().filter_map(|(index, bore)| {
@@ -189,7 +189,7 @@ impl Scene {
             ("load.file", load, TABLE),
             ("crank.gas.file", gas, TABLE),
             ("shaft.file", shaft, TABLE),
-            ("liner.compliance.file", wall, MATRIX),
+            ("liner.compliance.file", self.liner.as_ref().and_then(crate::Liner::file), MATRIX),
         ];
         files.into_iter().filter_map(|(key, path, help)| Some((Cow::Borrowed(key), path?, help))).chain(bores)
     }
@@ -314,8 +314,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let criteria = root.table_if_given("criteria").map(criteria::read).unwrap_or_default();
     let temperature = heat.is_none().then_some("\"80 C\", or a table [heat] that finds it");
     let engine = heat.and_then(|heat| heat.engine);
-    let usual_ratio = engine.map(|engine| Engine::middle(engine.clearance_ratio()));
-    let usual_pressure = engine.map(|engine| Engine::middle(engine.feed_pressure()));
+    let usual_ratio = engine.map(|engine| EngineKind::middle(engine.clearance_ratio()));
+    let usual_pressure = engine.map(|engine| EngineKind::middle(engine.feed_pressure()));
     let orbit = root.table_if_given("orbit").map(orbit::read);
     let (mesh, tolerance) = mesh::read(root.table_if_given("mesh"), path);
     // The mesh of an orbit is not refined.
@@ -344,10 +344,10 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         heat,
         criteria: criteria.or(limits).or(in_heat.unwrap_or_default()),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
-        contact: root.table_if_given("contact").and_then(contact::read),
+        contact: root.table_if_given("contact").and_then(crate::contact::read),
         roughness: root.table_if_given("roughness").and_then(roughness::read),
         turbulence: root.table_if_given("turbulence").and_then(turbulence::read),
-        liner: root.table_if_given("liner").and_then(|table| liner::read(table, path)),
+        liner: root.table_if_given("liner").and_then(|table| crate::liner::read(table, path)),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),

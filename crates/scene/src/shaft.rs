@@ -15,7 +15,7 @@ keys! {
 
 /// The shape of a journal.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shaft {
+pub enum JournalShape {
     /// How much smaller its radius is at the ends [m].
     Crown(f64),
     /// Depths of a table in this file.
@@ -23,7 +23,7 @@ pub enum Shaft {
 }
 
 /// Reads the table; a file counts from the folder of the `scene`.
-pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Shaft {
+pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> JournalShape {
     let crown = table.given("crown");
     let file = table.text_if_given("file");
     table.refuse_if(
@@ -39,9 +39,9 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path) -> Shaft {
         );
     }
     match (crown, file) {
-        (Some(crown), _) => Shaft::Crown(crown),
-        (None, Some(file)) => Shaft::Measured(scene.parent().unwrap_or(Path::new("")).join(file)),
-        (None, None) => Shaft::Crown(f64::NAN),
+        (Some(crown), _) => JournalShape::Crown(crown),
+        (None, Some(file)) => JournalShape::Measured(scene.parent().unwrap_or(Path::new("")).join(file)),
+        (None, None) => JournalShape::Crown(f64::NAN),
     }
 }
 
@@ -54,8 +54,8 @@ mod tests {
     fn the_shape_of_the_journal_is_read_or_refused() {
         let scene = |keys: &str| read(&format!("{STUDY}\n[shaft]\n{keys}\n"));
         let shaft = |keys: &str| scene(keys).expect("a scene").shaft;
-        assert_eq!(shaft("crown = \"3 um\""), Some(Shaft::Crown(3e-6)));
-        assert!(matches!(shaft("file = \"s.csv\""), Some(Shaft::Measured(path)) if path.ends_with("s.csv")));
+        assert_eq!(shaft("crown = \"3 um\""), Some(JournalShape::Crown(3e-6)));
+        assert!(matches!(shaft("file = \"s.csv\""), Some(JournalShape::Measured(path)) if path.ends_with("s.csv")));
         for (keys, wanted) in [
             ("", "shaft: has no shape"),
             ("crown = \"1 um\"\nfile = \"s.csv\"", "shaft.file: stands beside crown"),

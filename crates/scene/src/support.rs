@@ -29,7 +29,7 @@ pub struct Support {
 
 /// What tilts a journal whose tilt is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tilting {
+pub struct TiltingTable {
     /// Axial position at which the load acts [m].
     pub at: f64,
     /// Moment beside that of the load at its position [N m].
@@ -40,12 +40,12 @@ pub struct Tilting {
 
 impl Scene {
     /// What tilts the journal, where its tilt is found.
-    pub fn tilting(&self) -> Option<Tilting> {
+    pub fn tilting(&self) -> Option<TiltingTable> {
         if !self.is_loaded() {
             return None;
         }
         let is_asked = self.load_at.is_some() || self.load_moment.is_some() || self.support.is_some();
-        is_asked.then(|| Tilting {
+        is_asked.then(|| TiltingTable {
             at: self.load_at.unwrap_or(0.0),
             moment: self.load_moment.unwrap_or_default(),
             support: self.support,

@@ -1,7 +1,7 @@
 //! `[turbulence]`: a film that is no longer laminar.
 
 use crate::reader::TableReader;
-use crate::{Complaints, Scene, Theory};
+use crate::{Complaints, Scene, TheoryKey};
 
 keys! {
     "turbulence" = Table; "", "the film is laminar, however fast it flows", "",
@@ -35,7 +35,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         return;
     }
     complaints.refuse_if(
-        scene.bearing.theory != Theory::Full,
+        scene.bearing.theory != TheoryKey::Full,
         "bearing.theory",
         "leaves out one of the flows that turbulence resists, by closed forms of laminar films",
         "remove it, or remove [turbulence]",

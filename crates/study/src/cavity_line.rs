@@ -15,7 +15,7 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// A piece of a line on the unrolled liner `(R phi, z)` [m].
-pub(crate) type Piece = [[f64; 2]; 2];
+pub(crate) type LineSegment = [[f64; 2]; 2];
 
 /// Ends that are closer than this part of the radius are one.
 const CLOSE: f64 = 1e-9;
@@ -34,7 +34,7 @@ const OVERLAP: usize = 64;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CavityPiece {
     /// Piece of the line on the unrolled liner [m].
-    pub(crate) piece: Piece,
+    pub(crate) piece: LineSegment,
     /// Normal of the piece towards the cavity, as long as the piece.
     pub(crate) normal: [f64; 2],
     /// Extents of its triangle [m].
@@ -66,11 +66,11 @@ pub(crate) fn smoothed(mut pieces: Vec<CavityPiece>, radius: f64, half_length: f
 }
 
 /// The side of a piece to which its normal points.
-fn side([from, to]: Piece, normal: [f64; 2]) -> f64 {
+fn side([from, to]: LineSegment, normal: [f64; 2]) -> f64 {
     ((to[0] - from[0]) * normal[1] - (to[1] - from[1]) * normal[0]).signum()
 }
 
-fn normal([from, to]: Piece, side: f64) -> [f64; 2] {
+fn normal([from, to]: LineSegment, side: f64) -> [f64; 2] {
     [side * (from[1] - to[1]), side * (to[0] - from[0])]
 }
 

@@ -4,7 +4,6 @@
 mod columns;
 mod feed;
 mod journal;
-mod liner;
 mod oil;
 mod tolerance;
 
@@ -16,8 +15,7 @@ pub use columns::check_columns;
 pub use tolerance::targets;
 
 /// All checks.
-pub const CHECKS: [Check; 6] =
-    [oil::check, feed::check, journal::check, liner::check, tolerance::check, columns::check];
+pub const CHECKS: [Check; 5] = [oil::check, feed::check, journal::check, tolerance::check, columns::check];
 
 /// Reads the scene in the file `path` with all checks.
 ///

@@ -93,7 +93,8 @@ impl Column {
 
 /// The quantity of this name or symbol.
 fn named(name: &str, scope: &Scope) -> Result<(Cow<'static, str>, &'static Row), Fault> {
-    let single = || CATALOGUE.into_iter().filter(|row| !row.is_family() && row.is_of_cycle() == scope.orbit.is_some());
+    let single =
+        || CATALOGUE.iter().copied().filter(|row| !row.is_family() && row.is_of_cycle() == scope.orbit.is_some());
     if let Some(row) = row(name) {
         let region = &name[row.name.len()..];
         if !row.is_family() || scope.groups.iter().any(|group| group == region) {

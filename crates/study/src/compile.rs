@@ -17,7 +17,6 @@ use crate::effects::{Sockets, present};
 use crate::model::{Description, Model};
 use crate::oil::Oil;
 use crate::scope::Scope;
-use crate::wall::wall;
 use duty::load_of_orbit;
 use mesh_plan::mesh_plan;
 
@@ -36,7 +35,7 @@ pub fn compile(scene: &Scene) -> Result<Arc<Model>, CompileError> {
         description: Description { title: scene.title.clone(), text: scene.text.clone(), sha256: scene.sha256.clone() },
         effects: present(scene).map(|effect| effect.name).collect(),
         mesh,
-        wall: sockets.liner.as_ref().map(|liner| wall(liner, &bearing)).transpose()?.map(Arc::new),
+        wall: sockets.wall.as_ref().map(|model| model.wall(&bearing)).transpose()?.map(Arc::new),
         oil: Oil::of(scene),
         placed: scene.journal.position,
         tilt: scene.journal.tilt.unwrap_or_default(),

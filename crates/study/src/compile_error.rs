@@ -7,7 +7,6 @@ use oilwedge_scene::wording::{degrees, micrometres, millimetres};
 
 use crate::reasons::flags::MORE_SECONDS;
 use crate::reasons::way_out_of_supply;
-use crate::wall::NoWall;
 
 /// Why a scene does not become a film, though it is well written.
 #[derive(Debug, thiserror::Error)]
@@ -103,8 +102,8 @@ pub enum CompileError {
         group: String,
     },
     /// The wall of the liner cannot be made.
-    #[error(transparent)]
-    Wall(#[from] NoWall),
+    #[error("{0}")]
+    Wall(String),
     /// The first mesh is larger than a run may have.
     #[error(
         "the coarsest mesh of the liner, {} around and {} long with its feeds, has some {unknowns:.0} unknowns, more than --max-unknowns {most}; give --max-unknowns a higher limit, or a liner whose length, lands and grooves are not so small beside its circumference", millimetres(*around), millimetres(*length)

@@ -199,26 +199,13 @@ pub static FIELDS: [&FieldRow; 12] = [
     &ERROR_INDICATOR,
 ];
 
+/// The fields of `film.vtu` that are not drawn.
+static UNDRAWN: [&FieldRow; 5] = [&ANGLE, &AXIAL_PLACE, &VOLUME_FLOW, &JOURNAL_STRESS, &BEARING_STRESS];
+
 /// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 17] = [
-    &PRESSURE,
-    &FILM_THICKNESS,
-    &DEFLECTION,
-    &FILM_FRACTION,
-    &VISCOSITY,
-    &REYNOLDS_NUMBER,
-    &TEMPERATURE,
-    &GREATEST_TEMPERATURE,
-    &BUSH_TEMPERATURE,
-    &JOURNAL_TEMPERATURE,
-    &CONTACT_PRESSURE,
-    &ERROR_INDICATOR,
-    &ANGLE,
-    &AXIAL_PLACE,
-    &VOLUME_FLOW,
-    &JOURNAL_STRESS,
-    &BEARING_STRESS,
-];
+pub fn file_fields() -> impl Iterator<Item = &'static FieldRow> {
+    FIELDS.into_iter().chain(UNDRAWN)
+}
 
 /// The row of a field that is drawn.
 pub fn field(name: &str) -> Option<&'static FieldRow> {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_bearing::orbit::Instant;
-use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
+use oilwedge_bearing::{InitialGuess, JournalLoad, SearchObserver, SearchOptions, Waypoint};
 use oilwedge_reynolds::film_thickness::Eccentricity;
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, SolvedFilm};
@@ -71,7 +71,7 @@ pub struct MeshOrigin {
 
 impl Film {
     /// Force on the journal, and what tilts it, under which its position is found; `None` at a given position.
-    pub fn load(&self) -> Option<Load> {
+    pub fn load(&self) -> Option<JournalLoad> {
         self.model.sockets.load()
     }
 

@@ -12,7 +12,7 @@ use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::supply::BoundaryKind;
 
-use crate::cavity_line::{CavityPiece, Piece, place, smoothed};
+use crate::cavity_line::{CavityPiece, LineSegment, place, smoothed};
 use crate::film::Film;
 
 /// Name of the line where the film breaks.
@@ -26,7 +26,7 @@ pub const RIM: &str = "rim.";
 const ROUNDS: usize = 12;
 
 /// The lines of a film by name; those without a piece are left out.
-pub(crate) fn film_lines(film: &Film, solved: &SolvedFilm) -> Vec<(String, Vec<Piece>)> {
+pub(crate) fn film_lines(film: &Film, solved: &SolvedFilm) -> Vec<(String, Vec<LineSegment>)> {
     let [rupture, reformation] = cavity_edges(solved);
     let edges = [(RUPTURE.to_owned(), rupture), (REFORMATION.to_owned(), reformation)];
     let lines = edges.into_iter().chain(rims(film));
@@ -43,7 +43,7 @@ enum Node {
 }
 
 /// Rupture and reformation.
-fn cavity_edges(film: &SolvedFilm) -> [Vec<Piece>; 2] {
+fn cavity_edges(film: &SolvedFilm) -> [Vec<LineSegment>; 2] {
     let SolvedFilm { problem, system, solution } = film;
     let Some(floor) = problem.cavitation.pressure() else {
         return [Vec::new(), Vec::new()];
@@ -153,7 +153,7 @@ fn nodes(film: &SolvedFilm, floor: f64) -> Vec<Node> {
 }
 
 /// Rims of feeds and pockets.
-fn rims(film: &Film) -> Vec<(String, Vec<Piece>)> {
+fn rims(film: &Film) -> Vec<(String, Vec<LineSegment>)> {
     let mesh = film.system.space().mesh();
     let feeds = film.system.supply.regions().iter().filter(|region| region.kind == BoundaryKind::Feed);
     let feeds = feeds.map(|region| (region.name.as_str(), &region.edges, &region.cells));

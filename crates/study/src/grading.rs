@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    BranchLimit, Equilibrium, Heated, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions,
-    Waypoint, find, is_contact,
+    BranchLimit, Equilibrium, Heated, InitialGuess, JournalLoad, NoEquilibrium, Purpose, ROUGHLY_BALANCED,
+    SearchOptions, Waypoint, find, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
@@ -57,13 +57,13 @@ pub fn graded(model: &Arc<Model>, longest: f64, watch: Watch) -> Result<Film, Co
 
 /// Where another mesh has shown that a growing moment leads, under a wall that gives way.
 #[derive(Debug, Clone)]
-pub struct Shown {
+pub struct MomentPath {
     /// What its mesh was graded for.
     position: Position,
     way: Arc<Waypoint>,
 }
 
-impl Shown {
+impl MomentPath {
     /// What a film shows by the reason for which it has no answer, or by the way along which it was sought; none where
     /// the journal tips over: at which tilt depends on the mesh.
     pub fn of(film: &Film, reason: &NoAnswer) -> Option<Self> {
@@ -84,7 +84,7 @@ impl Shown {
 pub fn graded_within(
     model: &Arc<Model>,
     (longest, most_triangles): (f64, f64),
-    shown: Option<&Shown>,
+    shown: Option<&MomentPath>,
     watch: Watch,
 ) -> Result<Graded, CompileError> {
     let near = |state: &FilmState| {
@@ -94,7 +94,7 @@ pub fn graded_within(
     };
     let mut film = match shown {
         None => model.film_near(longest, &model.start())?,
-        Some(Shown { position, way }) => near(&model.state_at(*position))?.begun(Start::Along(way.clone())),
+        Some(MomentPath { position, way }) => near(&model.state_at(*position))?.begun(Start::Along(way.clone())),
     };
     let Some(load) = film.load().filter(|_| model.mesh.is_graded()) else {
         return Ok(film.into());
@@ -120,11 +120,11 @@ pub fn graded_within(
             Suited::Not(position, known) => {
                 let graded = near(&FilmState { position, oil: model.oil_at(known.temperature()) })?;
                 film = match known {
-                    Known::Balance(found) if takes_long(&found, load) => {
+                    EarlierSearch::Balance(found) if takes_long(&found, load) => {
                         graded.as_found(&found).begun(Start::NearlyBalanced)
                     }
-                    Known::Way(way) => graded.begun(Start::Along(way)),
-                    Known::Balance(_) | Known::Nothing => graded,
+                    EarlierSearch::Way(way) => graded.begun(Start::Along(way)),
+                    EarlierSearch::Balance(_) | EarlierSearch::Nothing => graded,
                 };
             }
         }
@@ -133,7 +133,7 @@ pub fn graded_within(
 }
 
 /// Whether the search for the position of a film takes long, so that it does not begin anew on each mesh.
-fn takes_long(problem: &FilmProblem, load: Load) -> bool {
+fn takes_long(problem: &FilmProblem, load: JournalLoad) -> bool {
     problem.has_bent_wall() || problem.cavitation.conserves_oil() && load.tilting.is_some()
 }
 
@@ -142,7 +142,7 @@ enum Suited {
     /// The mesh suits the position and the wall of this film, which balances the load roughly.
     To(Box<FilmProblem>),
     /// The mesh does not suit this position, for which it is better graded.
-    Not(Position, Known),
+    Not(Position, EarlierSearch),
     /// No position is known, but perhaps the way of a growing moment.
     Unknown(Option<Arc<Waypoint>>),
     /// The search under a wall that gives way has led nowhere.
@@ -153,7 +153,7 @@ enum Suited {
 }
 
 /// What a search on one mesh leaves to that on the next.
-enum Known {
+enum EarlierSearch {
     /// A film that balances the load roughly.
     Balance(Box<FilmProblem>),
     /// The way that a growing moment takes, under a wall that gives way.
@@ -161,7 +161,7 @@ enum Known {
     Nothing,
 }
 
-impl Known {
+impl EarlierSearch {
     /// The temperature [K] of the film that balances the load.
     fn temperature(&self) -> Option<f64> {
         match self {
@@ -172,7 +172,7 @@ impl Known {
 }
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
-fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) -> Suited {
+fn suited(film: &Film, load: JournalLoad, watch: Watch, middle: &mut Option<Position>) -> Suited {
     let is_parallel = load.tilting.is_none() && film.problem.journal.tilt == [0.0; 2];
     let thin = match film.problem.cavitation.conserves_oil() && is_parallel {
         true => THIN_IN_ROWS,
@@ -203,7 +203,7 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
             (None, _) if film.problem.deflection().is_some() && !reason.is_far_beyond() => return Suited::Failed,
-            (Some(position), _) => return Suited::Not(position, Known::Nothing),
+            (Some(position), _) => return Suited::Not(position, EarlierSearch::Nothing),
             (None, Some(journal)) if is_contact(&gap, &journal) => return Suited::Unknown(None),
             (None, Some(journal)) => with_film(&gap, &journal, thin),
             (None, None) => return Suited::Unknown(None),
@@ -213,12 +213,14 @@ fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) 
     let suits = is_near(&gap, &in_unbent(&film.problem), &journal);
     match balance {
         Ok(found) if is_possible && suits => Suited::To(Box::new(found.film.problem)),
-        Ok(found) if is_possible => {
-            Suited::Not(Position::of(&journal, gap.bearing().clearance), Known::Balance(Box::new(found.film.problem)))
-        }
-        Err(_) if is_possible && !suits => {
-            Suited::Not(Position::of(&journal, gap.bearing().clearance), way.map_or(Known::Nothing, Known::Way))
-        }
+        Ok(found) if is_possible => Suited::Not(
+            Position::of(&journal, gap.bearing().clearance),
+            EarlierSearch::Balance(Box::new(found.film.problem)),
+        ),
+        Err(_) if is_possible && !suits => Suited::Not(
+            Position::of(&journal, gap.bearing().clearance),
+            way.map_or(EarlierSearch::Nothing, EarlierSearch::Way),
+        ),
         _ => Suited::Unknown(way),
     }
 }
@@ -241,7 +243,7 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
 
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be
 /// out of reach only because the mesh is too coarse there.
-fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, NoEquilibrium> {
+fn rough_balance(film: &Film, load: JournalLoad, watch: Watch) -> Result<Equilibrium, NoEquilibrium> {
     let warming = Heating::of(film);
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),

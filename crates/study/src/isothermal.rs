@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 use std::time::Instant;
 
-use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
+use oilwedge_bearing::deflection::{CLOSED, FilmsOnWall, closed_film, closed_pair, following_wall};
 use oilwedge_bearing::{
-    Carrier, Equilibrium, Heated, InitialGuess, Load, SearchOptions, WallByPlace, Work, balance_hill, find, find_held,
+    Carrier, Equilibrium, Heated, InitialGuess, JournalLoad, SearchOptions, WallByPlace, Work, balance_hill, find,
+    find_held,
 };
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
@@ -14,7 +15,7 @@ use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use crate::film::Film;
 use crate::no_answer::NoAnswer;
-use crate::solved::{Balance, Errors, SolveOptions, Solved};
+use crate::solved::{BalanceFacts, Errors, SolveOptions, Solved};
 
 /// Solves a film at the temperature that it has.
 ///
@@ -57,7 +58,7 @@ fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoA
         return with_reference(film, closed, errors);
     }
     let clock = Instant::now();
-    let Pair { film: closed, cubic } = closed_pair(closed, None, CLOSED)?;
+    let FilmsOnWall { film: closed, cubic } = closed_pair(closed, None, CLOSED)?;
     Ok(Solved {
         reference: Some(ReferenceFilm::Cubic(cubic)),
         reference_seconds: clock.elapsed().as_secs_f64(),
@@ -69,7 +70,7 @@ fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoA
 /// balances its heat, where that is sought.
 fn sought(
     film: &Film,
-    load: Option<Load>,
+    load: Option<JournalLoad>,
     warming: Option<&dyn Heated>,
     options: &SolveOptions,
 ) -> Result<Solved, NoAnswer> {
@@ -89,7 +90,7 @@ fn sought(
         Some(load) => find(&film.problem, &film.system, load, &search),
         None => find_held(&film.problem, &film.system, &search),
     }?;
-    let load = load.unwrap_or(Load::from([0.0; 2]));
+    let load = load.unwrap_or(JournalLoad::from([0.0; 2]));
     let by_film = balance(&found, load, clock);
     let solved = match found.cubic {
         None => with_reference(film, found.film, options.errors)?,
@@ -110,9 +111,9 @@ fn sum(mut first: Work, second: Work) -> Work {
 }
 
 /// How a `load` is balanced by a search that began at `clock`.
-fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
+fn balance(found: &Equilibrium, load: JournalLoad, clock: Instant) -> BalanceFacts {
     let (parts, seconds) = (found.film.solution.seconds, clock.elapsed().as_secs_f64());
-    Balance {
+    BalanceFacts {
         unbalanced: found.unbalanced,
         residual: found.residual,
         parts: found.parts,
@@ -130,7 +131,7 @@ fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
 
 /// The film at the position in which its hill carries the load, near that which the `solved` film has found, where the
 /// load is that of the hill; else that film.
-fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, clock: Instant) -> Solved {
+fn balanced_by_hill(mut solved: Solved, load: JournalLoad, search: &SearchOptions, clock: Instant) -> Solved {
     let (Some(by_film), Some(hill)) = (solved.balance, hill_with_load(&mut solved)) else {
         return solved;
     };
@@ -144,7 +145,7 @@ fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, cloc
     }
     let film = solved.film.with_journal(found.film.problem.journal);
     Solved {
-        balance: Some(Balance {
+        balance: Some(BalanceFacts {
             steps: by_film.steps + found.steps,
             work: sum(by_film.work, found.work),
             is_of_hill: true,

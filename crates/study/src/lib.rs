@@ -54,7 +54,6 @@ pub mod symbol;
 pub mod targets;
 pub mod thermal;
 pub mod thermal_model;
-mod wall;
 pub mod warning;
 pub mod warnings;
 

@@ -2,7 +2,7 @@
 //! limit: in an engine, and where heat is balanced.
 
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::{Criteria, Engine};
+use oilwedge_scene::{Criteria, EngineKind};
 
 use crate::film::Film;
 use crate::quantities::{
@@ -22,7 +22,7 @@ const USUAL_TEMPERATURE: f64 = 115.0;
 const USUAL_OUTLET: f64 = 125.0;
 
 /// A number in SI units, and how well it is known.
-type Judged = (f64, Accuracy);
+type JudgedNumber = (f64, Accuracy);
 
 /// The numbers that limits are compared with.
 struct Compared<'a> {
@@ -35,7 +35,7 @@ struct Compared<'a> {
 
 impl Compared<'_> {
     /// The first of these rows that was measured.
-    fn value(&self, rows: &[&Row]) -> Option<Judged> {
+    fn value(&self, rows: &[&Row]) -> Option<JudgedNumber> {
         let quantity = self.quantities.iter().find(|quantity| rows.contains(&quantity.row))?;
         let accuracy = match quantity.error() {
             Some(error) => Accuracy::Within(error),
@@ -47,7 +47,7 @@ impl Compared<'_> {
 
     /// Temperature of the film [degrees C], the greatest where it varies across the film, with the bar of the one
     /// found; a given one is exact.
-    fn temperature(&self) -> Option<Judged> {
+    fn temperature(&self) -> Option<JudgedNumber> {
         if let Some(hottest) = self.value(&[&TEMPERATURE_MAX]) {
             return Some(hottest);
         }
@@ -79,7 +79,7 @@ struct Limited<'a> {
     unit: &'a str,
     /// Size of this unit over that of the number.
     scale: f64,
-    value: Option<Judged>,
+    value: Option<JudgedNumber>,
 }
 
 impl Limited<'_> {
@@ -140,7 +140,7 @@ fn criteria(asked: &Criteria, is_balanced: bool, compared: &Compared) -> Vec<Cri
 }
 
 /// What is usual in an engine.
-fn usual(film: &Film, model: &ThermalModel, engine: Engine) -> Vec<Criterion> {
+fn usual(film: &Film, model: &ThermalModel, engine: EngineKind) -> Vec<Criterion> {
     let bearing = &film.problem.bearing;
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = Vec::new();

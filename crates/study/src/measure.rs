@@ -25,7 +25,7 @@ const TENSION: f64 = 1e-5;
 
 /// What contact carries.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Touching {
+pub struct ContactShare {
     /// Force, moment and `Int p_a dA`.
     pub share: Share,
     /// Error of integration of the force [N].
@@ -38,7 +38,7 @@ pub struct Measured {
     /// Load and its shares.
     pub load: Load,
     /// What contact carries; none where it is not simulated.
-    pub contact: Option<Touching>,
+    pub contact: Option<ContactShare>,
     /// Extremes of pressure.
     pub extremes: Extremes,
     /// Flows by region.
@@ -114,7 +114,7 @@ pub fn measure(film: &SolvedFilm) -> Measured {
     let SolvedFilm { problem, system, solution } = film;
     let extremes = pressure::extremes(film);
     let load = load::load(film);
-    let contact = load.contact.map(|share| Touching { unsure: contact::unsure(problem, system, &share), share });
+    let contact = load.contact.map(|share| ContactShare { unsure: contact::unsure(problem, system, &share), share });
     Measured {
         power: powers(film, &load),
         contact,

@@ -8,7 +8,7 @@ use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
 use oilwedge_reynolds::wall::Wall;
 use oilwedge_scene::surface_table::Covered;
-use oilwedge_scene::{Criteria, Position as Placed};
+use oilwedge_scene::{Criteria, PositionTable as Placed};
 
 use crate::effects::sockets::Sockets;
 use crate::mesh_plan::MeshPlan;

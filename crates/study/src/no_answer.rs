@@ -3,7 +3,7 @@
 use oilwedge_bearing::heat_round::NoRound;
 use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{BranchLimit, NoEquilibrium, Waypoint};
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_heat::NetworkFailure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::existence::readable;
@@ -298,7 +298,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
             "give a stiffer liner or a smaller eccentricity to see the film, or another mesh ([mesh] size)"
         }
         // It says itself what is wrong.
-        NoFilm::NotConverged(Failure::Linear { .. }) => return None,
+        NoFilm::NotConverged(NewtonFailure::Linear { .. }) => return None,
         NoFilm::NotConverged(_) => "another mesh ([mesh] size) may help",
         _ => return None,
     })

@@ -29,7 +29,7 @@ mod temperatures;
 use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, Step, TiltSupport};
+use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, PathStep, Span, TiltSupport};
 use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
@@ -128,7 +128,7 @@ impl OrbitPath {
 }
 
 /// An orbit followed and measured.
-pub(crate) struct Followed {
+pub(crate) struct FollowedCycle {
     /// The film where it is thinnest.
     pub(crate) solved: Solved,
     /// The numbers of the cycle.
@@ -152,7 +152,7 @@ pub(crate) struct Followed {
     /// Whether the deadline has ended an orbit by which the bars of a film that conserves its oil are found.
     pub(crate) are_bars_ended: bool,
     /// The step at which the last cycle ended.
-    pub(crate) last: Option<Step>,
+    pub(crate) last: Option<PathStep>,
     /// How it ended.
     pub(crate) end: OrbitEnd,
     /// Seconds of the integration, and of measuring.
@@ -165,9 +165,9 @@ pub(crate) struct Followed {
 /// The model does not become a film.
 pub(crate) fn follow_under(
     model: &Arc<Model>,
-    (orbit, cycle): (&oilwedge_scene::Orbit, &DutyCycle),
+    (orbit, cycle): (&oilwedge_scene::OrbitTable, &DutyCycle),
     options: &RunOptions,
-) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
+) -> Result<(Film, Result<FollowedCycle, NoAnswer>), CompileError> {
     let watch = options.watch();
     let deadline = watch.deadline;
     if let Some(thermal) = model.sockets.thermal {
@@ -183,26 +183,26 @@ pub(crate) fn follow_under(
     }
     let clearance = film.problem.bearing.clearance;
     let begin = options.earlier.map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
-    let outcome = followed(&film, (orbit, cycle), (Begin::At(begin), deadline), options);
+    let outcome = followed(&film, (orbit, cycle), (OrbitStart::At(begin), deadline), options);
     Ok((film, outcome))
 }
 
 /// Where an orbit begins.
 #[derive(Debug, Clone, Copy)]
-enum Begin<'a> {
+enum OrbitStart<'a> {
     /// At offsets [m].
     At(Vector),
     /// At the end of another one, which this is the last step of.
-    After(&'a Step),
+    After(&'a PathStep),
 }
 
 /// Follows the orbit of a film until a deadline, and measures it.
 fn followed(
     film: &Film,
-    (model, cycle): (&oilwedge_scene::Orbit, &DutyCycle),
-    (begin, deadline): (Begin, Deadline),
+    (model, cycle): (&oilwedge_scene::OrbitTable, &DutyCycle),
+    (begin, deadline): (OrbitStart, Deadline),
     options: &RunOptions,
-) -> Result<Followed, NoAnswer> {
+) -> Result<FollowedCycle, NoAnswer> {
     let clock = std::time::Instant::now();
     let motion = motion(film, model, cycle);
     let orbit_options = OrbitOptions {
@@ -213,8 +213,8 @@ fn followed(
         observer: options.observer.map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
     let orbit = match begin {
-        Begin::At(begin) => motion.orbit(begin, &orbit_options),
-        Begin::After(step) => motion.orbit_after(step, &orbit_options),
+        OrbitStart::At(begin) => motion.orbit(begin, &orbit_options),
+        OrbitStart::After(step) => motion.orbit_after(step, &orbit_options),
     };
     let orbit = orbit.map_err(NoAnswer::Orbit)?;
     let last = orbit.steps.last().cloned();
@@ -231,11 +231,11 @@ fn followed(
         followed.are_bars_ended =
             comparison::compare(&motion, (film, model), (begin, orbit_options), options, &mut followed.quantities);
     }
-    Ok(Followed { last, seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
+    Ok(FollowedCycle { last, seconds: [integrating, clock.elapsed().as_secs_f64() - integrating], ..followed })
 }
 
 /// The equation of motion of the journal on a film.
-pub(crate) fn motion<'a>(film: &'a Film, model: &oilwedge_scene::Orbit, cycle: &'a DutyCycle) -> Motion<'a> {
+pub(crate) fn motion<'a>(film: &'a Film, model: &oilwedge_scene::OrbitTable, cycle: &'a DutyCycle) -> Motion<'a> {
     Motion {
         problem: &film.problem,
         system: &film.system,
@@ -254,10 +254,10 @@ pub(crate) fn motion<'a>(film: &'a Film, model: &oilwedge_scene::Orbit, cycle: &
 pub(crate) fn measured(
     film: &Film,
     motion: &Motion,
-    model: &oilwedge_scene::Orbit,
+    model: &oilwedge_scene::OrbitTable,
     orbit: Orbit,
     options: &RunOptions,
-) -> Result<Followed, NoAnswer> {
+) -> Result<FollowedCycle, NoAnswer> {
     let Orbit { mut steps, cycles, end } = orbit;
     let mut samples = sample::samples(film, motion, &steps, options)?;
     sample::refine_peak(film, motion, &mut steps, &mut samples, options)?;
@@ -298,7 +298,7 @@ pub(crate) fn measured(
     let period = path.last().map_or(0.0, |span| span.times[1]);
     let frames = frame::frames((film, motion), period, &around, options)?;
     let clearance = film.problem.bearing.clearance;
-    Ok(Followed {
+    Ok(FollowedCycle {
         solved,
         frames,
         quantities: over_cycle(&view),

@@ -173,7 +173,8 @@ fn pointwise(film: &SolvedFilm, nodes: &Nodes) -> Vec<PictureField> {
     let thickness: Vec<f64> = (nodes.cells.iter().zip(&nodes.positions))
         .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
         .collect();
-    let contact = (problem.contact).map(|contact| thickness.iter().map(|&gap| contact.law.at(gap).pressure).collect());
+    let contact =
+        (problem.contact.as_ref()).map(|contact| thickness.iter().map(|&gap| contact.law.at(gap).pressure).collect());
     let viscosity = (pressure.iter().zip(&nodes.dofs)).map(|(&p, &dof)| problem.viscosity_at_dof(p, dof)).collect();
     let mut fields =
         vec![scalars(&PRESSURE, pressure), scalars(&FILM_THICKNESS, thickness), scalars(&VISCOSITY, viscosity)];

@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use oilwedge_bearing::{Point, Visited, first_contact, first_position, predicted};
+use oilwedge_bearing::{OperatingPoint, Visited, first_contact, first_position, predicted};
 use oilwedge_reynolds::{Bearing, Cavitation, JournalState};
-use oilwedge_scene::Position as Placed;
+use oilwedge_scene::PositionTable as Placed;
 
 use crate::model::Model;
 use crate::oil::Oil;
@@ -54,7 +54,7 @@ impl Position {
 
     /// Where the journal of a model under a load will be, predicted from positions visited before; `None` where there
     /// are none.
-    pub fn predicted(model: &Model, visited: &[Visited], point: Point) -> Option<Self> {
+    pub fn predicted(model: &Model, visited: &[Visited], point: OperatingPoint) -> Option<Self> {
         let predicted = predicted(visited, point)?;
         let position = Self {
             eccentricity: predicted.eccentricity,
@@ -68,7 +68,7 @@ impl Position {
     }
 
     /// This position as one that a search visited at an operating point.
-    pub fn visited(&self, point: Point) -> Visited {
+    pub fn visited(&self, point: OperatingPoint) -> Visited {
         Visited { point, eccentricity: self.eccentricity, angle: self.min_film_angle, tilt: self.tilt }
     }
 
@@ -96,7 +96,7 @@ impl Position {
         let full = matches!(model.sockets.cavitation, Cavitation::None);
         let by_film = first_position(number, bearing.length / diameter, full);
         // Both together carry more than each of them.
-        let by_contact = (model.sockets.contact.as_ref()).map(|contact| first_contact(&contact.law, bearing, force));
+        let by_contact = (model.sockets.contact.as_ref()).map(|contact| first_contact(&*contact.law, bearing, force));
         let (eccentricity, attitude) = match (by_film, by_contact) {
             (Some((film, attitude)), Some(contact)) => (film.min(contact), attitude),
             (Some(found), None) => found,

@@ -15,7 +15,7 @@ mod tail;
 mod temperature;
 
 pub use criterion::{Accuracy, Criterion, Origin, Reserve, Verdict};
-pub use dynamics::{CoefficientReport, DynamicsReport, Matrix, Pair, RotorReport, Stable};
+pub use dynamics::{CoefficientMatrix, CoefficientReport, DynamicsReport, Pair, RotorReport, Stable};
 pub use geometry::Geometry;
 pub use head::ResultHead;
 pub use headlines::{MOST_HEADLINES, headlines};
@@ -164,7 +164,7 @@ pub enum LinearRoute {
 
 /// How the linear systems of the problem of the result were solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct LinearSolver {
+pub struct LinearSolverFacts {
     /// The way.
     pub route: LinearRoute,
     /// Steps of conjugate gradients with multigrid.
@@ -220,7 +220,7 @@ pub struct RunResult {
     /// How often expensive operations were done.
     pub counts: Counts,
     /// How linear systems were solved; `null` where there is no film.
-    pub linear_solver: Option<LinearSolver>,
+    pub linear_solver: Option<LinearSolverFacts>,
     /// Times and warnings.
     #[serde(flatten)]
     pub tail: ResultTail,

@@ -20,14 +20,14 @@ use crate::film::{DEGREE, Film};
 use crate::limits::design_criteria;
 use crate::model::Model;
 use crate::no_answer::NoAnswer;
-use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow_under};
+use crate::orbit::{FollowedCycle, Frame, OrbitFacts, OrbitPath, follow_under};
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::{Quantity, left_over};
 use crate::reasons::Limit;
 use crate::refinement::{Tell, answer_telling};
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
-    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearRoute, LinearSolver, MeshFacts,
+    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearRoute, LinearSolverFacts, MeshFacts,
     RESULT_FORMAT, ResultHead, ResultTail, RunResult, SECONDS_KEY, Status, TemperatureReport,
 };
 use crate::run_options::RunOptions;
@@ -133,7 +133,7 @@ const MOST_AT_HALF_SPEED: f64 = 0.5;
 /// Follows the journal over cycles.
 fn on_orbit(
     model: &Arc<Model>,
-    (orbit, duty): (&oilwedge_scene::Orbit, &DutyCycle),
+    (orbit, duty): (&oilwedge_scene::OrbitTable, &DutyCycle),
     options: &RunOptions,
 ) -> Result<Run, CompileError> {
     let (film, outcome) = follow_under(model, (orbit, duty), options)?;
@@ -145,7 +145,7 @@ fn on_orbit(
             return Ok(Run { result, picture: None, orbit: None, frames: Vec::new() });
         }
     };
-    let Followed { solved, facts, .. } = followed;
+    let FollowedCycle { solved, facts, .. } = followed;
     let estimated = estimate_errors(&solved);
     let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
@@ -304,7 +304,7 @@ fn report((solved, estimated): (&Solved, Estimated), options: &RunOptions, resul
     result.regime = Some(Regime::of(oil, &solved.film, &estimated.measured));
     result.history = history(&solved.primary.solution.history);
     result.counts = counts(solved);
-    result.linear_solver = Some(LinearSolver {
+    result.linear_solver = Some(LinearSolverFacts {
         route: match solved.primary.solution.linearisation.route() {
             Route::Direct => LinearRoute::Direct,
             Route::Multigrid => LinearRoute::Multigrid,

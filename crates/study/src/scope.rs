@@ -1,6 +1,6 @@
 //! What the answer to a scene may contain, on whatever mesh.
 
-use oilwedge_scene::{Cap, CavitationModel, Dynamics, Orbit};
+use oilwedge_scene::{Cap, CavitationModel, DynamicsTable, OrbitTable};
 
 use crate::thermal_model::ThermalModel;
 
@@ -8,7 +8,7 @@ use crate::thermal_model::ThermalModel;
 #[derive(Debug, Clone)]
 pub struct Scope {
     /// How the path of the journal is followed over a cycle; `None`: one film is asked for.
-    pub orbit: Option<Orbit>,
+    pub orbit: Option<OrbitTable>,
     /// Whether the position follows from a load that does not change.
     pub is_loaded: bool,
     /// Angular speed of the journal [rad/s].
@@ -42,7 +42,7 @@ pub struct Scope {
     /// Whether a bush around the film conducts heat.
     pub has_heat_bush: bool,
     /// What is asked about small motions of the journal.
-    pub dynamics: Option<Dynamics>,
+    pub dynamics: Option<DynamicsTable>,
     /// The length [m] by which the film is judged at its ends; `None` where it is not.
     pub deviation_scale: Option<f64>,
     /// The cap of the connecting rod whose bearing this is.

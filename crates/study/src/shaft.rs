@@ -27,7 +27,7 @@ mod temperatures;
 mod variant;
 mod weights;
 
-pub use compile::{Bearing, Compiled, bearing_scenes, compile_shaft, engine};
+pub use compile::{Compiled, CompiledBearing, bearing_scenes, compile_shaft, engine};
 pub use deflection::ShaftDeflection;
 pub use error::ShaftError;
 pub use result::{BearingPath, BearingReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};

@@ -51,7 +51,7 @@ pub struct Solved {
     /// The film by which errors are estimated; none where they are omitted, or where there is no such film.
     pub reference: Option<ReferenceFilm>,
     /// How the load is balanced, where the position was sought.
-    pub balance: Option<Balance>,
+    pub balance: Option<BalanceFacts>,
     /// How the wall follows where the journal moves along the coordinates of the balance.
     pub wall: WallByPlace,
     /// The heat of the film, where its temperature was found.
@@ -82,7 +82,7 @@ impl Solved {
 
 /// How well a load is balanced, and what it took.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Balance {
+pub struct BalanceFacts {
     /// Load less force of the film [N].
     pub unbalanced: f64,
     /// Load less force of the film, relative to the load.

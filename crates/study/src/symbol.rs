@@ -27,7 +27,7 @@ impl<'a> Symbol<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fields::FILE_FIELDS;
+    use crate::fields::file_fields;
     use crate::quantities::CATALOGUE;
 
     #[test]
@@ -48,7 +48,7 @@ mod tests {
     fn every_symbol_of_the_catalogue_is_one() {
         let names = ["beta", "delta", "Delta", "eps", "eta", "mu", "nu", "phi", "sigma", "tau", "theta", "So", "Re"];
         let symbols = CATALOGUE.iter().map(|row| row.symbol);
-        for text in symbols.chain(FILE_FIELDS.iter().map(|row| row.symbol)) {
+        for text in symbols.chain(file_fields().map(|row| row.symbol)) {
             for part in text.split(['/', ' ']).filter(|part| !["Int", "dA"].contains(part)) {
                 let Symbol { letter, index, .. } = Symbol::of(part);
                 assert!(letter.len() == 1 || names.contains(&letter), "{text}: {letter}");

@@ -4,7 +4,7 @@
 //! Its bar comes from those of friction and flow through the slope of their balance; all other numbers change with the
 //! temperature as two films beside the one found show.
 
-use oilwedge_bearing::{NoBalance, ThermalBalance, ThermalFlows};
+use oilwedge_bearing::{NoThermalBalance, ThermalBalance, ThermalFlows};
 
 use crate::no_answer::{NoAnswer, NoTemperature, PowersAt};
 
@@ -19,7 +19,7 @@ mod search;
 
 pub(crate) use between_runs::FilmTemperature;
 pub use curve::{cycle_temperature_report, temperature_report};
-pub(crate) use search::Left;
+pub(crate) use search::SearchStop;
 pub use search::solve;
 pub(crate) use search::work_of;
 
@@ -30,17 +30,17 @@ pub(crate) fn powers(balance: &ThermalBalance, temperature: f64, film: &ThermalF
 }
 
 /// Why there is no temperature.
-pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
+pub(crate) fn none(balance: &ThermalBalance, reason: NoThermalBalance<SearchStop>) -> NoAnswer {
     let powers = |temperature: f64, film: &ThermalFlows| powers(balance, temperature, film);
     NoAnswer::Temperature(match reason {
-        NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
-        NoBalance::NoFilm(Left::Ended) => NoTemperature::Ended { nearest: None },
-        NoBalance::Ends { temperature, film, reason: Left::Ended } => {
+        NoThermalBalance::NoFilm(SearchStop::NoAnswer(reason)) => return reason,
+        NoThermalBalance::NoFilm(SearchStop::Ended) => NoTemperature::Ended { nearest: None },
+        NoThermalBalance::Ends { temperature, film, reason: SearchStop::Ended } => {
             NoTemperature::Ended { nearest: Some(powers(temperature, &film)) }
         }
-        NoBalance::Ends { temperature, film, reason: Left::NoAnswer(reason) } => {
+        NoThermalBalance::Ends { temperature, film, reason: SearchStop::NoAnswer(reason) } => {
             NoTemperature::NoFilmBeyond { last: powers(temperature, &film), reason: Box::new(reason) }
         }
-        NoBalance::TooHot { temperature, film } => NoTemperature::TooHot { hottest: powers(temperature, &film) },
+        NoThermalBalance::TooHot { temperature, film } => NoTemperature::TooHot { hottest: powers(temperature, &film) },
     })
 }

@@ -3,7 +3,7 @@
 use oilwedge_bearing::ThermalBalance;
 use oilwedge_bearing::heat_round::HeatSurroundings;
 use oilwedge_heat::Layers;
-use oilwedge_scene::{Engine, Mixing};
+use oilwedge_scene::{EngineKind, Mixing};
 
 /// A film whose temperature is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,7 +13,7 @@ pub struct ThermalModel {
     /// Hot oil that is carried over; `None`: the film gets fresh oil.
     pub mixing: Option<Mixing>,
     /// The engine whose usual values are compared.
-    pub engine: Option<Engine>,
+    pub engine: Option<EngineKind>,
 }
 
 /// A film whose temperatures are found at each place and across it.

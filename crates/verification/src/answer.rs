@@ -14,14 +14,14 @@ use crate::made_mesh;
 
 /// How a run of a case ended.
 #[derive(Debug)]
-pub enum Answer {
+pub enum CaseAnswer {
     /// A run with a result.
     Run(Box<Run>),
     /// The scene or its mesh was refused, with this message.
     Refused(String),
 }
 
-impl Answer {
+impl CaseAnswer {
     /// How it ended, in one word.
     pub fn end(&self) -> Expect {
         match self {
@@ -55,21 +55,21 @@ impl Answer {
 const MOST_UNKNOWNS: usize = 60_000;
 
 /// Solves the scene of a table.
-pub fn solve(table: &Table) -> Answer {
+pub fn solve(table: &Table) -> CaseAnswer {
     solve_within(table, MOST_UNKNOWNS)
 }
 
 /// Solves the scene of a table on meshes of at most so many unknowns; where they do not reach its tolerance, the best
 /// of them is the answer.
-pub fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
+pub fn solve_within(table: &Table, max_unknowns: usize) -> CaseAnswer {
     let scene = match read(table) {
         Ok(scene) => scene,
-        Err(message) => return Answer::Refused(message),
+        Err(message) => return CaseAnswer::Refused(message),
     };
     let options = RunOptions { max_unknowns, ..RunOptions::default() };
     match run(&scene, &options) {
-        Ok(run) => Answer::Run(Box::new(run)),
-        Err(error) => Answer::Refused(with_causes(&error)),
+        Ok(run) => CaseAnswer::Run(Box::new(run)),
+        Err(error) => CaseAnswer::Refused(with_causes(&error)),
     }
 }
 

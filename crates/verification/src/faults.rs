@@ -10,7 +10,7 @@ use oilwedge_study::quantities::{CAVITY_SHARE, PRESSURE_MAX, PRESSURE_MIN, Row};
 use oilwedge_study::result::RunResult;
 use oilwedge_study::warning;
 
-use crate::answer::{Answer, sockets};
+use crate::answer::{CaseAnswer, sockets};
 use crate::cases::Case;
 use crate::family::Expect;
 
@@ -25,7 +25,7 @@ const STREAK: f64 = 0.15;
 const EMPTY: f64 = 1e-9;
 
 /// What is wrong with the answer to a case by itself; nothing where all is well.
-pub(crate) fn faults(case: &Case, answer: &Answer) -> Vec<String> {
+pub(crate) fn faults(case: &Case, answer: &CaseAnswer) -> Vec<String> {
     let mut faults = Vec::new();
     let end = answer.end();
     if end != case.expect {
@@ -34,16 +34,16 @@ pub(crate) fn faults(case: &Case, answer: &Answer) -> Vec<String> {
         return faults;
     }
     let warnings = match answer {
-        Answer::Run(run) => run.result.tail.warnings.join("\n"),
-        Answer::Refused(_) => String::new(),
+        CaseAnswer::Run(run) => run.result.tail.warnings.join("\n"),
+        CaseAnswer::Refused(_) => String::new(),
     };
     let said = format!("{}\n{warnings}", answer.reason().unwrap_or_default());
     if let Some(words) = case.says.as_ref().filter(|words| !said.contains(words.as_str())) {
         faults.push(format!("does not say \"{words}\": {said}"));
     }
     match answer {
-        Answer::Refused(_) => {}
-        Answer::Run(run) => match end {
+        CaseAnswer::Refused(_) => {}
+        CaseAnswer::Run(run) => match end {
             Expect::Converged => film(case, run, &mut faults),
             _ => unanswered(&run.result, &mut faults),
         },

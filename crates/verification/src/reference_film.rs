@@ -7,7 +7,7 @@ use oilwedge_study::Run;
 use oilwedge_study::quantities::{Bar, ECCENTRICITY, LOAD, Quantity};
 use toml::{Table, Value};
 
-use crate::answer::{Answer, sockets, solve, solve_within};
+use crate::answer::{CaseAnswer, sockets, solve, solve_within};
 use crate::cases::{finer, other};
 use crate::family::{CaseSeries, ClosedForm, KnownValue, Other, SecondMethod};
 
@@ -67,7 +67,7 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     let (finer_by, widened) = if conserving { (HALF, CONSERVING) } else { (FINER, 1.0) };
     let tolerance = (finer_by * relative(name).unwrap_or(TOLERANCES[1])).clamp(TOLERANCES[0], TOLERANCES[1]);
     let answer = solve_within(&finer(scene, tolerance), MOST_UNKNOWNS);
-    let Answer::Run(second) = &answer else {
+    let CaseAnswer::Run(second) = &answer else {
         faults.push(format!("refused on a finer mesh: {:?}", answer.reason()));
         return String::new();
     };
@@ -102,7 +102,7 @@ fn natural(run: &Run, unit: &str) -> f64 {
 
 fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     let answer = solve(&other(scene, wanted));
-    let Answer::Run(second) = &answer else {
+    let CaseAnswer::Run(second) = &answer else {
         faults.push(format!("{} is refused: {:?}", wanted.name, answer.reason()));
         return String::new();
     };

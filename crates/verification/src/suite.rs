@@ -8,7 +8,7 @@ use std::time::Instant;
 use oilwedge_campaign::QuantityPair;
 use oilwedge_study::result::RunResult;
 
-use crate::answer::{self, Answer};
+use crate::answer::{self, CaseAnswer};
 use crate::cases::{BadFamily, Case, cases, families};
 use crate::family::{CaseSeries, Expect, Family};
 use crate::faults::faults;
@@ -167,7 +167,7 @@ fn one(work: &SeriesCases, case: &Case, folder: &Path, number: usize) -> CaseVer
     let clock = Instant::now();
     let answer = match &scene {
         Ok(scene) => answer::solve(scene),
-        Err(message) => Answer::Refused(message.clone()),
+        Err(message) => CaseAnswer::Refused(message.clone()),
     };
     let seconds = clock.elapsed().as_secs_f64();
     // Judged by the scene that was solved: a law found for the case is part of it.
@@ -175,7 +175,7 @@ fn one(work: &SeriesCases, case: &Case, folder: &Path, number: usize) -> CaseVer
     let solved = Case { scene: scene_solved, ..case.clone() };
     let mut faults = faults(&solved, &answer);
     let mut second = Second::default();
-    if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
+    if let (Ok(scene), CaseAnswer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
         second = against(&work.series, scene, run, &mut faults);
     }
     CaseVerdict {
@@ -187,8 +187,8 @@ fn one(work: &SeriesCases, case: &Case, folder: &Path, number: usize) -> CaseVer
         seconds,
         reason: answer.reason().map(str::to_owned),
         result: match answer {
-            Answer::Run(run) => Some(run.result),
-            Answer::Refused(_) => None,
+            CaseAnswer::Run(run) => Some(run.result),
+            CaseAnswer::Refused(_) => None,
         },
         against: second.methods,
         known: second.known,

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use oilwedge_scene::catalogue::keys;
-use oilwedge_study::fields::FILE_FIELDS;
+use oilwedge_study::fields::file_fields;
 use oilwedge_study::quantities::{CATALOGUE, Table};
 
 use crate::tables::{replace, row};
@@ -47,7 +47,7 @@ pub fn page(text: &str) -> String {
 
 /// One line for each meaning: fields and quantities whose symbol and unit are those of a line before stand with it.
 fn lines() -> Vec<Line> {
-    let fields = FILE_FIELDS.iter().map(|field| Line {
+    let fields = file_fields().map(|field| Line {
         symbol: field.symbol,
         unit: field.unit,
         what: field.what,

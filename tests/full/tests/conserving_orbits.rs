@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
+use oilwedge_bearing::duty_cycle::{ForceAxes, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions, Span};
 use oilwedge_bearing::{Deadline, Duty, DutyCycle};
 use oilwedge_reynolds::quantities::load::load;
@@ -69,7 +69,7 @@ fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
     let [x, y] = end(&still);
     let turning = Harmonic { order: 1.0, cos: [load, 0.0, 0.0, 0.0], sin: [0.0, load, 0.0, 0.0] };
     let speed = Turning { speed: SPEED, rod: None };
-    let cycle = DutyCycle::of_harmonics(vec![turning], TAU, Frame::Shell, speed);
+    let cycle = DutyCycle::of_harmonics(vec![turning], TAU, ForceAxes::Shell, speed);
     // Mirrored: it runs behind the load by as much as it ran before it.
     let orbit = follow_from([x, -y], &film, &cycle, 5e-5, 7);
     let eccentricity = x.hypot(y);
@@ -91,7 +91,7 @@ fn three_orders(times: f64) -> DutyCycle {
         sin: [unit * sin[0], unit * sin[1], 0.0, 0.0],
     });
     let speed = Turning { speed: SPEED, rod: None };
-    DutyCycle::of_harmonics(orders.into(), 2.0 * TAU, Frame::Shell, speed)
+    DutyCycle::of_harmonics(orders.into(), 2.0 * TAU, ForceAxes::Shell, speed)
 }
 
 /// Least film on the path, over the clearance.
@@ -120,7 +120,7 @@ fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicke
         let [with_memory, without_memory] = [&with, &without].map(thinnest);
         assert_eq!(with_memory < 0.99 * without_memory, is_thinner, "{with_memory} {without_memory}");
         assert_eq!(with_memory > 1.01 * without_memory, !is_thinner, "{with_memory} {without_memory}");
-        let here = |step: &&oilwedge_bearing::orbit::Step| step.at[0].hypot(step.at[1]);
+        let here = |step: &&oilwedge_bearing::orbit::PathStep| step.at[0].hypot(step.at[1]);
         let step = with.steps.iter().max_by(|a, b| here(a).total_cmp(&here(b))).expect("steps");
         let film = motion(&conserving, &cycle).film_at(step, Neighbour::None).expect("a film");
         let other = FilmProblem { journal: film.film.problem.journal, ..forgetting.0.clone() };

@@ -2,9 +2,10 @@
 //! errors.
 //!
 //! First a toy effect is added to a copy of the tree by the steps of `CONTRIBUTING.md`, solved with, and removed. Then
-//! the copy loses the files and the rows of two effects. The lines at which the compiler then reports errors
-//! are deleted too, and counted for the effect that they name, until the program compiles; it must solve the plain
-//! scene to the same number.
+//! the copy loses the files and the rows of four effects. Their sockets stay, empty, with what computes of any entry:
+//! the quadrature of contact and its numbers, the balance of film and wall. The lines at which the compiler then
+//! reports errors are deleted too, and counted for the effect that they name, until the program compiles; it must solve
+//! the plain scene to the same number.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -33,7 +34,7 @@ struct Effect {
     rows: &'static [(&'static str, &'static str)],
 }
 
-const EFFECTS: [Effect; 2] = [
+const EFFECTS: [Effect; 4] = [
     Effect {
         name: "squeeze",
         files: &[
@@ -64,6 +65,53 @@ const EFFECTS: [Effect; 2] = [
             ("crates/scene/src/oil.rs", "mod barus;"),
             ("crates/scene/src/oil.rs", "barus::read"),
             ("crates/scene/src/catalogue.rs", "barus::KEYS"),
+        ],
+    },
+    Effect {
+        name: "contact",
+        files: &[
+            "crates/reynolds/src/contact/greenwood_tripp.rs",
+            "crates/reynolds/src/contact/bearing_curve.rs",
+            "crates/reynolds/src/analytical/bearing_curve.rs",
+            "crates/scene/src/contact.rs",
+            "crates/study/src/effects/contact.rs",
+        ],
+        rows: &[
+            ("crates/reynolds/src/contact/mod.rs", "greenwood_tripp"),
+            ("crates/reynolds/src/contact/mod.rs", "bearing_curve"),
+            ("crates/reynolds/src/analytical/mod.rs", "mod bearing_curve;"),
+            ("crates/scene/src/lib.rs", "mod contact;"),
+            ("crates/scene/src/lib.rs", "pub use contact::"),
+            ("crates/scene/src/catalogue.rs", "contact::KEYS"),
+            ("crates/scene/src/scene.rs", "\"contact\","),
+            ("crates/scene/src/scene.rs", "contact::check"),
+            ("crates/study/src/effects/mod.rs", "mod contact;"),
+            ("crates/study/src/effects/mod.rs", "&contact::"),
+        ],
+    },
+    Effect {
+        name: "liner",
+        files: &[
+            "crates/reynolds/src/analytical/elastic_ring.rs",
+            "crates/scene/src/compliance_table.rs",
+            "crates/scene/src/liner.rs",
+            "crates/study/src/effects/elastic_liner.rs",
+            "crates/study/src/quantities/liner.rs",
+        ],
+        rows: &[
+            ("crates/reynolds/src/analytical/mod.rs", "mod elastic_ring;"),
+            ("crates/scene/src/lib.rs", "mod compliance_table;"),
+            ("crates/scene/src/lib.rs", "mod liner;"),
+            ("crates/scene/src/lib.rs", "pub use liner::"),
+            ("crates/scene/src/catalogue.rs", "liner::KEYS"),
+            ("crates/scene/src/scene.rs", "\"liner\","),
+            ("crates/scene/src/scene.rs", "liner::check"),
+            ("crates/study/src/effects/mod.rs", "mod elastic_liner;"),
+            ("crates/study/src/effects/mod.rs", "&elastic_liner::"),
+            ("crates/study/src/effects/mod.rs", "elastic_liner::KIND,"),
+            ("crates/study/src/quantities/mod.rs", "mod liner;"),
+            ("crates/study/src/quantities/mod.rs", "pub use liner::"),
+            ("crates/study/src/quantities/mod.rs", "DEFLECTION_MAX,"),
         ],
     },
 ];

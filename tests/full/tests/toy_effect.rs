@@ -127,12 +127,7 @@ pub(crate) fn add(tree: &Path) -> BTreeMap<&'static str, String> {
         is_step(file);
         let text = std::fs::read_to_string(tree.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
         let (head, rest) = text.split_once(&format!("\n{above}\n")).unwrap_or_else(|| panic!("{file}: no {above}"));
-        let row = match file.ends_with("scene.rs") && above.ends_with("\"roughness\",") {
-            // The list of tables that can be swept has a length.
-            true => format!("{head}\n{above}\n{row}\n{rest}").replace("SWEPT: [&str; 20]", "SWEPT: [&str; 21]"),
-            false => format!("{head}\n{above}\n{row}\n{rest}"),
-        };
-        std::fs::write(tree.join(file), row).expect("a file");
+        std::fs::write(tree.join(file), format!("{head}\n{above}\n{row}\n{rest}")).expect("a file");
         before.entry(file).or_insert(text);
     }
     before
@@ -145,7 +140,7 @@ pub(crate) fn remove(tree: &Path, before: &BTreeMap<&'static str, String>) {
     }
     for (file, _, row) in ROWS {
         let text = std::fs::read_to_string(tree.join(file)).expect("a file");
-        let kept = text.replacen(&format!("{row}\n"), "", 1).replace("SWEPT: [&str; 21]", "SWEPT: [&str; 20]");
+        let kept = text.replacen(&format!("{row}\n"), "", 1);
         std::fs::write(tree.join(file), kept).expect("a file");
     }
     for (file, text) in before {

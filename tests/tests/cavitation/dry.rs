@@ -15,9 +15,10 @@ fn a_ring_without_supply_is_refused_with_a_place() {
     let mut film = plain_film(LENGTH, 0.6, 0.3, SPEED);
     film.cavitation = JFO;
     let system = ring_system(24, 6, LENGTH, None);
-    for system in
-        [Arc::new(ring_alone(24, 6, LENGTH, None).with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows)), system]
-    {
+    for system in [
+        Arc::new(ring_alone(24, 6, LENGTH, None).with_coarser(&film, oilwedge_reynolds::levels::LevelLayout::Rows)),
+        system,
+    ] {
         match film.solve(&system) {
             Err(NoFilm::NoSupply { angle, z }) => {
                 assert!(angle.abs() < 7.0 && z.abs() <= 0.5 * LENGTH, "{angle} {z}");

@@ -22,7 +22,7 @@ fn system(film: &FilmProblem, pressure: f64) -> Arc<FilmSystem> {
     let mut regions = ends(&mesh, LENGTH, None);
     regions.iter_mut().for_each(|region| region.pressure = pressure);
     let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring");
-    Arc::new(system.with_coarser(film, oilwedge_reynolds::levels::Layout::Rows))
+    Arc::new(system.with_coarser(film, oilwedge_reynolds::levels::LevelLayout::Rows))
 }
 
 /// Solves, and checks the signs at the middles of edges and the number of iterations.
@@ -109,7 +109,7 @@ fn linear_elements_come_to_the_same_film() {
         let mesh = ring(4 * rows, rows, LENGTH, 0.0);
         let regions = ends(&mesh, LENGTH, None);
         let system = FilmSystem::new(Arc::new(mesh), degree, regions).expect("the ends close the ring");
-        let system = Arc::new(system.with_coarser(&film, oilwedge_reynolds::levels::Layout::Rows));
+        let system = Arc::new(system.with_coarser(&film, oilwedge_reynolds::levels::LevelLayout::Rows));
         let solved = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let least = solved.solution.unknown.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(least >= -1e-10 * pressure_scale() || degree > 1, "{least}");

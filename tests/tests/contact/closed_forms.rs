@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::analytical::bearing_curve::force_and_moment;
 use oilwedge_reynolds::contact::greenwood_tripp::integral;
-use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness};
+use oilwedge_reynolds::contact::{BearingCurve, Contact, Fineness};
 use oilwedge_reynolds::film_thickness::{Eccentricity, Tilt};
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::quantities::contact::{share, unsure};
@@ -58,11 +58,7 @@ fn force_and_moment_of_a_bearing_curve() {
                 std::sync::Arc::new(Eccentricity { radius, clearance }),
                 std::sync::Arc::new(Tilt { radius }),
             ],
-            contact: Some(Contact {
-                law: ContactLaw::BearingCurve(curve),
-                friction: 0.0,
-                fineness: Fineness::Reported,
-            }),
+            contact: Some(Contact { law: Arc::new(curve), friction: 0.0, fineness: Fineness::Reported }),
             ..plain_film(length, 0.5, 0.0, 0.0)
         };
         let found = share(&problem, &system).expect("contact");
@@ -138,7 +134,7 @@ fn neutral_values_are_absence() {
         plain.cavitation = model;
         let mut neutral = FilmProblem {
             flow_factors: vec![std::sync::Arc::new(PatirCheng { roughness: 1e-12 })],
-            contact: Some(contacts()[1]),
+            contact: contacts().into_iter().next_back(),
             ..plain.clone()
         };
         // The film is 20 um thin, the profiles 4 um high.
@@ -165,7 +161,7 @@ fn contact_rubs() {
             let mut with = plain_film(0.06, 0.96, 0.0, speed);
             with.cavitation = Cavitation::Reynolds { pressure: 0.0 };
             let without = with.clone();
-            with.contact = Some(contact);
+            with.contact = Some(contact.clone());
             let torques = |problem: &FilmProblem| {
                 let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
                 let measured = measure(&film);

@@ -23,12 +23,12 @@ fn films() -> Vec<(String, FilmProblem, Arc<FilmSystem>)> {
                 let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
                 let mut problem = tilted(plain_film(LENGTH, 0.87, 0.3, SPEED), slope([0.15, -0.1]));
                 problem.cavitation = model;
-                problem.contact = Some(contact);
+                problem.contact = Some(contact.clone());
                 problem.terms.push(Arc::new(terms::squeeze::Squeeze));
                 if is_rough {
                     problem.flow_factors = vec![Arc::new(PatirCheng { roughness: 2e-6 })];
                 }
-                films.push((format!("{model:?} {} {is_rough}", contact.law.name()), problem, system));
+                films.push((format!("{model:?} {:?} {is_rough}", contact.law), problem, system));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! A study of a scene: its levels, what its observer is told, and its time.
 
-use oilwedge_campaign::convergence::{Budget, LevelReport, Measure, Observer, Strategy, converge};
+use oilwedge_campaign::convergence::{AccuracyMeasure, Budget, LevelReport, Observer, Strategy, converge};
 use oilwedge_tests::scenes::path;
 
 /// Everything that was told: strategy, level, and whether it ended.
@@ -49,7 +49,7 @@ fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
             .into();
         assert_eq!(places[1], places[0] + 1);
     }
-    for measure in [Measure::Bar, Measure::Error] {
+    for measure in [AccuracyMeasure::Bar, AccuracyMeasure::Error] {
         let prices: Vec<_> = report.prices.iter().filter(|price| price.measure == measure).collect();
         assert!(prices.len() > 3 && prices.iter().rev().skip(1).all(|price| !price.extrapolated));
     }

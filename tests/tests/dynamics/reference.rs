@@ -1,7 +1,7 @@
 //! Stiffness, damping and critical masses of bearings in tables.
 
 use oilwedge_bearing::dynamics::Square;
-use oilwedge_study::result::{Matrix, RunResult, Stable};
+use oilwedge_study::result::{CoefficientMatrix, RunResult, Stable};
 use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::tilted_bearings::{FORCE, block, numbers, quantity, rows, run, scene};
 use serde_json::Value;
@@ -47,7 +47,7 @@ fn sixteen_coefficients_are_those_of_finite_volumes() {
 }
 
 /// Two by two, in a row of a table: `xx xy yx yy`.
-fn entries(matrix: &Matrix) -> [f64; 4] {
+fn entries(matrix: &CoefficientMatrix) -> [f64; 4] {
     [matrix[0][0], matrix[0][1], matrix[1][0], matrix[1][1]]
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::deflection::{CLOSED, closed_film, closed_pair};
 use oilwedge_bearing::{Deadline, InitialGuess, Interrupt, SearchOptions, find};
-use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
+use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, RingSupport};
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::pressure::extremes;
@@ -74,7 +74,7 @@ fn layers_carry_what_a_second_code_has() {
 fn a_thick_wall_carries_what_a_second_code_has() {
     // The wall moves by so many clearances under the pressure scale as that of the reference, R 50 mm, c 50 um, 6 MPa.
     let ring =
-        ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: OuterSurface::Clamped };
+        ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: RingSupport::Clamped };
     let by_wave = |n: usize| layer(ring.compliance(n) * 6e6 / 50e-6);
     for row in block("elastic_ring_film")["rows"].as_array().expect("rows") {
         let number = |key: &str| row[key].as_f64().expect("a number");

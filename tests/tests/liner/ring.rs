@@ -1,6 +1,6 @@
 //! The closed form of elastic rings against the elements in r of a second code.
 
-use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
+use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, RingSupport};
 use oilwedge_tests::elastic_liner::block;
 
 /// The reference has six digits.
@@ -10,7 +10,7 @@ const PRINTED: f64 = 6e-6;
 fn compliances_are_those_of_elements_in_r() {
     let reference = block("elastic_ring");
     let mut compared = 0;
-    for (key, outer) in [("clamped", OuterSurface::Clamped), ("free", OuterSurface::Free)] {
+    for (key, outer) in [("clamped", RingSupport::Clamped), ("free", RingSupport::Free)] {
         for wall in reference[key].as_array().expect("walls") {
             let number = |key: &str| wall[key].as_f64().expect("a number");
             let ring = ElasticRing {
@@ -26,7 +26,7 @@ fn compliances_are_those_of_elements_in_r() {
                 assert!((ratio - 1.0).abs() < PRINTED, "{} n = {n}: {ratio}", wall["name"]);
                 compared += 1;
             }
-            if outer == OuterSurface::Clamped {
+            if outer == RingSupport::Clamped {
                 let ratio = ring.thin_layer() / number("winkler");
                 assert!((ratio - 1.0).abs() < PRINTED, "{}: {ratio}", wall["name"]);
             }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use oilwedge_bearing::Deadline;
-use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
+use oilwedge_bearing::duty_cycle::{DutyCycle, ForceAxes, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, TiltSupport};
 use oilwedge_reynolds::film_thickness::Tilt;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
@@ -30,7 +30,7 @@ fn a_tilting_journal_runs_the_orbit_of_finite_volumes() {
     };
     let orders = vec![of(0.0, [2.0, 0.0], [0.0; 2]), of(1.0, [1.5, 0.0], [0.0, 1.0])];
     let turning = Turning { speed: SPEED, rod: None };
-    let cycle = DutyCycle::of_harmonics(orders, TAU, Frame::Shell, turning).acting_at(0.08 * RADIUS);
+    let cycle = DutyCycle::of_harmonics(orders, TAU, ForceAxes::Shell, turning).acting_at(0.08 * RADIUS);
     let motion = Motion {
         problem: &problem,
         system: &system,

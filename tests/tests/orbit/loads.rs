@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use oilwedge_bearing::Deadline;
-use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Linkage, Turning};
+use oilwedge_bearing::duty_cycle::{DutyCycle, ForceAxes, Harmonic, Linkage, Turning};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, Gap};
@@ -37,7 +37,7 @@ fn a_load_given_in_three_frames_has_one_orbit() {
             speed: sense * 3000.0 * TAU / 60.0,
             rod: Some(Linkage { radius: RADIUS_OF_CRANK, rod_length: ROD_LENGTH }),
         };
-        let path_of = |frame: Frame, name: &str| {
+        let path_of = |frame: ForceAxes, name: &str| {
             let mut table = "angle [deg], Fx [N], Fy [N]\n".to_owned();
             for degrees in (0..360).step_by(15) {
                 let angle = f64::from(degrees).to_radians();
@@ -54,8 +54,9 @@ fn a_load_given_in_three_frames_has_one_orbit() {
             let options = RunOptions { bars: false, ..RunOptions::default() };
             run(&scene, &options).expect("an orbit").orbit.expect("a path")
         };
-        let [shell, cylinder, pin] = [(Frame::Shell, "shell"), (Frame::Cylinder, "cylinder"), (Frame::Pin, "pin")]
-            .map(|(frame, name)| path_of(frame, name));
+        let [shell, cylinder, pin] =
+            [(ForceAxes::Shell, "shell"), (ForceAxes::Cylinder, "cylinder"), (ForceAxes::Pin, "pin")]
+                .map(|(frame, name)| path_of(frame, name));
         for other in [cylinder, pin] {
             let off = (0..360).map(|angle| {
                 let [a, b] = [&shell, &other].map(|path| path.place(f64::from(angle)).expect("a place"));
@@ -106,7 +107,7 @@ fn orbit(turned: &dyn Fn([f64; 2]) -> [f64; 2], speed: f64) -> Orbit {
     let of = |order: f64, cos: [f64; 2], sin: [f64; 2]| Harmonic { order, cos: force(cos), sin: force(sin) };
     let orders = vec![of(0.0, [0.5, 0.1], [0.0; 2]), of(1.0, [0.3, 0.0], [0.0, 0.4])];
     let turning = Turning { speed, rod: None };
-    let cycle = DutyCycle::of_harmonics(orders, TAU, Frame::Shell, turning);
+    let cycle = DutyCycle::of_harmonics(orders, TAU, ForceAxes::Shell, turning);
     let motion = Motion {
         problem: &problem,
         system: &system,

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use oilwedge_bearing::Deadline;
-use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
+use oilwedge_bearing::duty_cycle::{DutyCycle, ForceAxes, Harmonic, Turning};
 use oilwedge_bearing::mobility::{ShortMap, Travel};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
@@ -32,7 +32,7 @@ fn the_short_map_leads_as_the_short_film() {
     };
     let orders = vec![of(0.0, [0.1, 0.0], [0.0; 2]), of(1.0, [0.15, 0.0], [0.0, 0.15])];
     let turning = Turning { speed: SPEED, rod: None };
-    let cycle = DutyCycle::of_harmonics(orders, TAU, Frame::Shell, turning);
+    let cycle = DutyCycle::of_harmonics(orders, TAU, ForceAxes::Shell, turning);
     let motion = Motion {
         problem: &problem,
         system: &system,

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::orbit::scheme::SECOND_ORDER;
-use oilwedge_bearing::orbit::{Before, Oil};
+use oilwedge_bearing::orbit::{Before, StoredOil};
 use oilwedge_mesh::{Mesh, RawMesh};
 use oilwedge_reynolds::film_thickness::FilmContribution;
 use oilwedge_reynolds::quantities::load::load;
@@ -21,7 +21,7 @@ const BEGINNING: f64 = 1e-6;
 struct Seen<'a> {
     time: f64,
     film: &'a SolvedFilm,
-    oil: &'a Oil,
+    oil: &'a StoredOil,
     /// Impulse [N s] of the film's force over the step: the forces of the stages with the weights of the method, as it
     /// sums what flows.
     impulse: [f64; 2],

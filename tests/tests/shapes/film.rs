@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::coordinates::{moved, unit};
-use oilwedge_reynolds::film_thickness::Measured;
+use oilwedge_reynolds::film_thickness::MeasuredSurface;
 use oilwedge_reynolds::film_thickness::{Crown, Oval, Profile, Shape, SurfaceGrid, Worn};
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
@@ -50,7 +50,7 @@ fn depth_zero_is_absence() {
         zs: vec![-0.03, 0.0, 0.03],
         depths: vec![vec![0.0; 3]; 36],
     };
-    let measured: Arc<dyn Profile> = Arc::new(Measured::new(&flat, RADIUS, LENGTH, true));
+    let measured: Arc<dyn Profile> = Arc::new(MeasuredSurface::new(&flat, RADIUS, LENGTH, true));
     for model in MODELS {
         let plain = carried(&bearing(model), &system);
         for profile in [crown(0.0), worn(0.0), oval(0.0), measured.clone()] {
@@ -83,7 +83,7 @@ fn the_tangent_matches_differences() {
         let system = ring_alone(72, 12, LENGTH, Some(160f64.to_radians()));
         let problem = shaped(bearing(model), &[crown(5e-6), worn(6e-6), oval(3e-6)]);
         let system = Arc::new(match problem.needs_start() {
-            true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
+            true => system.with_coarser(&problem, oilwedge_reynolds::levels::LevelLayout::Rows),
             false => system,
         });
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));

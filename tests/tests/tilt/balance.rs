@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{BranchEnd, BranchLimit, Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
-use oilwedge_reynolds::levels::Layout;
+use oilwedge_bearing::{BranchEnd, BranchLimit, Coordinates, JournalLoad, NoEquilibrium, SearchOptions, Tilting, find};
+use oilwedge_reynolds::levels::LevelLayout;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::wall::Wall;
@@ -66,16 +66,19 @@ fn moving(cavitation: Cavitation) -> (FilmProblem, Arc<FilmSystem>) {
     problem.terms.push(Arc::new(terms::squeeze::Squeeze));
     problem.journal.tilt_rate = [2e-3, 4e-3];
     let system = Arc::new(match problem.needs_start() {
-        true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
+        true => system.with_coarser(&problem, oilwedge_reynolds::levels::LevelLayout::Rows),
         false => system,
     });
     (problem, system)
 }
 
 /// What a film carries, as a load that it balances.
-fn balanced_by(problem: &FilmProblem, system: &Arc<FilmSystem>) -> Load {
+fn balanced_by(problem: &FilmProblem, system: &Arc<FilmSystem>) -> JournalLoad {
     let carried = carried(problem, system);
-    Load { force: carried.force, tilting: Some(Tilting { moment: carried.moment, stiffness: 0.0, support: [0.0; 2] }) }
+    JournalLoad {
+        force: carried.force,
+        tilting: Some(Tilting { moment: carried.moment, stiffness: 0.0, support: [0.0; 2] }),
+    }
 }
 
 /// A position and a tilt are given back by the force and the moment of their film, from another start.
@@ -100,8 +103,10 @@ fn position_and_tilt_are_given_back() {
 fn a_stiff_support_gives_the_tilt() {
     let (problem, system) = moving(Cavitation::Guembel { pressure: 0.0 });
     let force = carried(&problem, &system).force;
-    let by_support =
-        Load { force, tilting: Some(Tilting { moment: [0.0; 2], stiffness: 1e15, support: problem.journal.tilt }) };
+    let by_support = JournalLoad {
+        force,
+        tilting: Some(Tilting { moment: [0.0; 2], stiffness: 1e15, support: problem.journal.tilt }),
+    };
     let mut start = problem.clone();
     start.journal.tilt = [0.0; 2];
     let held = find(&start, &system, by_support, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
@@ -121,7 +126,7 @@ fn the_tilt_follows_the_place_of_the_load() {
     problem.cavitation = Cavitation::Guembel { pressure: 0.0 };
     let force = carried(&problem, &system).force;
     let at = |place: f64| {
-        let asked = Load {
+        let asked = JournalLoad {
             force,
             tilting: Some(Tilting { moment: force.map(|part| place * part), stiffness: 0.0, support: [0.0; 2] }),
         };
@@ -148,7 +153,7 @@ fn the_tilt_follows_the_place_of_the_load() {
 /// part, and whether no finer mesh need be asked.
 fn refused(problem: &FilmProblem, system: &Arc<FilmSystem>) -> (f64, f64, bool) {
     let force = carried(problem, system).force;
-    let asked = Load {
+    let asked = JournalLoad {
         force,
         tilting: Some(Tilting { moment: force.map(|part| 0.025 * part), stiffness: 0.0, support: [0.0; 2] }),
     };
@@ -220,7 +225,7 @@ fn a_reason_of_a_film_that_conserves_oil_in_an_elastic_liner_holds_on_a_finer_me
             Wall::of_slices(&problem.bearing, |_| compliance).expect("a bearing with a length"),
         );
         let system = ring_alone(6 * across, across, LENGTH, Some(std::f64::consts::PI));
-        refused(&problem, &Arc::new(system.with_coarser(&problem, Layout::Rows)))
+        refused(&problem, &Arc::new(system.with_coarser(&problem, LevelLayout::Rows)))
     });
     assert!((coarse - fine).abs() < error, "{coarse} +- {error}, {fine}");
     assert!(error < 0.1 && (0.4..0.6).contains(&fine), "{fine} +- {error}");

@@ -15,7 +15,7 @@
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::quantities::load::load;
 
-use super::{Branch, FOLLOWED, Point};
+use super::{Branch, BranchPoint, FOLLOWED};
 use crate::Purpose;
 use crate::coordinates::{Vector, length, moved};
 use crate::deflection::Moves;
@@ -45,7 +45,7 @@ impl Branch<'_, '_> {
     /// The part of what grows that is balanced at a point, and its error at most, by another film under the same wall.
     /// The error is not known where there is no other film, of a mass-conserving film before contact, and in a search
     /// whose reason is a start at most.
-    pub(super) fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
+    pub(super) fn carried_with_error(&self, at: &BranchPoint) -> (f64, Option<f64>) {
         let (search, Trial { film, .. }) = (self.search, &at.trial);
         let carried = self.carried(at.part);
         let conserves_oil = film.problem.cavitation.conserves_oil();
@@ -79,7 +79,7 @@ impl Branch<'_, '_> {
     }
 
     /// By how much the part at a point differs for a film whose forces differ by `missed` [N] [1].
-    fn missed_part(&self, at: &Point, missed: Vector) -> f64 {
+    fn missed_part(&self, at: &BranchPoint, missed: Vector) -> f64 {
         let search = self.search;
         let tangents =
             search.tangents(&at.trial, &at.trial.film, &search.left_of_wall(&at.trial), (FOLLOWED, 0.0)).ok();
@@ -91,7 +91,7 @@ impl Branch<'_, '_> {
     }
 
     /// Growth of the least film along `moves`, over the change of the coordinates [1].
-    fn growth(&self, at: &Point, moves: &Moves) -> f64 {
+    fn growth(&self, at: &BranchPoint, moves: &Moves) -> f64 {
         let search = self.search;
         let least = search.least_film(&at.trial);
         let step = STEP * least / length(moves.place);

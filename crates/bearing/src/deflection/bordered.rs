@@ -14,7 +14,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::{CentreVelocity, JournalChange, MixedChange};
 
-use super::gmres::Known;
+use super::gmres::KrylovSpace;
 use super::joint::{Joint, Moves};
 use super::tangent::Follower;
 use crate::coordinates::{Coordinates, Vector};
@@ -37,7 +37,7 @@ pub(crate) struct Bordered<'a> {
     /// Tangent of the quadratic film, which is much like this one.
     near: Joint<'a>,
     /// What systems solved have shown.
-    known: RefCell<Known>,
+    known: RefCell<KrylovSpace>,
 }
 
 impl<'a> Bordered<'a> {

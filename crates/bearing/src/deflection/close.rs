@@ -12,7 +12,7 @@ use super::gmres::norm;
 use super::tangent::contact_points;
 use crate::SearchOptions;
 use crate::coupled::FilmSolve;
-use crate::newton::{CUBIC_ROUNDING, Damping, Goal, Unbalanced};
+use crate::newton::{BalanceTolerance, CUBIC_ROUNDING, Damping, Unbalanced};
 use crate::search::{Search, Trial};
 
 /// A deflection is found where what is left of it is below this part.
@@ -21,7 +21,7 @@ pub const CLOSED: f64 = 1e-11;
 const CLOSED_ENOUGH: f64 = 1e-8;
 
 /// Both films under one wall, bent by that in cubic elements.
-pub struct Pair {
+pub struct FilmsOnWall {
     /// The film in quadratic elements.
     pub film: SolvedFilm,
     /// The film in cubic elements.
@@ -30,7 +30,7 @@ pub struct Pair {
 
 /// What a film leaves of the balance of its wall.
 #[derive(Debug, Clone)]
-pub(crate) struct Left {
+pub(crate) struct WallResidual {
     /// `C f - d` [m].
     pub(crate) wall: Vec<f64>,
     /// Norm of `C f - d` over that of the deflection [1].
@@ -85,7 +85,7 @@ pub(crate) fn closed_within(
 /// The trial under the wall that its pressure bends.
 fn closed(search: &Search, first: Trial, enough: f64, damping: Damping) -> Result<Trial, NoFilm> {
     let rounding = if first.cubic.is_some() { CUBIC_ROUNDING } else { CLOSED_ENOUGH };
-    let goal = Goal { balanced: f64::INFINITY, closed: enough, moved: f64::INFINITY, rounding };
+    let goal = BalanceTolerance { balanced: f64::INFINITY, closed: enough, moved: f64::INFINITY, rounding };
     let mut tried = 0;
     search.newton(first, goal, damping, &mut tried).map_err(|Unbalanced { trial, .. }| NoFilm::Wall {
         residual: search.left_of_wall(&trial).residual,
@@ -93,7 +93,7 @@ fn closed(search: &Search, first: Trial, enough: f64, damping: Damping) -> Resul
     })
 }
 
-impl Left {
+impl WallResidual {
     /// By the pressure of a film with these points of contact.
     pub(crate) fn of(film: &SolvedFilm, contact: Option<Arc<ContactPoints>>) -> Self {
         let SolvedFilm { problem, system, solution } = film;
@@ -112,16 +112,16 @@ impl Left {
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
-pub fn closed_pair(film: SolvedFilm, neighbour: Option<&SolvedFilm>, enough: f64) -> Result<Pair, NoFilm> {
+pub fn closed_pair(film: SolvedFilm, neighbour: Option<&SolvedFilm>, enough: f64) -> Result<FilmsOnWall, NoFilm> {
     let cubic = film.cubic_film(neighbour)?;
     if film.problem.deflection().is_none() {
-        return Ok(Pair { film, cubic });
+        return Ok(FilmsOnWall { film, cubic });
     }
     let system = film.system.clone();
     let search = Search::held(&film.problem, &system, SearchOptions::default());
     let Trial { film, cubic, .. } = closed(&search, search.of_pair(film, cubic), enough, Damping::None)?;
     match cubic {
-        Some(cubic) => Ok(Pair { film, cubic }),
+        Some(cubic) => Ok(FilmsOnWall { film, cubic }),
         None => Err(NoFilm::Wall { residual: f64::INFINITY, steps: 0 }),
     }
 }

@@ -16,7 +16,7 @@ use super::tangent::{Follower, Free};
 const EXACT: f64 = 1e-9;
 
 /// How film and wall answer to a motion of the journal.
-pub(crate) struct Response {
+pub(crate) struct MotionResponse {
     /// Change of the unknown at each dof with the motion as place and as rate [1/s].
     pub(crate) unknown: [Vec<f64>; 2],
     /// Change of the deflection.
@@ -35,7 +35,7 @@ pub(crate) fn harmonic_response(
     [place, mut rate]: [Vec<f64>; 2],
     frequency: f64,
     pace: f64,
-) -> Result<Response, Error> {
+) -> Result<MotionResponse, Error> {
     let pace = if pace > 0.0 { pace } else { 1.0 };
     let through = |motion: &[f64]| -> Result<[Vec<f64>; 2], Error> {
         let (placed, moving) = motion.split_at(motion.len() / 2);
@@ -64,7 +64,7 @@ pub(crate) fn harmonic_response(
     let moving: Vec<f64> = moving.iter().map(|rate| rate / pace).collect();
     let mut rate = sum(&rate, 1.0, &by_rate);
     rate.iter_mut().for_each(|rate| *rate /= pace);
-    Ok(Response {
+    Ok(MotionResponse {
         unknown: [sum(&placed.unknown, 1.0, &by_place), rate],
         deflection: [follower.shape(bent), follower.shape(&moving)],
     })

@@ -12,7 +12,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::error_bar::following::{FORCES, FollowingWall, GOALS};
 
-use super::gmres::Known;
+use super::gmres::KrylovSpace;
 use super::tangent::Follower;
 
 /// Accuracy of the linear systems: in a soft wall mu and the weight that it is added to are nearly the same.
@@ -34,7 +34,7 @@ pub fn following_wall(film: &SolvedFilm) -> Result<Option<FollowingWall>, Error>
     let mut coefficients = [(); GOALS].map(|()| vec![0.0; follower.number()]);
     // A journal that cannot tilt has no moment whose error is asked for.
     let asked = if film.problem.can_tilt() { GOALS } else { FORCES };
-    let mut known = Known::default();
+    let mut known = KrylovSpace::default();
     for (part, coefficients) in coefficients.iter_mut().enumerate().take(asked) {
         let [by_unknown, by_wall] = gradient.of_part(part);
         *coefficients = follower.weight((&by_unknown, &by_wall), &mut known)?;
@@ -45,7 +45,7 @@ pub fn following_wall(film: &SolvedFilm) -> Result<Option<FollowingWall>, Error>
 impl Follower<'_> {
     /// Weight mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so
     /// much; `known` is what the systems of other numbers have shown.
-    fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut Known) -> Result<Vec<f64>, Error> {
+    fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut KrylovSpace) -> Result<Vec<f64>, Error> {
         let SolvedFilm { problem, system, solution } = self.film;
         let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);
         let mut by_all = self.by_film_transposed(by_unknown)?;

@@ -12,13 +12,13 @@ const MOST_STEPS: usize = 400;
 const SLOW: f64 = 0.9;
 
 /// A solution, how many products with the operator it took, and the residual over the right-hand side.
-pub(super) struct Solved {
+pub(super) struct GmresSolution {
     pub(super) x: Vec<f64>,
     pub(super) steps: usize,
     pub(super) left: f64,
 }
 
-impl Solved {
+impl GmresSolution {
     /// The solution of a system whose answer is a number that is reported.
     ///
     /// # Errors
@@ -33,7 +33,7 @@ impl Solved {
 
 /// What products with an operator have shown of it.
 #[derive(Debug, Default)]
-pub(super) struct Known {
+pub(super) struct KrylovSpace {
     moves: Vec<Vec<f64>>,
     /// Images of the moves, orthonormal.
     images: Vec<Vec<f64>>,
@@ -51,11 +51,11 @@ pub(super) fn gmres<E>(
     nearly: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
     b: &[f64],
     accuracy: f64,
-) -> Result<Solved, E> {
-    Known::default().solve(operator, nearly, b, accuracy)
+) -> Result<GmresSolution, E> {
+    KrylovSpace::default().solve(operator, nearly, b, accuracy)
 }
 
-impl Known {
+impl KrylovSpace {
     /// Solves a system as [`gmres`] does, with the operator of the systems before.
     ///
     /// # Errors
@@ -66,10 +66,10 @@ impl Known {
         nearly: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
         b: &[f64],
         accuracy: f64,
-    ) -> Result<Solved, E> {
+    ) -> Result<GmresSolution, E> {
         let size = norm(b);
         if size == 0.0 || !size.is_finite() {
-            return Ok(Solved { x: b.to_vec(), steps: 0, left: size });
+            return Ok(GmresSolution { x: b.to_vec(), steps: 0, left: size });
         }
         // Products are as exact as their systems ask for.
         if accuracy < self.accuracy {
@@ -102,7 +102,7 @@ impl Known {
             self.images.push(image);
         }
         let left = left / size;
-        Ok(Solved { x, steps, left })
+        Ok(GmresSolution { x, steps, left })
     }
 
     /// Takes what the images known have of a vector out of it, by Gram and Schmidt twice; the move whose image that
@@ -160,7 +160,7 @@ mod tests {
         let b: Vec<f64> = (0..40).map(|i| (1.3 * f64::from(i)).cos()).collect();
         let mut before = 0;
         for accuracy in [1e-2, 1e-6, 1e-12] {
-            let Ok(Solved { x, steps, left }) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &b, accuracy);
+            let Ok(GmresSolution { x, steps, left }) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &b, accuracy);
             let residual: Vec<f64> = times(&x).iter().zip(&b).map(|(a, b)| a - b).collect();
             assert!(norm(&residual) < 1.5 * accuracy * norm(&b), "{accuracy:e}");
             assert!((norm(&residual) / norm(&b) - left).abs() < 0.1 * accuracy, "{left:e}");
@@ -174,7 +174,7 @@ mod tests {
         let b: Vec<f64> = (0..40).map(|i| (1.3 * f64::from(i)).cos()).collect();
         let of_diagonal = |r: &[f64]| Ok(r.iter().enumerate().map(|(i, r)| r / (2.0 + i as f64)).collect());
         let Ok(plain) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &b, 1e-10);
-        let Ok(Solved { x, steps, .. }) = gmres(|x| Ok::<_, Infallible>(times(x)), of_diagonal, &b, 1e-10);
+        let Ok(GmresSolution { x, steps, .. }) = gmres(|x| Ok::<_, Infallible>(times(x)), of_diagonal, &b, 1e-10);
         let residual: Vec<f64> = times(&x).iter().zip(&b).map(|(a, b)| a - b).collect();
         assert!(norm(&residual) < 1.5e-10 * norm(&b));
         assert!(2 * steps < plain.steps, "{steps} {}", plain.steps);
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn what_one_system_has_shown_saves_products_of_the_next() {
         let right = |k: f64| (0..40).map(|i| (1.3 * f64::from(i) + k).cos()).collect::<Vec<f64>>();
-        let mut known = Known::default();
+        let mut known = KrylovSpace::default();
         let mut steps = Vec::new();
         for k in [0.0, 0.5, 1.0, 1.5] {
             let Ok(solved) = known.solve(|x| Ok::<_, Infallible>(times(x)), as_it_is, &right(k), 1e-8);

@@ -15,7 +15,7 @@ use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{FilmChange, JournalChange, MixedChange};
 
-use super::gmres::Known;
+use super::gmres::KrylovSpace;
 use super::tangent::{Follower, Free};
 use crate::coordinates::{Coordinates, Vector, moved};
 use crate::stiffness::Stiffness;
@@ -37,7 +37,7 @@ pub(crate) struct Joint<'a> {
     /// To which its linear systems are solved: norm of the residual over that of the right-hand side [1].
     accuracy: f64,
     /// What systems solved have shown.
-    known: RefCell<Known>,
+    known: RefCell<KrylovSpace>,
 }
 
 /// A change of the journal and of the wall.

@@ -28,9 +28,9 @@ mod tangent;
 mod touching;
 
 pub(crate) use bordered::Bordered;
-pub use close::{CLOSED, Pair, closed_film, closed_pair};
-pub(crate) use close::{Left, closed_within, resting};
-pub(crate) use dynamics::{Response, harmonic_response};
+pub use close::{CLOSED, FilmsOnWall, closed_film, closed_pair};
+pub(crate) use close::{WallResidual, closed_within, resting};
+pub(crate) use dynamics::{MotionResponse, harmonic_response};
 pub use following::following_wall;
 pub(crate) use joint::{Joint, Moves};
 pub(crate) use settled::settled;
@@ -41,7 +41,7 @@ pub(crate) use tangent::{Follower, NEARLY, contact_on_wall, contact_points};
 use std::sync::Arc;
 
 use oilwedge_fem::Error;
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
@@ -102,11 +102,11 @@ pub(crate) fn carried_touching(
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
 pub fn displaced(film: &SolvedFilm, change: &JournalChange) -> Result<SolvedFilm, NoFilm> {
-    let wall = match Follower::of(film).map_err(Failure::from)? {
+    let wall = match Follower::of(film).map_err(NewtonFailure::from)? {
         None => Vec::new(),
         Some(follower) => {
             let followed = follower.free(change).and_then(|free| follower.followed(free, FOR_BARS));
-            followed.map_err(Failure::from)?.deflection
+            followed.map_err(NewtonFailure::from)?.deflection
         }
     };
     displaced_with_wall(film, change, &wall)
@@ -147,7 +147,7 @@ fn with_change(
     if film.solution.film_fraction.is_some() {
         return moved.solve_from(&film.system, Neighbour::Start(film));
     }
-    let unknown = unknown().map_err(Failure::from)?;
+    let unknown = unknown().map_err(NewtonFailure::from)?;
     Ok(film.along_tangent(moved, changes, &unknown))
 }
 
@@ -157,10 +157,10 @@ fn with_change(
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
 pub fn bent(film: &SolvedFilm, free: &[f64]) -> Result<Option<SolvedFilm>, NoFilm> {
-    let Some(follower) = Follower::of(film).map_err(Failure::from)? else {
+    let Some(follower) = Follower::of(film).map_err(NewtonFailure::from)? else {
         return Ok(None);
     };
-    let followed = follower.of_wall(free, FOR_BARS).map_err(Failure::from)?;
+    let followed = follower.of_wall(free, FOR_BARS).map_err(NewtonFailure::from)?;
     follower.moved(&followed).map(Some)
 }
 
@@ -176,7 +176,7 @@ pub fn touched(film: &SolvedFilm, free: &[f64]) -> Result<Option<Deflection>, Er
 
 impl Follower<'_> {
     /// The film under the wall that has followed.
-    fn moved(&self, followed: &tangent::Followed) -> Result<SolvedFilm, NoFilm> {
+    fn moved(&self, followed: &tangent::WallResponse) -> Result<SolvedFilm, NoFilm> {
         let shape = self.shape(&followed.deflection);
         let bent = self.deflection.with_more(&followed.deflection);
         let moved = self.film.problem.clone().deflected(Some(&bent));

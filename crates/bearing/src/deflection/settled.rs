@@ -40,7 +40,7 @@ const ACCURACY: f64 = 0.1;
 /// The deflection of a problem whose wall was moved along a tangent, contact settled, which presses by these `forces`
 /// [N] there; none where both are near, or no contact is simulated.
 pub(crate) fn settled(problem: &FilmProblem, system: &FilmSystem, forces: &[f64]) -> Option<Deflection> {
-    let (deflection, Contact { law, .. }) = (problem.deflection()?, problem.contact?);
+    let (deflection, Contact { law, .. }) = (problem.deflection()?, problem.contact.as_ref()?);
     let mut points = ContactPoints::of(problem, system)?;
     let compliance = &deflection.wall.compliance;
     let size = norm(&deflection.coefficients);
@@ -66,7 +66,7 @@ pub(crate) fn settled(problem: &FilmProblem, system: &FilmSystem, forces: &[f64]
             Ok::<_, Infallible>(x.iter().zip(bent).map(|(x, bent)| x - bent).collect())
         };
         let Ok(step) = gmres(operator, |r| Ok(r.to_vec()), &left, ACCURACY);
-        points = points.bent_further(&law, &step.x);
+        points = points.bent_further(&**law, &step.x);
         more.iter_mut().zip(&step.x).for_each(|(more, step)| *more += step);
         left = left_by(&points, &more);
     }

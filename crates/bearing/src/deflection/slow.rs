@@ -9,12 +9,12 @@
 //! rate that the wall has is held.
 
 use oilwedge_fem::Error;
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::{FilmChange, FilmProblem, JournalChange, NoFilm, SolvedFilm};
 
-use super::tangent::{Followed, Follower};
+use super::tangent::{Follower, WallResponse};
 
 /// Accuracy to which the wall follows a rate: what a rate changes is asked for by bars of errors alone.
 const FOLLOWED: f64 = 1e-4;
@@ -22,9 +22,9 @@ const FOLLOWED: f64 = 1e-4;
 /// The answer of film and wall to a slow motion of the journal.
 struct Slow {
     /// Answer to the motion as place.
-    by_place: Followed,
+    by_place: WallResponse,
     /// Answer to the motion as rate.
-    by_rate: Followed,
+    by_rate: WallResponse,
     /// The motion as rate.
     rate: JournalChange,
     /// A of the motion: the rate of the wall.
@@ -68,10 +68,10 @@ pub fn carried_slowly(film: &SolvedFilm, place: &JournalChange, accuracy: f64) -
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
 pub fn hastened(film: &SolvedFilm, motion: &JournalChange) -> Result<SolvedFilm, NoFilm> {
-    let Some(follower) = Follower::of(film).map_err(Failure::from)? else {
+    let Some(follower) = Follower::of(film).map_err(NewtonFailure::from)? else {
         return film.displaced(&motion.as_rate());
     };
-    let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;
+    let slow = follower.slow(motion, FOLLOWED).map_err(NewtonFailure::from)?;
     let of_rate = follower.shape(&slow.by_rate.deflection);
     let bent = (follower.deflection.with_more(&slow.by_rate.deflection)).faster(&slow.of_wall.coefficients);
     let hastened = FilmProblem { journal: film.problem.journal.changed(&slow.rate), ..film.problem.clone() }

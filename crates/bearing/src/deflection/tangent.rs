@@ -16,8 +16,8 @@ use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalChange, MixedChange, SolvedFilm};
 
-use super::gmres::{Known, Solved};
-use super::touching::Touching;
+use super::gmres::{GmresSolution, KrylovSpace};
+use super::touching::SplineContact;
 
 /// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an
 /// iteration: norm of the residual over that of the right-hand side [1].
@@ -36,7 +36,7 @@ pub(crate) struct Follower<'a> {
     /// None where no contact is simulated.
     contact: Option<Touch>,
     /// What systems solved have shown of `I - C dp/dd`.
-    known: RefCell<Known>,
+    known: RefCell<KrylovSpace>,
 }
 
 /// Contact of a film.
@@ -45,7 +45,7 @@ struct Touch {
     /// How it answers to the wall.
     tangent: ContactTangent,
     /// Contact and wall alone; none where nothing touches.
-    touching: Option<Touching>,
+    touching: Option<SplineContact>,
 }
 
 /// What a change of the journal leads to, the wall held.
@@ -59,7 +59,7 @@ pub(super) struct Free {
 }
 
 /// What a change leads to, the wall following.
-pub(crate) struct Followed {
+pub(crate) struct WallResponse {
     /// Change of the coefficients of the deflection [m].
     pub(crate) deflection: Vec<f64>,
     /// Change of the unknown at each dof [Pa].
@@ -85,7 +85,7 @@ impl<'a> Follower<'a> {
         let of_wall = |deflection: &'a Deflection| {
             let touch = |points: Arc<ContactPoints>| {
                 let tangent = points.tangent();
-                Touch { touching: Touching::of(&tangent, &deflection.wall.compliance), points, tangent }
+                Touch { touching: SplineContact::of(&tangent, &deflection.wall.compliance), points, tangent }
             };
             Ok(Self {
                 film,
@@ -193,7 +193,7 @@ impl<'a> Follower<'a> {
     }
 
     /// Solves `(I - C dp/dd) x = b`.
-    pub(super) fn solve(&self, b: &[f64], accuracy: f64) -> Result<Solved, Error> {
+    pub(super) fn solve(&self, b: &[f64], accuracy: f64) -> Result<GmresSolution, Error> {
         let operator = |x: &[f64]| {
             let image = self.image(&self.by_deflection(x, accuracy)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
@@ -219,18 +219,18 @@ impl<'a> Follower<'a> {
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(super) fn followed(&self, free: Free, accuracy: f64) -> Result<Followed, Error> {
+    pub(super) fn followed(&self, free: Free, accuracy: f64) -> Result<WallResponse, Error> {
         let by_contact = free.by_contact();
-        Ok(Followed { by_contact, ..self.bent(&self.image_of(&free), free.unknown, accuracy)? })
+        Ok(WallResponse { by_contact, ..self.bent(&self.image_of(&free), free.unknown, accuracy)? })
     }
 
     /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to
     /// the other; to an `accuracy`.
-    fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
+    fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<WallResponse, Error> {
         let deflection = self.solve(free, accuracy)?.x;
         let more = self.by_deflection(&deflection, accuracy)?;
         unknown.iter_mut().zip(more).for_each(|(unknown, more)| *unknown += more);
-        Ok(Followed { deflection, unknown, by_contact: Resultant::default() })
+        Ok(WallResponse { deflection, unknown, by_contact: Resultant::default() })
     }
 
     /// How what the journal carries changes with film and wall.
@@ -240,7 +240,7 @@ impl<'a> Follower<'a> {
     }
 
     /// What follows where the wall alone changes by `free` [m] under the pressure that is there, to an `accuracy`.
-    pub(crate) fn of_wall(&self, free: &[f64], accuracy: f64) -> Result<Followed, Error> {
+    pub(crate) fn of_wall(&self, free: &[f64], accuracy: f64) -> Result<WallResponse, Error> {
         self.bent(free, vec![0.0; self.film.solution.unknown.len()], accuracy)
     }
 }
@@ -252,7 +252,7 @@ impl Free {
     }
 }
 
-impl Followed {
+impl WallResponse {
     /// Change of what the journal carries, by the `gradient` of film and wall.
     pub(super) fn carried(&self, gradient: &LoadGradient) -> Resultant {
         let mut carried = gradient.change(&self.unknown, &self.deflection);

@@ -27,7 +27,7 @@ const MOST_SPLINES: usize = 600;
 const LEAST_PART: f64 = 1e-4;
 
 /// Contact on some splines.
-pub(super) struct Touching {
+pub(super) struct SplineContact {
     /// Numbers of the splines that touch.
     splines: Vec<usize>,
     /// A between them: places in the list, entries [N/m].
@@ -36,7 +36,7 @@ pub(super) struct Touching {
     factor: LU<f64, Dyn, Dyn>,
 }
 
-impl Touching {
+impl SplineContact {
     /// Contact and wall by a tangent of contact; none where nothing touches.
     pub(super) fn of(contact: &ContactTangent, compliance: &Compliance) -> Option<Self> {
         let splines = hardest(contact)?;

@@ -4,7 +4,7 @@ use super::{Duty, Linkage};
 
 /// Axes of the parts of a force; angles grow from x to y.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Frame {
+pub enum ForceAxes {
     /// Axes of the bearing's shell.
     Shell,
     /// Axis x from the centre of the crank to the cylinder.
@@ -48,23 +48,23 @@ impl Turning {
     }
 
     /// Angle of the axes of a frame against those of the shell [rad], at a crank angle [rad].
-    fn angle_of(&self, frame: Frame, angle: f64) -> f64 {
+    fn angle_of(&self, frame: ForceAxes, angle: f64) -> f64 {
         let of_cylinder = self.rod.map_or(0.0, |rod| rod.inclination(angle));
         self.sense()
             * match frame {
-                Frame::Shell => 0.0,
-                Frame::Cylinder => of_cylinder,
-                Frame::Pin => of_cylinder + angle,
+                ForceAxes::Shell => 0.0,
+                ForceAxes::Cylinder => of_cylinder,
+                ForceAxes::Pin => of_cylinder + angle,
             }
     }
 
     /// Force [N] in the frame of the shell, of one in another frame at a crank angle [rad].
-    pub fn to_shell(&self, force: [f64; 2], frame: Frame, angle: f64) -> [f64; 2] {
+    pub fn to_shell(&self, force: [f64; 2], frame: ForceAxes, angle: f64) -> [f64; 2] {
         turned(force, self.angle_of(frame, angle))
     }
 
     /// Force [N] in a frame, of one in the frame of the shell at a crank angle [rad].
-    pub fn from_shell(&self, force: [f64; 2], frame: Frame, angle: f64) -> [f64; 2] {
+    pub fn from_shell(&self, force: [f64; 2], frame: ForceAxes, angle: f64) -> [f64; 2] {
         turned(force, -self.angle_of(frame, angle))
     }
 
@@ -73,7 +73,7 @@ impl Turning {
         self.speed * (1.0 + self.rod.map_or(0.0, |rod| rod.inclination_rate(angle)))
     }
 
-    pub(super) fn duty(&self, acting: Acting, frame: Frame, angle: f64) -> Duty {
+    pub(super) fn duty(&self, acting: Acting, frame: ForceAxes, angle: f64) -> Duty {
         let acting = acting.turned(self.angle_of(frame, angle));
         Duty { force: acting.force, moment: acting.moment, speed: self.speed_at(angle) }
     }

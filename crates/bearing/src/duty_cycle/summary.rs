@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Duty, DutyCycle, Source};
+use super::{CycleSource, Duty, DutyCycle};
 
 /// At how many angles of a period a load is sampled.
 const SAMPLES: u32 = 7200;
@@ -48,7 +48,7 @@ pub struct RowsSummary {
 impl DutyCycle {
     /// Extremes and means of the rows of a table, in the frame of the shell; `None`: the load is not given by a table.
     pub fn rows_summary(&self) -> Option<RowsSummary> {
-        let Source::Table(_, curve) = &self.source else {
+        let CycleSource::Table(_, curve) = &self.source else {
             return None;
         };
         let rows: Vec<(f64, [f64; 2])> = curve.points().map(|(angle, _)| (angle, self.at(angle).force)).collect();

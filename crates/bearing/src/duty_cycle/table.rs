@@ -1,6 +1,6 @@
 //! A load given by a table.
 
-use super::{Frame, NoSpline, PeriodicSpline, Turning};
+use super::{ForceAxes, NoSpline, PeriodicSpline, Turning};
 
 /// A row of a table of loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +18,7 @@ pub struct LoadPoint {
 pub(super) fn spline(
     points: &[LoadPoint],
     period: f64,
-    frame: Frame,
+    frame: ForceAxes,
     turning: &Turning,
 ) -> Result<PeriodicSpline<4>, NoSpline> {
     let in_shell = |point: &LoadPoint| {

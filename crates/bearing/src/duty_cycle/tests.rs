@@ -52,14 +52,14 @@ fn the_axes_of_frames_are_where_they_should_be() {
     let (sin, cos) = angle.sin_cos();
     let small_end = LINKAGE.radius * cos + (LINKAGE.rod_length.powi(2) - (LINKAGE.radius * sin).powi(2)).sqrt();
     let rod = [small_end - LINKAGE.radius * cos, -LINKAGE.radius * sin];
-    let along = turning.to_shell(rod, Frame::Cylinder, angle);
+    let along = turning.to_shell(rod, ForceAxes::Cylinder, angle);
     assert!(near(along, [LINKAGE.rod_length, 0.0], 1e-14), "{along:?}");
     // The throw lies along x of the pin's frame.
-    let throw = turning.to_shell([LINKAGE.radius * cos, LINKAGE.radius * sin], Frame::Cylinder, angle);
-    assert!(near(turning.from_shell(throw, Frame::Pin, angle), [LINKAGE.radius, 0.0], 1e-14));
+    let throw = turning.to_shell([LINKAGE.radius * cos, LINKAGE.radius * sin], ForceAxes::Cylinder, angle);
+    assert!(near(turning.from_shell(throw, ForceAxes::Pin, angle), [LINKAGE.radius, 0.0], 1e-14));
     let at_rest = Turning { speed: -1.0, rod: None };
-    assert_eq!(at_rest.to_shell([1.0, 2.0], Frame::Cylinder, angle), [1.0, 2.0]);
-    assert!(near(at_rest.to_shell([1.0, 0.0], Frame::Pin, FRAC_PI_2), [0.0, -1.0], 1e-15));
+    assert_eq!(at_rest.to_shell([1.0, 2.0], ForceAxes::Cylinder, angle), [1.0, 2.0]);
+    assert!(near(at_rest.to_shell([1.0, 0.0], ForceAxes::Pin, FRAC_PI_2), [0.0, -1.0], 1e-15));
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn a_load_given_in_three_frames_is_one_load() {
     for rod in [None, Some(LINKAGE)] {
         let turning = Turning { speed: 200.0, rod };
         let angle = |k: usize| 2.0 * TAU * (k as f64 + 0.3 * (k as f64).sin()) / 90.0;
-        let cycles = [Frame::Shell, Frame::Cylinder, Frame::Pin].map(|frame| {
+        let cycles = [ForceAxes::Shell, ForceAxes::Cylinder, ForceAxes::Pin].map(|frame| {
             let point = |k: usize| {
                 let (force, moment) = ([1e4 * angle(k).cos(), 3e3], [10.0, 20.0 * angle(k).sin()]);
                 let [force, moment] = [force, moment].map(|vector| turning.from_shell(vector, frame, angle(k)));
@@ -123,7 +123,7 @@ fn main_bearings_carry_what_the_pins_are_pressed_with() {
     for k in 0..100 {
         let angle = 0.13 * f64::from(k);
         // Both main bearings together are pressed as the pin is.
-        let pin = turning.from_shell(big_end.at(angle).force, Frame::Cylinder, angle);
+        let pin = turning.from_shell(big_end.at(angle).force, ForceAxes::Cylinder, angle);
         let [l, r] = [&left, &right].map(|main| main.at(angle));
         let both = [l.force[0] + r.force[0], l.force[1] + r.force[1]];
         assert!(near(both, [-pin[0], -pin[1]], 1e-9), "{angle}: {both:?} {pin:?}");
@@ -158,7 +158,7 @@ fn a_load_with_a_frequency_of_its_own_goes_by_that() {
     let constant = Harmonic { order: 0.0, cos: [0.0, 3.0, 0.0, 0.0], sin: [0.0; 4] };
     let share = |harmonic: Harmonic, speed: f64| {
         let turning = Turning { speed, rod: None };
-        let cycle = DutyCycle::of_harmonics(vec![harmonic], TAU, Frame::Shell, turning).at_frequency(50.0);
+        let cycle = DutyCycle::of_harmonics(vec![harmonic], TAU, ForceAxes::Shell, turning).at_frequency(50.0);
         assert_eq!((cycle.angular_speed(), cycle.at(1.0).speed), (50.0, speed));
         cycle.summary().half_speed_share
     };
@@ -177,7 +177,7 @@ fn the_load_at_half_the_speed_of_the_journal_is_found() {
     let turns = |order: f64, sense: f64, speed: f64| {
         let rotating = Harmonic { order, cos: [2.0, 0.0, 0.0, 0.0], sin: [0.0, 2.0 * sense, 0.0, 0.0] };
         let turning = Turning { speed, rod: None };
-        let cycle = DutyCycle::of_harmonics(vec![rotating], 2.0 * TAU, Frame::Shell, turning);
+        let cycle = DutyCycle::of_harmonics(vec![rotating], 2.0 * TAU, ForceAxes::Shell, turning);
         cycle.summary().half_speed_share
     };
     assert!((turns(0.5, 1.0, 30.0) - 1.0).abs() < 1e-12);

@@ -1,6 +1,6 @@
 //! Stiffness and damping of a film at one frequency, and how they look in other frames and units.
 
-use crate::deflection::{Follower, Response, harmonic_response};
+use crate::deflection::{Follower, MotionResponse, harmonic_response};
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change, oil_change};
 use oilwedge_reynolds::{FilmChange, FilmProblem, JournalChange, SolvedFilm, Whirl};
@@ -37,7 +37,8 @@ impl Coefficients {
                 Some(follower) => {
                     let parts = (&whirl, follower);
                     let pace = film.problem.journal.speed.abs();
-                    let Response { unknown, deflection } = harmonic_response(parts, &place, response, frequency, pace)?;
+                    let MotionResponse { unknown, deflection } =
+                        harmonic_response(parts, &place, response, frequency, pace)?;
                     let [placed, moving] = deflection.each_ref().map(|shape| FilmChange::Gap(shape));
                     let place = [(&place).into(), placed];
                     [load_change(film, &place, &unknown[0]), load_change(film, &[moving], &unknown[1])]

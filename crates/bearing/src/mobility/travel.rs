@@ -6,7 +6,7 @@ use crate::coordinates::Vector;
 use crate::duty_cycle::DutyCycle;
 use crate::orbit::pace::Pace;
 use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
-use crate::orbit::{Between, Step};
+use crate::orbit::{Between, PathStep};
 use oilwedge_reynolds::Bearing;
 
 /// A film that is a map has no memory.
@@ -35,14 +35,14 @@ pub struct Travel<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapOrbit {
     /// Steps of the last cycle; the first entry is its beginning.
-    pub steps: Vec<Step>,
+    pub steps: Vec<PathStep>,
     /// Cycles that were followed.
     pub cycles: usize,
     /// Distance between the places in which the last one begins and ends, over the clearance [1].
     pub closure: f64,
 }
 
-type Place = [f64; 2];
+type JournalOffset = [f64; 2];
 
 impl Travel<'_> {
     /// The orbit from a place [m], followed until a cycle closes to `closure` of the clearance, or for so many
@@ -66,7 +66,7 @@ impl Travel<'_> {
     }
 
     /// Rate of the place [1/s].
-    fn rate(&self, time: f64, [x, y]: Place) -> Place {
+    fn rate(&self, time: f64, [x, y]: JournalOffset) -> JournalOffset {
         let duty = self.cycle.at(self.cycle.angular_speed() * time);
         let bearing = &self.bearing;
         let unit = self.viscosity * bearing.length.powi(3) * bearing.radius / bearing.clearance.powi(2);
@@ -89,7 +89,7 @@ impl Travel<'_> {
     }
 
     /// One cycle from a place.
-    fn cycle(&self, start: Place, tolerance: f64) -> Option<Vec<Step>> {
+    fn cycle(&self, start: JournalOffset, tolerance: f64) -> Option<Vec<PathStep>> {
         let period = self.cycle.period() / self.cycle.angular_speed();
         let pace = Pace { period, error_power: SCHEME.error_power };
         let (mut time, mut place, mut rate) = (0.0, start, self.rate(0.0, start));
@@ -114,12 +114,17 @@ impl Travel<'_> {
     }
 
     /// A step: place and rate at its end, and its error over the least film.
-    fn step(&self, (time, place, rate): (f64, Place, Place), dt: f64, tolerance: f64) -> Option<(Place, Place, f64)> {
+    fn step(
+        &self,
+        (time, place, rate): (f64, JournalOffset, JournalOffset),
+        dt: f64,
+        tolerance: f64,
+    ) -> Option<(JournalOffset, JournalOffset, f64)> {
         let mut rates = vec![rate];
         let mut at = place;
         let mut slope = [[0.0; 2]; 2];
         for stage in 1..SCHEME.stages() {
-            let known: Place = [0, 1].map(|k| {
+            let known: JournalOffset = [0, 1].map(|k| {
                 let earlier = rates.iter().zip(SCHEME.coefficients[stage]);
                 place[k] + dt * earlier.map(|(rate, coefficient)| coefficient * rate[k]).sum::<f64>()
             });
@@ -128,7 +133,7 @@ impl Travel<'_> {
             rates.push([0, 1].map(|k| (at[k] - known[k]) / (SCHEME.diagonal * dt)));
         }
         let weights = SCHEME.error_weights();
-        let error: Place = [0, 1].map(|k| {
+        let error: JournalOffset = [0, 1].map(|k| {
             let parts = rates.iter().zip(&weights);
             dt * parts.map(|(rate, weight)| weight * rate[k]).sum::<f64>()
         });
@@ -137,7 +142,14 @@ impl Travel<'_> {
     }
 
     /// The place at which `at = known + gamma dt rate(at)`, and the derivative of the rate there.
-    fn stage(&self, time: f64, known: Place, start: Place, dt: f64, tolerance: f64) -> Option<(Place, [[f64; 2]; 2])> {
+    fn stage(
+        &self,
+        time: f64,
+        known: JournalOffset,
+        start: JournalOffset,
+        dt: f64,
+        tolerance: f64,
+    ) -> Option<(JournalOffset, [[f64; 2]; 2])> {
         let mut at = start;
         for _ in 0..MOST_ITERATIONS {
             let gap = 1.0 - at[0].hypot(at[1]);
@@ -167,10 +179,10 @@ impl Travel<'_> {
         None
     }
 
-    fn recorded(&self, time: f64, place: Place, rate: Place) -> Step {
+    fn recorded(&self, time: f64, place: JournalOffset, rate: JournalOffset) -> PathStep {
         let clearance = self.bearing.clearance;
-        let vector = |[x, y]: Place| -> Vector { [clearance * x, clearance * y, 0.0, 0.0] };
-        Step {
+        let vector = |[x, y]: JournalOffset| -> Vector { [clearance * x, clearance * y, 0.0, 0.0] };
+        PathStep {
             time,
             at: vector(place),
             excess: [0.0; 4],
@@ -191,7 +203,7 @@ fn implicit(slope: [[f64; 2]; 2], dt: f64) -> [[f64; 2]; 2] {
 }
 
 /// Solves two equations.
-fn solved([[a, b], [c, d]]: [[f64; 2]; 2], [x, y]: Place) -> Option<Place> {
+fn solved([[a, b], [c, d]]: [[f64; 2]; 2], [x, y]: JournalOffset) -> Option<JournalOffset> {
     let determinant = a * d - b * c;
     let found = [(d * x - b * y) / determinant, (a * y - c * x) / determinant];
     found.iter().all(|part| part.is_finite()).then_some(found)

@@ -6,13 +6,13 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::journals::Journals;
 use super::motion::{Held, Instant, Motion, Moving};
 use super::no_orbit::NoOrbit;
-use super::path::{Between, Span, Step};
-use super::stage::{Accuracy, NoStage, of_journal};
-use super::step::{Begin, Course};
+use super::path::{Between, PathStep, Span};
+use super::stage::{NoStage, StageTolerance, of_journal};
+use super::step::{Course, StepStart};
 
 impl Motion<'_> {
     /// Whether the velocity of the journal between a step and the next is that of the path.
-    pub fn moves_by_path(&self, from: &Step) -> bool {
+    pub fn moves_by_path(&self, from: &PathStep) -> bool {
         self.mass > 0.0 || from.until_next == Between::Path
     }
 
@@ -22,9 +22,9 @@ impl Motion<'_> {
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.
-    pub fn between(&self, from: &Step, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
+    pub fn between(&self, from: &PathStep, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
         let (at, velocity) = (span.at(time), span.rate(time));
-        let accuracy = Accuracy::of(tolerance, self.peak_load());
+        let accuracy = StageTolerance::of(tolerance, self.peak_load());
         let has_memory = from.history.is_some() || from.wall.is_some();
         let found = match from.until_next {
             Between::Path if has_memory => self.led_along(from, span, time),
@@ -39,7 +39,7 @@ impl Motion<'_> {
     }
 
     /// The end of one step from another one.
-    fn led_on(&self, from: &Step, time: f64, accuracy: Accuracy) -> Result<Instant, NoStage> {
+    fn led_on(&self, from: &PathStep, time: f64, accuracy: StageTolerance) -> Result<Instant, NoStage> {
         let instant = of_journal(0, self.film_at(from, Neighbour::None))?;
         if time <= from.time {
             return Ok(instant);
@@ -50,14 +50,14 @@ impl Motion<'_> {
             false => 0.0,
         });
         let (instants, dt) = ([instant], time - from.time);
-        let begin = Begin { instants: &instants, accelerations: &[acceleration], before: None };
+        let begin = StepStart { instants: &instants, accelerations: &[acceleration], before: None };
         let made = Journals::alone(self).step(begin, dt, accuracy, &mut 0)?;
         Ok(Instant { time, ..one(Ok(made.end))? })
     }
 
     /// The end of one step from another one, in which the journal follows the path: its film and its wall alone are
     /// led on.
-    fn led_along(&self, from: &Step, span: &Span, time: f64) -> Result<Instant, NoStage> {
+    fn led_along(&self, from: &PathStep, span: &Span, time: f64) -> Result<Instant, NoStage> {
         let begin = of_journal(0, self.film_at(from, Neighbour::None))?;
         let dt = time - from.time;
         if dt <= 0.0 {
@@ -85,7 +85,7 @@ impl Motion<'_> {
     ///
     /// # Errors
     /// [`NoFilm`]: why there is none.
-    pub fn film_at(&self, step: &Step, near: Neighbour) -> Result<Instant, NoFilm> {
+    pub fn film_at(&self, step: &PathStep, near: Neighbour) -> Result<Instant, NoFilm> {
         let wall = step.wall.as_ref();
         let Some(history) = &step.history else {
             return self.film(step.moving(), Held { storage: None, wall }, near);

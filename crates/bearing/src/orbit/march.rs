@@ -5,12 +5,12 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use super::journals::Journals;
 use super::motion::{Instant, Motion};
 use super::no_orbit::{NoOrbit, NoOrbitAt};
-use super::oil::Oil;
+use super::oil::StoredOil;
 use super::pace::Pace;
-use super::path::{Between, Step};
-use super::stage::{Accuracy, NoStage};
-use super::step::{Begin, Made, ways_between};
-use super::wall::Way;
+use super::path::{Between, PathStep};
+use super::stage::{NoStage, StageTolerance};
+use super::step::{Made, StepStart, ways_between};
+use super::wall::WallPath;
 use crate::Deadline;
 use crate::coordinates::{Vector, length, moved};
 
@@ -70,7 +70,7 @@ pub struct CycleOil {
 }
 
 impl CycleOil {
-    fn between(begin: &Oil, end: &Oil) -> Self {
+    fn between(begin: &StoredOil, end: &StoredOil) -> Self {
         let missing = end.total() - begin.total() - (end.received - begin.received);
         Self { closure: end.differs(begin), imbalance: missing.abs() / (end.passed - begin.passed).max(end.total()) }
     }
@@ -91,7 +91,7 @@ impl Cycle {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orbit {
     /// Steps of the last complete cycle; the first entry is its beginning.
-    pub steps: Vec<Step>,
+    pub steps: Vec<PathStep>,
     /// The cycles, the last one being that of the steps.
     pub cycles: Vec<Cycle>,
     /// How it ended.
@@ -113,25 +113,25 @@ pub enum OrbitEnd {
 struct Travellers {
     here: Vec<Instant>,
     accelerations: Vec<Vector>,
-    before: Option<Vec<Way>>,
+    before: Option<Vec<WallPath>>,
 }
 
 /// A journal where a cycle begins.
 struct Begun {
     at: Vector,
     velocity: Vector,
-    oil: Option<std::sync::Arc<Oil>>,
+    oil: Option<std::sync::Arc<StoredOil>>,
     wall: Option<Deflection>,
 }
 
 /// The steps of one cycle, each that of all journals.
-type Steps = Vec<Vec<Step>>;
+type Steps = Vec<Vec<PathStep>>;
 
 /// The orbits of journals that move at the same time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orbits {
     /// Steps of the last complete cycle, each that of all journals; the first entry is its beginning.
-    pub steps: Vec<Vec<Step>>,
+    pub steps: Vec<Vec<PathStep>>,
     /// The cycles, the last one being that of the steps.
     pub cycles: Vec<Cycle>,
     /// How they ended.
@@ -160,7 +160,7 @@ impl Motion<'_> {
     ///
     /// # Errors
     /// [`NoOrbit`]: why there is none.
-    pub fn orbit_after(&self, step: &Step, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
+    pub fn orbit_after(&self, step: &PathStep, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
         let orbits = Journals::alone(self).orbits_after(std::slice::from_ref(step), options);
         Ok(orbits.map_err(|at| at.reason)?.of(0))
     }
@@ -172,7 +172,7 @@ impl Journals<'_> {
     /// # Errors
     /// [`NoOrbitAt`]: why there are none.
     pub fn orbits(&self, starts: &[Vector], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
-        let accuracy = Accuracy::of(options.tolerance, self.peak_load());
+        let accuracy = StageTolerance::of(options.tolerance, self.peak_load());
         let mut films = 0;
         let places: Vec<(Vector, Option<&Deflection>)> = starts.iter().map(|&start| (start, None)).collect();
         let here = self.beginning(starts, self.accuracy_of_beginning(accuracy), &mut films);
@@ -185,8 +185,8 @@ impl Journals<'_> {
     ///
     /// # Errors
     /// [`NoOrbitAt`]: why there are none.
-    pub fn orbits_after(&self, steps: &[Step], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
-        let accuracy = Accuracy::of(options.tolerance, self.peak_load());
+    pub fn orbits_after(&self, steps: &[PathStep], options: &OrbitOptions) -> Result<Orbits, NoOrbitAt> {
+        let accuracy = StageTolerance::of(options.tolerance, self.peak_load());
         let places: Vec<(Vector, Option<&Deflection>)> =
             steps.iter().map(|step| (step.at, step.wall.as_ref())).collect();
         let mut films = 0;
@@ -196,8 +196,8 @@ impl Journals<'_> {
     }
 
     /// How exactly a motion begins.
-    fn accuracy_of_beginning(&self, accuracy: Accuracy) -> Accuracy {
-        Accuracy { balanced: accuracy.balanced.min(self.balanced_at_steps()), ..accuracy }
+    fn accuracy_of_beginning(&self, accuracy: StageTolerance) -> StageTolerance {
+        StageTolerance { balanced: accuracy.balanced.min(self.balanced_at_steps()), ..accuracy }
     }
 
     /// The orbits of all journals from these instants on, for which so many films were solved.
@@ -205,7 +205,7 @@ impl Journals<'_> {
         &self,
         here: Vec<Instant>,
         mut films: usize,
-        accuracy: Accuracy,
+        accuracy: StageTolerance,
         options: &OrbitOptions,
     ) -> Result<Orbits, NoOrbitAt> {
         let mut travellers = Travellers { accelerations: vec![[0.0; 4]; here.len()], here, before: None };
@@ -244,8 +244,8 @@ impl Journals<'_> {
     fn cycle(
         &self,
         travellers: &mut Travellers,
-        (number, last): (usize, &[Vec<Step>]),
-        accuracy: Accuracy,
+        (number, last): (usize, &[Vec<PathStep>]),
+        accuracy: StageTolerance,
         options: &OrbitOptions,
     ) -> Result<Option<(Steps, Cycle)>, NoOrbitAt> {
         let period = self.duration();
@@ -267,7 +267,7 @@ impl Journals<'_> {
             let stop = stops.iter().copied().find(|time| *time > now).unwrap_or(period);
             let left = stop - now;
             let taken = pace.before(left, dt);
-            let begin = Begin {
+            let begin = StepStart {
                 instants: &travellers.here,
                 accelerations: &travellers.accelerations,
                 before: travellers.before.as_deref(),
@@ -323,10 +323,10 @@ impl Journals<'_> {
         (of_step.max(of_path), next.min(by_path.next(taken, of_path)))
     }
 
-    fn recorded(&self, travellers: &Travellers, errors: &[Vector], accuracy: Accuracy) -> Vec<Step> {
+    fn recorded(&self, travellers: &Travellers, errors: &[Vector], accuracy: StageTolerance) -> Vec<PathStep> {
         let residual = self.residual(&travellers.here, &travellers.accelerations, accuracy.scale);
         let until_next = if self.shaft.is_some() { Between::Path } else { Between::Load };
-        let step = |(here, &error): (&Instant, &Vector)| Step { error, until_next, ..Step::of(here, residual) };
+        let step = |(here, &error): (&Instant, &Vector)| PathStep { error, until_next, ..PathStep::of(here, residual) };
         travellers.here.iter().zip(errors).map(step).collect()
     }
 

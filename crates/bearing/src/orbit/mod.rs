@@ -31,5 +31,5 @@ pub use journals::{Drive, Journals};
 pub use march::{Cycle, CycleOil, Orbit, OrbitEnd, OrbitObserver, OrbitOptions, Orbits};
 pub use motion::{Held, Instant, Motion, Moving, TiltSupport};
 pub use no_orbit::{NoOrbit, NoOrbitAt};
-pub use oil::{Before, Oil};
-pub use path::{Between, Span, Step, StepHistory};
+pub use oil::{Before, StoredOil};
+pub use path::{Between, PathStep, Span, StepHistory};

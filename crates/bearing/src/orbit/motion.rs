@@ -9,7 +9,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
@@ -17,7 +17,7 @@ use oilwedge_reynolds::{
     CentreVelocity, FilmProblem, FilmSystem, Gap, JournalChange, JournalState, NoFilm, SolvedFilm, Storage,
 };
 
-use super::oil::Oil;
+use super::oil::StoredOil;
 use crate::coordinates::{Coordinates, Vector, length, unit};
 use crate::deflection::{CLOSED, carried_changes, carried_slowly, closed_within, contact_points};
 use crate::duty_cycle::{Duty, DutyCycle};
@@ -70,7 +70,7 @@ pub struct Instant {
     /// Forces of film and support less the load [N]; what a mass would take is not in them.
     pub excess: Vector,
     /// The oil of a film that conserves it, at the end of a stage; else `None`.
-    pub oil: Option<Arc<Oil>>,
+    pub oil: Option<Arc<StoredOil>>,
 }
 
 impl Instant {
@@ -228,7 +228,7 @@ impl Motion<'_> {
         let change = |k: usize| self.change(&here.film.problem.journal, k, [per_offset, per_rate]);
         let changes: Vec<JournalChange> = (0..coordinates.order).map(change).collect();
         let carried = carried_changes(&here.film, &changes, FOLLOWED);
-        let carried = carried.map_err(Failure::from)?;
+        let carried = carried.map_err(NewtonFailure::from)?;
         Stiffness::by_columns(coordinates.order, |k| {
             let mut column = coordinates.forces(&carried[k].by_film);
             if k >= 2 {
@@ -253,7 +253,7 @@ impl Motion<'_> {
         for (k, columns) in columns.iter_mut().enumerate().take(coordinates.order) {
             let change = self.change(&film.problem.journal, k, [1.0, 0.0]);
             let carried = carried_slowly(&film, &change, FOLLOWED);
-            *columns = carried.map_err(Failure::from)?.map(|carried| coordinates.forces(&carried));
+            *columns = carried.map_err(NewtonFailure::from)?.map(|carried| coordinates.forces(&carried));
             if k >= 2 {
                 columns[0][k] += self.support_stiffness();
             }

@@ -33,13 +33,13 @@ impl Before {
     ///
     /// # Errors
     /// The sub-mesh does not fit in memory.
-    pub fn oil(&self, film: &SolvedFilm) -> Result<Oil, Error> {
+    pub fn oil(&self, film: &SolvedFilm) -> Result<StoredOil, Error> {
         let held = film.oil_held()?.unwrap_or_default();
         let inflow: f64 = film.solution.inflow.iter().sum();
         let given = film.solution.inflow.iter().enumerate().filter(|(dof, _)| film.system.supply.owner(*dof).is_some());
         let entering: f64 = given.map(|(_, inflow)| inflow.max(0.0)).sum();
         let time = 1.0 / self.storage.per_time;
-        Ok(Oil {
+        Ok(StoredOil {
             rate: self.storage.taken_up(&held),
             held,
             received: self.received + time * inflow,
@@ -52,7 +52,7 @@ impl Before {
 
 /// Oil of a film.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Oil {
+pub struct StoredOil {
     /// What the cell of each dof holds [m3].
     pub held: Vec<f64>,
     /// What it takes up [m3/s].
@@ -67,7 +67,7 @@ pub struct Oil {
     pub entering: f64,
 }
 
-impl Oil {
+impl StoredOil {
     /// What stage number `stage` of a step of the length `dt` [s] from here begins with, after these `stages`, of which
     /// the first is this one.
     pub fn before(&self, scheme: &Scheme, stage: usize, dt: f64, stages: &[Arc<Self>]) -> Before {

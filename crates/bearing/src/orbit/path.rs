@@ -6,12 +6,12 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{FilmTrace, Storage};
 
 use super::motion::{Instant, Moving};
-use super::oil::Oil;
+use super::oil::StoredOil;
 use crate::coordinates::Vector;
 
 /// One step of an orbit: the journal at its end.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Step {
+pub struct PathStep {
     /// Time [s], from the beginning of the cycle.
     pub time: f64,
     /// Offsets [m] in the coordinates of the motion.
@@ -50,7 +50,7 @@ pub struct StepHistory {
     /// The cavity that was found.
     pub trace: FilmTrace,
     /// The oil that it holds.
-    pub oil: Arc<Oil>,
+    pub oil: Arc<StoredOil>,
 }
 
 impl StepHistory {
@@ -63,7 +63,7 @@ impl StepHistory {
     }
 }
 
-impl Step {
+impl PathStep {
     /// A step that ends with an instant, with no estimate of an error.
     pub fn of(here: &Instant, residual: f64) -> Self {
         Self {
@@ -102,7 +102,7 @@ pub struct Span {
 
 impl Span {
     /// From one step to the next.
-    pub fn between(from: &Step, to: &Step) -> Self {
+    pub fn between(from: &PathStep, to: &PathStep) -> Self {
         Self { times: [from.time, to.time], places: [from.at, to.at], rates: [from.velocity, to.velocity] }
     }
 

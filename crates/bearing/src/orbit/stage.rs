@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
@@ -14,13 +14,13 @@ use rayon::prelude::*;
 use super::journals::Journals;
 use super::motion::{Held, Instant, Motion, Moving, TiltSupport};
 use super::oil::Before;
-use super::path::Step;
+use super::path::PathStep;
 use crate::coordinates::{Vector, moved};
 use crate::coupled::FilmSolve;
 use crate::deflection::{CLOSED, Moves};
 use crate::duty_cycle::Duty;
-use crate::load::{Load, Tilting};
-use crate::newton::{Damping, Goal};
+use crate::load::{JournalLoad, Tilting};
+use crate::newton::{BalanceTolerance, Damping};
 use crate::search::{Search, Trial};
 use crate::time_terms::TimeTerms;
 use crate::together::Coupled;
@@ -49,12 +49,12 @@ pub(super) struct Stage {
     /// `1/(gamma dt)` [1/s].
     pub(super) per_time: f64,
     /// What is known of each journal.
-    pub(super) journals: Vec<Known>,
+    pub(super) journals: Vec<StageHistory>,
 }
 
 /// What the stages before leave to a journal.
 #[derive(Debug, Clone)]
-pub(super) struct Known {
+pub(super) struct StageHistory {
     /// `x_0` and `v_0`: offsets [m] and, for a rotor with mass, rates [m/s] from the stages before.
     pub(super) offset: Vector,
     pub(super) rate: Vector,
@@ -66,7 +66,7 @@ pub(super) struct Known {
 
 /// How exactly a stage is solved.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Accuracy {
+pub(super) struct StageTolerance {
     /// Tolerance of the orbit [1].
     pub(super) tolerance: f64,
     /// Residuals are relative to this force [N].
@@ -75,7 +75,7 @@ pub(super) struct Accuracy {
     pub(super) balanced: f64,
 }
 
-impl Accuracy {
+impl StageTolerance {
     /// Accuracy of the stages of an orbit of this tolerance [1].
     pub(super) fn of(tolerance: f64, scale: f64) -> Self {
         Self { tolerance, scale, balanced: (BALANCED * tolerance).max(ROUND_OFF) }
@@ -95,7 +95,7 @@ impl Stage {
     /// A motion that begins at a time [s] in places [m], which takes a part of the cycle that is short beside all
     /// steps.
     fn beginning(time: f64, duration: f64, at: &[Vector]) -> Self {
-        let known = |&offset: &Vector| Known { offset, rate: [0.0; 4], before: None, wall: None };
+        let known = |&offset: &Vector| StageHistory { offset, rate: [0.0; 4], before: None, wall: None };
         Self { time, per_time: 1.0 / (BEGINNING * duration), journals: at.iter().map(known).collect() }
     }
 
@@ -118,7 +118,7 @@ impl Journals<'_> {
         stage: &Stage,
         starts: &[Vector],
         (near, damping): (&[Instant], Damping),
-        accuracy: Accuracy,
+        accuracy: StageTolerance,
         films: &mut usize,
     ) -> Result<Vec<Instant>, NoStage> {
         let searches = self.searches(stage, accuracy);
@@ -134,9 +134,9 @@ impl Journals<'_> {
         };
         *films += searches.len();
         let first: Vec<Trial> = numbers.clone().into_par_iter().map(open).collect::<Result<_, NoStage>>()?;
-        let Accuracy { balanced, .. } = accuracy;
+        let StageTolerance { balanced, .. } = accuracy;
         let moved = SETTLED * accuracy.tolerance;
-        let goal = Goal { balanced, closed: balanced, moved, rounding: NEARLY_BALANCED };
+        let goal = BalanceTolerance { balanced, closed: balanced, moved, rounding: NEARLY_BALANCED };
         let shaft = self.shaft.as_ref().map(|drive| drive.balance(stage.time));
         let coupled = Coupled { searches: &searches, shaft: shaft.as_ref() };
         let (found, end) = coupled.newton(first, goal, damping, films);
@@ -158,7 +158,7 @@ impl Journals<'_> {
     }
 
     /// The searches for the places in a stage.
-    pub(super) fn searches(&self, stage: &Stage, accuracy: Accuracy) -> Vec<Search<'_>> {
+    pub(super) fn searches(&self, stage: &Stage, accuracy: StageTolerance) -> Vec<Search<'_>> {
         let motions = self.motions.iter().zip(&stage.journals);
         motions.map(|(motion, known)| motion.search(known, (stage.time, stage.per_time), accuracy.scale)).collect()
     }
@@ -201,7 +201,7 @@ impl Journals<'_> {
     pub(super) fn beginning(
         &self,
         at: &[Vector],
-        accuracy: Accuracy,
+        accuracy: StageTolerance,
         films: &mut usize,
     ) -> Result<Vec<Instant>, NoStage> {
         let massless: Vec<Motion> = self.motions.iter().map(|motion| Motion { mass: 0.0, ..motion.clone() }).collect();
@@ -234,8 +234,8 @@ impl Journals<'_> {
     /// films that conserve their oil, their walls, and masses keep what they have.
     pub(super) fn beginning_after(
         &self,
-        steps: &[Step],
-        accuracy: Accuracy,
+        steps: &[PathStep],
+        accuracy: StageTolerance,
         films: &mut usize,
     ) -> Result<Vec<Instant>, NoStage> {
         let places: Vec<Vector> = steps.iter().map(|step| step.at).collect();
@@ -272,7 +272,7 @@ impl Journals<'_> {
         &self,
         stage: &Stage,
         without_memory: Option<&[Instant]>,
-        accuracy: Accuracy,
+        accuracy: StageTolerance,
         films: &mut usize,
     ) -> Result<Vec<Instant>, NoStage> {
         let (mut stage, mut near, mut starts) = (stage.clone(), Vec::new(), Vec::new());
@@ -285,7 +285,7 @@ impl Journals<'_> {
             if motion.problem.cavitation.conserves_oil() {
                 let journal = motion.journal(moving.time, moving.at, velocity);
                 let full = FilmProblem { journal, ..motion.problem.clone() }.deflected(wall);
-                let oil = full.oil_of_full_film(motion.system).map_err(Failure::from).map_err(NoFilm::from);
+                let oil = full.oil_of_full_film(motion.system).map_err(NewtonFailure::from).map_err(NoFilm::from);
                 known.before = Some(Before::at_rest(stage.per_time, of_journal(number, oil)?));
             }
             known.wall = wall.map(|wall| (wall.resting(stage.per_time), wall.coefficients.to_vec()));
@@ -303,7 +303,7 @@ impl Journals<'_> {
         &self,
         (time, at): (f64, &[Vector]),
         guess: &[Vector],
-        accuracy: Accuracy,
+        accuracy: StageTolerance,
     ) -> Result<Vec<Instant>, NoStage> {
         let mut stage = Stage::beginning(time, self.duration(), at);
         let massless: Vec<Motion> = self.motions.iter().map(|motion| Motion { mass: 0.0, ..motion.clone() }).collect();
@@ -323,22 +323,22 @@ impl Journals<'_> {
 impl Motion<'_> {
     /// The search for the place in a stage, at this time [s] and of this `1/(gamma dt)` [1/s]; residuals are relative
     /// to the force `scale` [N].
-    fn search(&self, known: &Known, (time, per_time): (f64, f64), scale: f64) -> Search<'_> {
+    fn search(&self, known: &StageHistory, (time, per_time): (f64, f64), scale: f64) -> Search<'_> {
         let Duty { force, moment, .. } = self.duty(time);
         let tilting = |support: TiltSupport| Tilting { moment, stiffness: support.stiffness, support: support.slope };
-        let load = Load { force, tilting: self.support.map(tilting) };
+        let load = JournalLoad { force, tilting: self.support.map(tilting) };
         let terms = TimeTerms { per_time, offset: known.offset, rate: known.rate, masses: self.masses() };
         Search::in_stage(self.problem, (self.system, self.gap.clone()), (load, scale), terms)
     }
 }
 
-impl Known {
+impl StageHistory {
     /// An instant with the oil that its film holds at the end of the stage.
     pub(super) fn with_oil(&self, here: Instant) -> Result<Instant, NoFilm> {
         let Some(before) = &self.before else {
             return Ok(here);
         };
-        let oil = before.oil(&here.film).map_err(Failure::from)?;
+        let oil = before.oil(&here.film).map_err(NewtonFailure::from)?;
         Ok(Instant { oil: Some(Arc::new(oil)), ..here })
     }
 

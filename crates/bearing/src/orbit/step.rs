@@ -6,17 +6,17 @@ use oilwedge_reynolds::CentreVelocity;
 
 use super::journals::Journals;
 use super::motion::Instant;
-use super::oil::Oil;
+use super::oil::StoredOil;
 use super::scheme::Scheme;
-use super::stage::{Accuracy, Known, NoStage, Stage, of_journal};
-use super::wall::{WallStages, Way};
+use super::stage::{NoStage, Stage, StageHistory, StageTolerance, of_journal};
+use super::wall::{WallPath, WallStages};
 use crate::coordinates::{Vector, moved};
-use crate::deflection::{Left, contact_points};
+use crate::deflection::{WallResidual, contact_points};
 use crate::newton::Damping;
 use crate::search::Trial;
 use crate::shaft::joined::all_moved;
 use crate::stiffness::Stiffness;
-use crate::together::Response;
+use crate::together::JournalResponse;
 
 /// Accuracy of the linear systems of the damped error.
 const FOLLOWED: f64 = 1e-3;
@@ -36,13 +36,13 @@ pub(super) struct Made {
 
 /// Where a step begins.
 #[derive(Clone, Copy)]
-pub(super) struct Begin<'a> {
+pub(super) struct StepStart<'a> {
     /// The journals there.
     pub(super) instants: &'a [Instant],
     /// The accelerations of rotors with mass [m/s2].
     pub(super) accelerations: &'a [Vector],
     /// The paths before; none at the beginning.
-    pub(super) before: Option<&'a [Way]>,
+    pub(super) before: Option<&'a [WallPath]>,
 }
 
 /// What the first stage of a step has found.
@@ -59,7 +59,7 @@ pub(super) struct Course {
     velocity: Vector,
     rates: Vec<Vector>,
     accelerations: Vec<Vector>,
-    oils: Vec<Arc<Oil>>,
+    oils: Vec<Arc<StoredOil>>,
     walls: Option<WallStages>,
 }
 
@@ -76,9 +76,14 @@ impl Course {
     }
 
     /// What it leaves to stage number `stage` of a step of the length `dt` [s], which ends at a `time` [s] on the way.
-    pub(super) fn known(&self, (scheme, stage): (&Scheme, usize), dt: f64, (way, time): (Option<&Way>, f64)) -> Known {
+    pub(super) fn known(
+        &self,
+        (scheme, stage): (&Scheme, usize),
+        dt: f64,
+        (way, time): (Option<&WallPath>, f64),
+    ) -> StageHistory {
         let so_far = |first: Vector, rates: &[Vector]| combined(first, dt, &scheme.coefficients[stage][..stage], rates);
-        Known {
+        StageHistory {
             offset: so_far(self.start, &self.rates),
             rate: so_far(self.velocity, &self.accelerations),
             before: self.oils.first().map(|oil| oil.before(scheme, stage, dt, &self.oils)),
@@ -87,7 +92,7 @@ impl Course {
     }
 
     /// Adds a stage that was found.
-    pub(super) fn add(&mut self, known: &Known, per_time: f64, found: &Instant) {
+    pub(super) fn add(&mut self, known: &StageHistory, per_time: f64, found: &Instant) {
         self.rates.push(found.velocity);
         self.accelerations.push([0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time));
         self.oils.extend(found.oil.clone());
@@ -99,7 +104,13 @@ impl Course {
 
 impl Journals<'_> {
     /// A step of the length `dt` [s].
-    pub(super) fn step(&self, from: Begin, dt: f64, accuracy: Accuracy, films: &mut usize) -> Result<Made, NoStage> {
+    pub(super) fn step(
+        &self,
+        from: StepStart,
+        dt: f64,
+        accuracy: StageTolerance,
+        films: &mut usize,
+    ) -> Result<Made, NoStage> {
         let scheme = self.scheme();
         let per_time = 1.0 / (scheme.diagonal * dt);
         let begun = from.instants[0].time;
@@ -108,7 +119,7 @@ impl Journals<'_> {
             journals.map(|(start, acceleration)| Course::from(start, *acceleration)).collect();
         let mut latest: Option<Vec<Instant>> = None;
         let mut first: Option<FirstStage> = None;
-        let mut ways: Option<Vec<Way>> = from.before.map(<[Way]>::to_vec);
+        let mut ways: Option<Vec<WallPath>> = from.before.map(<[WallPath]>::to_vec);
         let mut last: Option<Stage> = None;
         for stage in 1..scheme.stages() {
             let time = begun + dt * scheme.nodes[stage];
@@ -125,7 +136,7 @@ impl Journals<'_> {
             let near = latest.as_ref().filter(is_nearer).map_or(from.instants, |latest| latest);
             let is_last = stage + 1 == scheme.stages();
             let balanced = if is_last { accuracy.balanced.min(self.balanced_at_steps()) } else { accuracy.balanced };
-            let accuracy = Accuracy { balanced, ..accuracy };
+            let accuracy = StageTolerance { balanced, ..accuracy };
             let found = self.stage(&known, &guesses, (near, Damping::None), accuracy, films)?;
             for ((course, known), found) in courses.iter_mut().zip(&known.journals).zip(&found) {
                 course.add(known, per_time, found);
@@ -160,7 +171,7 @@ impl Journals<'_> {
         (scheme, dt): (&Scheme, f64),
     ) -> Result<Vec<Vector>, NoStage> {
         // Forces are relative to nothing here.
-        let searches = self.searches(stage, Accuracy::of(1.0, 1.0));
+        let searches = self.searches(stage, StageTolerance::of(1.0, 1.0));
         let per_time = stage.per_time;
         let (mut forces, mut responses) = (Vec::new(), Vec::new());
         for (number, (search, here)) in searches.iter().zip(end).enumerate() {
@@ -169,7 +180,7 @@ impl Journals<'_> {
             let of_wall = course.walls.as_ref().map_or_else(Vec::new, |walls| walls.error(scheme, dt));
             let answer = || {
                 let left = contact_points(&here.film.problem, search.system);
-                let left = Left::of(&here.film, left);
+                let left = WallResidual::of(&here.film, left);
                 let trial = Trial::of(here.film.clone(), Default::default());
                 let tangents = search.tangents(&trial, &trial.film, &left, (FOLLOWED, 0.0))?;
                 let along =
@@ -180,7 +191,7 @@ impl Journals<'_> {
                 let bent: Vec<f64> = bent.iter().map(|bent| -per_time * bent).collect();
                 match self.shaft {
                     None => Ok((tangents.solve(force, Some(&bent))?.place, None)),
-                    Some(_) => Ok((force, Some(Response::of(&tangents, search.coordinates.order, &bent)?))),
+                    Some(_) => Ok((force, Some(JournalResponse::of(&tangents, search.coordinates.order, &bent)?))),
                 }
             };
             let (force, response) = of_journal(number, answer())?;
@@ -199,8 +210,8 @@ impl Journals<'_> {
 }
 
 /// The ways of all journals from one time to another.
-pub(super) fn ways_between(from: &[Instant], to: &[Instant]) -> Vec<Way> {
-    from.iter().zip(to).map(|(from, to)| Way::between(from, to)).collect()
+pub(super) fn ways_between(from: &[Instant], to: &[Instant]) -> Vec<WallPath> {
+    from.iter().zip(to).map(|(from, to)| WallPath::between(from, to)).collect()
 }
 
 /// `first + dt sum_j weight_j rate_j`.

@@ -14,14 +14,14 @@ use super::scheme::Scheme;
 
 /// The way from one instant to another, of journal and wall.
 #[derive(Debug, Clone)]
-pub(super) struct Way {
+pub(super) struct WallPath {
     /// Path of the journal.
     pub(super) span: Span,
     /// The wall at both ends; none where it is rigid.
     walls: Option<[Deflection; 2]>,
 }
 
-impl Way {
+impl WallPath {
     pub(super) fn between(from: &Instant, to: &Instant) -> Self {
         let walls = from.film.problem.deflection().zip(to.film.problem.deflection());
         Self { span: Span::of_instants(from, to), walls: walls.map(|(from, to)| [from.clone(), to.clone()]) }
@@ -59,7 +59,7 @@ impl WallStages {
         &self,
         (scheme, stage): (&Scheme, usize),
         dt: f64,
-        (way, time): (Option<&Way>, f64),
+        (way, time): (Option<&WallPath>, f64),
     ) -> (WallStage, Vec<f64>) {
         let known = self.combined(&self.begin, dt, &scheme.coefficients[stage][..stage]);
         let expected = way.and_then(|way| way.wall(time));

@@ -28,7 +28,7 @@ use std::f64::consts::PI;
 /// A point or a vector [m].
 pub type Point = [f64; 3];
 /// Displacement [m] and rotation [rad] of a node, or force [N] and moment [N m] on it.
-pub type Motion = [f64; 6];
+pub type NodeMotion = [f64; 6];
 
 /// What a shaft is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,16 +134,16 @@ impl Beam {
 
     /// Where its section at this part of its length lies [m], and how that moves with its nodes, which stand at these
     /// points.
-    pub(super) fn section_at(&self, part: f64, nodes: [Point; 2], motions: [Motion; 2]) -> (Point, Motion) {
+    pub(super) fn section_at(&self, part: f64, nodes: [Point; 2], motions: [NodeMotion; 2]) -> (Point, NodeMotion) {
         let [from, to] = self.ends;
         let (axes, span) = (self.axes(), between(from, to));
         let [held, moved] = [0, 1].map(|k: usize| carried(motions[k], between(nodes[k], self.ends[k])));
         let rigid = carried(held, span);
-        let difference: Motion = std::array::from_fn(|k| moved[k] - rigid[k]);
+        let difference: NodeMotion = std::array::from_fn(|k| moved[k] - rigid[k]);
         // In the frame of the beam.
         let relative = axes.map(|axis| dot(axis, [difference[0], difference[1], difference[2]]));
         let turned = axes.map(|axis| dot(axis, [difference[3], difference[4], difference[5]]));
-        let end: Motion = [relative[0], relative[1], relative[2], turned[0], turned[1], turned[2]];
+        let end: NodeMotion = [relative[0], relative[1], relative[2], turned[0], turned[1], turned[2]];
         let force = self.at_end().map(|row| (0..6).map(|k| row[k] * end[k]).sum::<f64>());
         let length = dot(span, span).sqrt();
         let (along, rest) = (part * length, (1.0 - part) * length);
@@ -200,7 +200,7 @@ impl Beam {
 }
 
 /// The motion that a rigid arm gives its far end.
-pub(super) fn carried([u, v, w, a, b, c]: Motion, arm: Point) -> Motion {
+pub(super) fn carried([u, v, w, a, b, c]: NodeMotion, arm: Point) -> NodeMotion {
     let [x, y, z] = cross([a, b, c], arm);
     [u + x, v + y, w + z, a, b, c]
 }

@@ -11,7 +11,7 @@
 //! **Source.** Elimination of inner nodes: R. J. Guyan, AIAA J. 3 (1965) 380. **Range.** As for the frame.
 //! **Verified by** `frame/tests.rs` and `tests/tests/shaft/deflection.rs`.
 
-use super::beam::{Motion, carried};
+use super::beam::{NodeMotion, carried};
 use super::frame::{BetweenJournals, Eliminated, NodeForce, OF_NODE, Shaft, across, turned};
 use super::matrix::product;
 use crate::coordinates::Vector;
@@ -58,7 +58,7 @@ impl BetweenJournals {
     }
 
     /// The motions of all nodes in the axes of the shaft, by those of its journals in the same axes.
-    fn motions(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Vec<Motion> {
+    fn motions(&self, journals: &[Vector], loads: &[NodeForce], angle: f64) -> Vec<NodeMotion> {
         let Eliminated { stiffness, retained, others, inner } = &self.eliminated;
         let mut all = vec![0.0; stiffness.order()];
         for load in loads {

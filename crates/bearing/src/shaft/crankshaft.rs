@@ -4,7 +4,7 @@
 //! journal reaches to the middle of the web beside it.
 
 use super::beam::{Beam, Material, Point, Section};
-use super::frame::Frame;
+use super::frame::BeamFrame;
 
 /// One piece of a shaft; the next one begins where it ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,7 +54,7 @@ pub struct Crankshaft {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laid {
     /// The beams.
-    pub frame: Frame,
+    pub frame: BeamFrame,
     /// Nodes of the places that were asked for.
     pub places: Vec<usize>,
     /// Nodes of the throws, in their order.
@@ -99,7 +99,7 @@ impl Crankshaft {
     /// The frame, with nodes on the axis at these places [m] of straight pieces.
     pub fn laid(&self, places: &[f64]) -> Laid {
         let mut laying = Laying {
-            laid: Laid { frame: Frame::default(), places: vec![0; places.len()], throws: Vec::new() },
+            laid: Laid { frame: BeamFrame::default(), places: vec![0; places.len()], throws: Vec::new() },
             material: self.material,
             z: 0.0,
         };

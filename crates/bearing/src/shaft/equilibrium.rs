@@ -10,24 +10,24 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::solve::Neighbour;
 use rayon::prelude::*;
 
-use super::films::{Film, Films};
+use super::films::{Films, ShaftFilm};
 use super::joined::{ShaftBalance, magnitude};
 use crate::coordinates::{Vector, length, moved};
 use crate::coupled::FilmSolve;
 use crate::deflection::CLOSED;
-use crate::newton::{Damping, Goal};
+use crate::newton::{BalanceTolerance, Damping};
 use crate::no_equilibrium::SearchEnd;
 use crate::orbit::{Instant, Moving};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 use crate::time_terms::TimeTerms;
 use crate::together::Coupled;
-use crate::{Deadline, Load, SearchOptions, Tilting};
+use crate::{Deadline, JournalLoad, SearchOptions, Tilting};
 
 /// What a balance may leave: round-off of the films.
-const GOAL: Goal = Goal { balanced: 1e-11, closed: CLOSED, moved: 1e-8, rounding: 1e-8 };
+const GOAL: BalanceTolerance = BalanceTolerance { balanced: 1e-11, closed: CLOSED, moved: 1e-8, rounding: 1e-8 };
 /// What a step in time may leave, which only leads to the balance.
-const ROUGHLY: Goal = Goal { balanced: 1e-3, closed: 1e-3, moved: 1e-2, rounding: 1e-3 };
+const ROUGHLY: BalanceTolerance = BalanceTolerance { balanced: 1e-3, closed: 1e-3, moved: 1e-2, rounding: 1e-3 };
 /// The first step in time, over 1/omega: that of half a radian.
 const FIRST: f64 = 0.5;
 /// A step in time is longer by this factor than the one before.
@@ -45,7 +45,7 @@ const MOST_STEPS: usize = 120;
 
 /// A shaft in balance.
 #[derive(Debug)]
-pub struct Balance {
+pub struct ShaftEquilibrium {
     /// The films.
     pub instants: Vec<Instant>,
     /// What is left of the balance, over the load [1].
@@ -95,7 +95,7 @@ impl From<NoFilmAt> for NoBalance {
 
 /// Where a journal and its film begin.
 #[derive(Clone, Copy)]
-struct Begin<'a> {
+struct JournalStart<'a> {
     at: Vector,
     wall: Option<&'a Deflection>,
     near: Neighbour<'a>,
@@ -103,29 +103,29 @@ struct Begin<'a> {
 
 /// How a balance is found from a beginning.
 #[derive(Clone, Copy)]
-struct Way {
-    goal: Goal,
+struct BalanceSearch {
+    goal: BalanceTolerance,
     damping: Damping,
     /// `1/dt` of a step in time [1/s]; `None`: the journals are at rest.
     per_time: Option<f64>,
     deadline: Deadline,
 }
 
-impl Way {
+impl BalanceSearch {
     /// To journals at rest.
     fn at_rest(deadline: Deadline) -> Self {
         Self { goal: GOAL, damping: Damping::None, per_time: None, deadline }
     }
 }
 
-impl Balance {
+impl ShaftEquilibrium {
     /// A beginning from its journals, walls and films.
-    fn begun(&self) -> Vec<Begin<'_>> {
-        self.instants.iter().map(|here| Begin::of(here, Neighbour::Start(&here.film))).collect()
+    fn begun(&self) -> Vec<JournalStart<'_>> {
+        self.instants.iter().map(|here| JournalStart::of(here, Neighbour::Start(&here.film))).collect()
     }
 }
 
-impl<'a> Begin<'a> {
+impl<'a> JournalStart<'a> {
     /// At a place [m], under a wall that is not bent.
     fn at(at: Vector) -> Self {
         Self { at, wall: None, near: Neighbour::None }
@@ -137,11 +137,11 @@ impl<'a> Begin<'a> {
     }
 }
 
-impl Film<'_> {
+impl ShaftFilm<'_> {
     /// The search for its journal under what the shaft gives it; residuals are relative to the force `scale` [N].
     fn search<'s>(&'s self, options: SearchOptions<'s>, scale: f64) -> Search<'s> {
         let free = Tilting { moment: [0.0; 2], stiffness: 0.0, support: [0.0; 2] };
-        let load = Load { force: [0.0; 2], tilting: (self.coordinates.order == 4).then_some(free) };
+        let load = JournalLoad { force: [0.0; 2], tilting: (self.coordinates.order == 4).then_some(free) };
         Search::new(&self.problem, self.system, load, options).relative_to(scale)
     }
 }
@@ -151,7 +151,7 @@ impl Films<'_> {
     ///
     /// # Errors
     /// [`NoBalance`]: why there is none.
-    pub fn balance(&self, asked: &[Vector], angle: f64, deadline: Deadline) -> Result<Balance, NoBalance> {
+    pub fn balance(&self, asked: &[Vector], angle: f64, deadline: Deadline) -> Result<ShaftEquilibrium, NoBalance> {
         let joined = self.joined(asked, angle);
         let coarser = self.coarser();
         let found = coarser.and_then(|coarser| coarser.balance(asked, angle, deadline).ok());
@@ -161,13 +161,14 @@ impl Films<'_> {
                 .map(|(film, here)| film.system.coarser.as_ref().map(|coarser| coarser.start_of(&here.film)))
                 .collect();
             let near = starts.iter().map(|start| start.as_ref().map_or(Neighbour::None, Neighbour::Coarser));
-            let begun: Vec<Begin> = found.instants.iter().zip(near).map(|(here, near)| Begin::of(here, near)).collect();
-            if let Ok(found) = self.rested(&joined, &begun, Way::at_rest(deadline)) {
+            let begun: Vec<JournalStart> =
+                found.instants.iter().zip(near).map(|(here, near)| JournalStart::of(here, near)).collect();
+            if let Ok(found) = self.rested(&joined, &begun, BalanceSearch::at_rest(deadline)) {
                 return Ok(found);
             }
         }
-        let begun: Vec<Begin> = self.first_places(asked).into_iter().map(Begin::at).collect();
-        let way = Way { damping: Damping::PseudoTime, ..Way::at_rest(deadline) };
+        let begun: Vec<JournalStart> = self.first_places(asked).into_iter().map(JournalStart::at).collect();
+        let way = BalanceSearch { damping: Damping::PseudoTime, ..BalanceSearch::at_rest(deadline) };
         match self.rested(&joined, &begun, way) {
             Err(_) if !deadline.is_over() => self.sunk(&joined, &begun, deadline),
             outcome => outcome,
@@ -175,18 +176,23 @@ impl Films<'_> {
     }
 
     /// The balance, by sinking from these beginnings.
-    fn sunk(&self, joined: &ShaftBalance, first: &[Begin], deadline: Deadline) -> Result<Balance, NoBalance> {
+    fn sunk(
+        &self,
+        joined: &ShaftBalance,
+        first: &[JournalStart],
+        deadline: Deadline,
+    ) -> Result<ShaftEquilibrium, NoBalance> {
         let speed = self.films.iter().map(|film| film.problem.journal.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let (mut here, mut dt): (Option<Balance>, f64) = (None, FIRST);
+        let (mut here, mut dt): (Option<ShaftEquilibrium>, f64) = (None, FIRST);
         for _ in 0..MOST_STEPS {
-            let near = here.as_ref().map(Balance::begun);
-            let way = Way { goal: ROUGHLY, per_time: Some(speed / dt), ..Way::at_rest(deadline) };
+            let near = here.as_ref().map(ShaftEquilibrium::begun);
+            let way = BalanceSearch { goal: ROUGHLY, per_time: Some(speed / dt), ..BalanceSearch::at_rest(deadline) };
             match self.rested(joined, near.as_deref().unwrap_or(first), way) {
                 Ok(found) => {
                     let is_last = dt > LONGEST;
                     let is_slow = here.as_ref().is_some_and(|here| self.part_of_gap(here, &found) < AT_REST * dt);
                     if is_last || is_slow {
-                        match self.rested(joined, &found.begun(), Way::at_rest(deadline)) {
+                        match self.rested(joined, &found.begun(), BalanceSearch::at_rest(deadline)) {
                             // A slower journal may have one.
                             Err(_) if !is_last && !deadline.is_over() => {}
                             outcome => return outcome,
@@ -198,12 +204,16 @@ impl Films<'_> {
                 Err(_) => dt /= RETRY,
             }
         }
-        self.rested(joined, here.as_ref().map(Balance::begun).as_deref().unwrap_or(first), Way::at_rest(deadline))
+        self.rested(
+            joined,
+            here.as_ref().map(ShaftEquilibrium::begun).as_deref().unwrap_or(first),
+            BalanceSearch::at_rest(deadline),
+        )
     }
 
     /// The greatest way of a journal from one balance to another, over its least gap [1].
-    fn part_of_gap(&self, from: &Balance, to: &Balance) -> f64 {
-        let gap = |(film, here): (&Film, &Instant)| film.motion().least_gap_under(here.wall(), here.at);
+    fn part_of_gap(&self, from: &ShaftEquilibrium, to: &ShaftEquilibrium) -> f64 {
+        let gap = |(film, here): (&ShaftFilm, &Instant)| film.motion().least_gap_under(here.wall(), here.at);
         let gaps = self.films.iter().zip(&to.instants).map(gap);
         let ways = from.instants.iter().zip(&to.instants).map(|(from, to)| length(moved(to.at, -1.0, from.at)));
         ways.zip(gaps).map(|(way, gap)| way / gap).fold(0.0, f64::max)
@@ -218,13 +228,13 @@ impl Films<'_> {
         &self,
         asked: &[Vector],
         angle: f64,
-        near: &Balance,
+        near: &ShaftEquilibrium,
         more: &[Vector],
-    ) -> Result<Balance, NoBalance> {
+    ) -> Result<ShaftEquilibrium, NoBalance> {
         let joined = self.joined(asked, angle);
         let by_more = joined.by_films(more);
         let asked: Vec<Vector> = asked.iter().zip(by_more).map(|(asked, more)| moved(*asked, -1.0, more)).collect();
-        self.rested(&self.joined(&asked, angle), &near.begun(), Way::at_rest(Deadline::default()))
+        self.rested(&self.joined(&asked, angle), &near.begun(), BalanceSearch::at_rest(Deadline::default()))
     }
 
     /// How all journals move [m] where one film carries somewhat more [N] in its place, for each such bearing, by its
@@ -238,7 +248,7 @@ impl Films<'_> {
         angle: f64,
         more: &[(usize, Vector)],
     ) -> Result<Vec<Vec<Vector>>, NoFilmAt> {
-        let slope = |(bearing, (film, here)): (usize, (&Film, &Instant))| {
+        let slope = |(bearing, (film, here)): (usize, (&ShaftFilm, &Instant))| {
             let slope = film.motion().tangent(here, 1.0, 0.0);
             slope.map_err(|reason| NoFilmAt { bearing, reason })
         };
@@ -255,21 +265,26 @@ impl Films<'_> {
     }
 
     /// The balance from this beginning: of journals at rest, or at the end of a step in time from their places there.
-    fn rested(&self, joined: &ShaftBalance, begun: &[Begin], way: Way) -> Result<Balance, NoBalance> {
-        let Way { goal, damping, per_time, deadline } = way;
+    fn rested(
+        &self,
+        joined: &ShaftBalance,
+        begun: &[JournalStart],
+        way: BalanceSearch,
+    ) -> Result<ShaftEquilibrium, NoBalance> {
+        let BalanceSearch { goal, damping, per_time, deadline } = way;
         let options = SearchOptions { deadline, ..SearchOptions::default() };
         let scale = match magnitude(&joined.asked) {
             0.0 => self.films.iter().map(|film| film.motion().peak_load()).fold(f64::MIN_POSITIVE, f64::max),
             load => load,
         };
-        let in_time = |begin: &Begin| {
+        let in_time = |begin: &JournalStart| {
             let still = |per_time: f64| TimeTerms { per_time, offset: begin.at, rate: [0.0; 4], masses: [0.0; 4] };
             per_time.map(still)
         };
         let searches: Vec<Search> = (self.films.iter().zip(begun))
             .map(|(film, begin)| Search { time: in_time(begin), ..film.search(options, scale) })
             .collect();
-        let open = |(bearing, (search, begin)): (usize, (&Search, &Begin))| {
+        let open = |(bearing, (search, begin)): (usize, (&Search, &JournalStart))| {
             let bent = self.films[bearing].problem.clone().deflected(begin.wall);
             let film = search.open(&bent, begin.at, FilmSolve::Settled(begin.near), goal.closed);
             film.map_err(|reason| NoFilmAt { bearing, reason })
@@ -291,7 +306,7 @@ impl Films<'_> {
             motion.accepted(here).map_err(|reason| NoFilmAt { bearing, reason })
         };
         let instants = trials.into_iter().enumerate().map(instant).collect::<Result<Vec<Instant>, NoFilmAt>>()?;
-        Ok(Balance { instants, residual, films: tried })
+        Ok(ShaftEquilibrium { instants, residual, films: tried })
     }
 
     /// Where a search has got to that does not converge.

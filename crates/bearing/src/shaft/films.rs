@@ -16,7 +16,7 @@ const FIRST: f64 = 0.3;
 
 /// The film of one journal.
 #[derive(Debug, Clone)]
-pub struct Film<'a> {
+pub struct ShaftFilm<'a> {
     /// Physics of the film.
     pub problem: FilmProblem,
     /// Mesh and supply of the film.
@@ -35,12 +35,12 @@ pub struct Films<'a> {
     /// The shaft.
     pub shaft: &'a Shaft,
     /// The films in the order of its journals.
-    pub films: Vec<Film<'a>>,
+    pub films: Vec<ShaftFilm<'a>>,
     /// How much what holds each shell gives way in each coordinate [m/N].
     pub compliance: Vec<Vector>,
 }
 
-impl<'a> Film<'a> {
+impl<'a> ShaftFilm<'a> {
     /// The film of a journal that turns with the speed of its problem.
     pub fn new(problem: &FilmProblem, system: &'a Arc<FilmSystem>, coordinates: Coordinates) -> Self {
         let speed = problem.journal.speed;
@@ -88,7 +88,7 @@ pub fn compliance_of_shell(coordinates: Coordinates, [stiffness, of_tilt]: [f64;
 impl<'a> Films<'a> {
     /// The shaft on films of the next coarser meshes, where all have one.
     pub fn coarser(&self) -> Option<Self> {
-        let films: Option<Vec<_>> = self.films.iter().map(Film::coarser).collect();
+        let films: Option<Vec<_>> = self.films.iter().map(ShaftFilm::coarser).collect();
         Some(Self { shaft: self.shaft, films: films?, compliance: self.compliance.clone() })
     }
 }
@@ -96,7 +96,7 @@ impl<'a> Films<'a> {
 impl Films<'_> {
     /// The equations of motion of all journals.
     pub fn motions(&self) -> Vec<Motion<'_>> {
-        self.films.iter().map(Film::motion).collect()
+        self.films.iter().map(ShaftFilm::motion).collect()
     }
 
     /// What drives the shaft under loads on its journals [N] over a crank angle of this period [rad], at a speed

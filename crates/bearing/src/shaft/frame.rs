@@ -11,12 +11,12 @@
 
 use super::beam::{Beam, Point};
 use super::cut::shares;
-use super::matrix::{Factors, Matrix, product};
+use super::matrix::{Factors, SquareMatrix, product};
 use crate::coordinates::{Coordinates, Vector};
 
 /// Beams between nodes. The last node is held along and about the axis z, where the shaft is driven.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Frame {
+pub struct BeamFrame {
     /// Where the nodes are [m].
     pub nodes: Vec<Point>,
     /// The beams.
@@ -49,7 +49,7 @@ pub enum NoShaft {
 #[derive(Debug, Clone)]
 pub struct Shaft {
     /// Stiffness by the coordinates of all journals that are free [N/m], with the crank at angle 0.
-    stiffness: Matrix,
+    stiffness: SquareMatrix,
     /// Journal and coordinate of each row.
     rows: Vec<(usize, usize)>,
     /// How many journals there are.
@@ -63,14 +63,14 @@ pub struct Shaft {
 /// The frame between the journals of a shaft, and its nodes that are loaded.
 #[derive(Debug, Clone)]
 pub(super) struct BetweenJournals {
-    pub(super) frame: Frame,
+    pub(super) frame: BeamFrame,
     pub(super) loaded: Vec<usize>,
     pub(super) eliminated: Eliminated,
 }
 
 /// A rigid motion: coordinates of the journals, and displacement `at_zero + by_z z` of the axis towards x or y.
 #[derive(Debug, Clone)]
-struct Rigid {
+struct RigidMotion {
     coordinates: Vec<f64>,
     towards: usize,
     at_zero: f64,
@@ -91,7 +91,7 @@ pub(super) const OF_NODE: usize = 6;
 /// A rigid motion that is not told from those before it by this part of its size is none.
 const DEPENDENT: f64 = 1e-9;
 
-impl Frame {
+impl BeamFrame {
     /// The shaft on these journals, with loads on the nodes `loaded`.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ impl Frame {
         }
         let rows: Vec<(usize, usize)> = retained.iter().map(|row| (row.journal, row.coordinate)).collect();
         let rigid = rigid_motions(&rows, places, &self.nodes)?;
-        let mut scaled = Matrix::zeros(rows.len());
+        let mut scaled = SquareMatrix::zeros(rows.len());
         for (i, a) in retained.iter().enumerate() {
             for (j, b) in retained.iter().enumerate() {
                 let both = 0.5 * (condensed.at(i, j) + condensed.at(j, i));
@@ -149,8 +149,8 @@ impl Frame {
         Ok(Eliminated { stiffness, retained, others, inner })
     }
 
-    fn stiffness(&self) -> Matrix {
-        let mut stiffness = Matrix::zeros(OF_NODE * self.nodes.len());
+    fn stiffness(&self) -> SquareMatrix {
+        let mut stiffness = SquareMatrix::zeros(OF_NODE * self.nodes.len());
         for beam in &self.beams {
             let number = |k: usize| OF_NODE * beam.nodes[k / OF_NODE] + k % OF_NODE;
             let of_beam = beam.stiffness(beam.nodes.map(|node| self.nodes[node]));
@@ -167,7 +167,7 @@ impl Frame {
 /// The degrees of freedom of a frame: those of its journals, and all others with the factors of their stiffness.
 #[derive(Debug, Clone)]
 pub(super) struct Eliminated {
-    pub(super) stiffness: Matrix,
+    pub(super) stiffness: SquareMatrix,
     pub(super) retained: Vec<Retained>,
     pub(super) others: Vec<usize>,
     pub(super) inner: Factors,
@@ -204,8 +204,8 @@ fn following(inner: &Factors, coupling: &[Vec<f64>]) -> Vec<Vec<f64>> {
 }
 
 /// The rigid motions across the axis as coordinates of the journals, perpendicular to each other.
-fn rigid_motions(rows: &[(usize, usize)], places: &[Place], nodes: &[Point]) -> Result<Vec<Rigid>, NoShaft> {
-    let mut motions: Vec<Rigid> = Vec::new();
+fn rigid_motions(rows: &[(usize, usize)], places: &[Place], nodes: &[Point]) -> Result<Vec<RigidMotion>, NoShaft> {
+    let mut motions: Vec<RigidMotion> = Vec::new();
     for (towards, turns) in [(0, false), (1, false), (0, true), (1, true)] {
         let part = |&(journal, coordinate): &(usize, usize)| {
             let place: &Place = &places[journal];
@@ -218,7 +218,7 @@ fn rigid_motions(rows: &[(usize, usize)], places: &[Place], nodes: &[Point]) -> 
                 (true, false) => 0.0,
             }
         };
-        let mut motion = Rigid {
+        let mut motion = RigidMotion {
             coordinates: rows.iter().map(part).collect(),
             towards,
             at_zero: f64::from(u8::from(!turns)),
@@ -241,7 +241,7 @@ fn rigid_motions(rows: &[(usize, usize)], places: &[Place], nodes: &[Point]) -> 
     Ok(motions)
 }
 
-impl Rigid {
+impl RigidMotion {
     fn size(&self) -> f64 {
         product(&self.coordinates, &self.coordinates).sqrt()
     }
@@ -263,7 +263,7 @@ impl Rigid {
 }
 
 /// `P K P` with the projection P that takes rigid motions out.
-fn without_rigid(stiffness: &Matrix, rigid: &[Rigid]) -> Matrix {
+fn without_rigid(stiffness: &SquareMatrix, rigid: &[RigidMotion]) -> SquareMatrix {
     let n = stiffness.order();
     let project = |mut vector: Vec<f64>| {
         for motion in rigid {
@@ -272,7 +272,7 @@ fn without_rigid(stiffness: &Matrix, rigid: &[Rigid]) -> Matrix {
         }
         vector
     };
-    let mut projected = Matrix::zeros(n);
+    let mut projected = SquareMatrix::zeros(n);
     for column in 0..n {
         let mut unit = vec![0.0; n];
         unit[column] = 1.0;
@@ -283,7 +283,7 @@ fn without_rigid(stiffness: &Matrix, rigid: &[Rigid]) -> Matrix {
 }
 
 /// Forces on the journals with the sum and the moment of a unit force on the axis at z.
-fn by_statics(mut forces: Vec<f64>, rigid: &[Rigid], towards: usize, z: f64) -> Vec<f64> {
+fn by_statics(mut forces: Vec<f64>, rigid: &[RigidMotion], towards: usize, z: f64) -> Vec<f64> {
     for motion in rigid {
         let wanted = match motion.towards == towards {
             true => motion.at_zero + motion.by_z * z,
@@ -317,7 +317,7 @@ impl Shaft {
             })
         };
         Ok(Self {
-            stiffness: Matrix::zeros(rows.len()),
+            stiffness: SquareMatrix::zeros(rows.len()),
             transfers: loaded.iter().map(|z| transfer(*z)).collect(),
             journals: journals.len(),
             rows,
@@ -342,8 +342,8 @@ impl Shaft {
     }
 
     /// The stiffness of the shaft [N/m] by the unknowns, turned by an angle [rad].
-    pub fn stiffness(&self, angle: f64) -> Matrix {
-        let mut stiffness = Matrix::zeros(self.rows.len());
+    pub fn stiffness(&self, angle: f64) -> SquareMatrix {
+        let mut stiffness = SquareMatrix::zeros(self.rows.len());
         for (column, &(journal, coordinate)) in self.rows.iter().enumerate() {
             let mut unit = vec![[0.0; 4]; self.journals];
             unit[journal][coordinate] = 1.0;

@@ -19,7 +19,7 @@
 //! `tests/tests/shaft/statics.rs`.
 
 use super::frame::Shaft;
-use super::matrix::Matrix;
+use super::matrix::SquareMatrix;
 use crate::coordinates::{Vector, length, moved};
 use crate::stiffness::Stiffness;
 
@@ -61,7 +61,7 @@ impl ShaftBalance<'_> {
 
     /// The tangent of the balance, where each offset changes by `per_offset` [1] and the forces of the films by these
     /// `slopes`.
-    pub fn tangent(&self, slopes: &[Stiffness], per_offset: f64) -> Matrix {
+    pub fn tangent(&self, slopes: &[Stiffness], per_offset: f64) -> SquareMatrix {
         let mut tangent = self.shaft.stiffness(self.angle).scaled(per_offset);
         for (column, &(bearing, coordinate)) in self.shaft.rows().iter().enumerate() {
             let mut carried = vec![[0.0; 4]; slopes.len()];

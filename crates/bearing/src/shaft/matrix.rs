@@ -4,13 +4,13 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 /// A square matrix.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Matrix(DMatrix<f64>);
+pub struct SquareMatrix(DMatrix<f64>);
 
 /// The factors `P A = L U` of a matrix, none of whose pivots vanishes.
 #[derive(Debug, Clone)]
 pub struct Factors(LU<f64, Dyn, Dyn>);
 
-impl Matrix {
+impl SquareMatrix {
     /// The matrix of zeros with this many rows.
     pub fn zeros(order: usize) -> Self {
         Self(DMatrix::zeros(order, order))
@@ -82,8 +82,8 @@ pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    fn matrix(rows: &[[f64; 3]; 3]) -> Matrix {
-        let mut matrix = Matrix::zeros(3);
+    fn matrix(rows: &[[f64; 3]; 3]) -> SquareMatrix {
+        let mut matrix = SquareMatrix::zeros(3);
         for (i, row) in rows.iter().enumerate() {
             row.iter().enumerate().for_each(|(j, entry)| matrix.add(i, j, *entry));
         }

@@ -61,16 +61,16 @@ fn what_has_no_balance_is_told() {
     let dry = |t: f64| ThermalFlows { flow: 0.0, ..film(t) };
     let none = find(&OIL, 348.15, 1e-9, |t| Ok::<_, ()>(dry(t)));
     assert!(
-        matches!(none, Err(NoBalance::TooHot { temperature, .. }) if temperature == OIL.inlet + HOTTEST),
+        matches!(none, Err(NoThermalBalance::TooHot { temperature, .. }) if temperature == OIL.inlet + HOTTEST),
         "{none:?}"
     );
     let none = find(&OIL, 348.15, 1e-9, |_| Err::<ThermalFlows, _>("torn"));
-    assert_eq!(none, Err(NoBalance::NoFilm("torn")));
+    assert_eq!(none, Err(NoThermalBalance::NoFilm("torn")));
     // Films up to 350 K only, and the balance beyond; from above it is reached too.
     let torn = |t: f64| if t < 350.0 { Ok(film(t)) } else { Err("torn") };
     for start in [348.15, 500.0] {
         match find(&OIL, start, 1e-9, torn) {
-            Err(NoBalance::Ends { temperature, reason, .. }) => {
+            Err(NoThermalBalance::Ends { temperature, reason, .. }) => {
                 assert!(reason == "torn" && (350.0 - temperature) < EDGE && temperature < 350.0);
             }
             other => panic!("{other:?}"),

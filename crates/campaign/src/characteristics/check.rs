@@ -1,7 +1,7 @@
 //! Which scenes have characteristics: films whose pressures grow in proportion to the rates, and that nothing but
 //! motion makes.
 
-use oilwedge_scene::{Complaints, Position, Scene};
+use oilwedge_scene::{Complaints, PositionTable, Scene};
 use oilwedge_study::effects::{Sockets, present};
 
 /// Complains about all that gives a film a pressure of its own, or a pressure that does not grow in proportion to the
@@ -11,7 +11,7 @@ pub fn check(scene: &Scene, complaints: &mut Complaints) {
         complaints.add(key, message, help);
     }
     complaints.refuse_if(
-        scene.journal.position == Position::Cycle,
+        scene.journal.position == PositionTable::Cycle,
         "journal.eccentricity",
         "is missing: the load changes over a cycle, but characteristics are those of one position",
         "give journal.eccentricity and journal.min_film_angle in place of [load], or the force and angle of one moment",
@@ -51,7 +51,7 @@ fn turning(scene: &Scene, complaints: &mut Complaints) {
         "moves across its line of centres (squeeze.tangential), which is a rotation only where no pocket turns against it",
         "remove squeeze.tangential, or the pockets (feeds with a depth)",
     );
-    let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
+    let is_centred = matches!(scene.journal.position, PositionTable::Given { eccentricity: 0.0, .. });
     complaints.refuse_if(
         is_turning && is_centred,
         "journal",

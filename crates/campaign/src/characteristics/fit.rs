@@ -16,7 +16,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use oilwedge_scene::{Cavitation, CavitationModel, MeshSource, Position, Scene, Theory, Tolerance};
+use oilwedge_scene::{CavitationModel, CavitationTable, MeshSource, PositionTable, Scene, TheoryKey, Tolerance};
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::{CompileError, RunOptions, run};
 use rayon::prelude::*;
@@ -213,14 +213,14 @@ fn plain(scene: &Scene, eccentricity: f64, slenderness: f64) -> Scene {
     let bearing = &mut plain.bearing;
     bearing.length = slenderness * bearing.diameter;
     (bearing.arc, bearing.inlet_fraction, bearing.film_start) = (None, None, None);
-    bearing.theory = Theory::Full;
+    bearing.theory = TheoryKey::Full;
     plain.mesh = MeshSource::Drawing { size: None };
     plain.tolerance = Some(Tolerance::Main(TOLERANCE));
     (plain.load_at, plain.load_moment, plain.support, plain.cap) = (None, None, None, None);
     plain.ends.pressure = 0.0;
     plain.feeds.clear();
-    plain.cavitation = Some(Cavitation { model: CavitationModel::Reynolds, pressure: 0.0 });
-    plain.journal.position = Position::Given { eccentricity, min_film_angle: 0.0 };
+    plain.cavitation = Some(CavitationTable { model: CavitationModel::Reynolds, pressure: 0.0 });
+    plain.journal.position = PositionTable::Given { eccentricity, min_film_angle: 0.0 };
     plain.journal.tilt = Some([0.0; 2]);
     plain
 }

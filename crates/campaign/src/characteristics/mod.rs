@@ -28,7 +28,7 @@ pub use report::{
     CHARACTERISTICS_FORMAT, Characteristics, ForceAndMoment, JournalFacts, MotionPart, NumberWithBar, Units,
 };
 
-use oilwedge_scene::{Position, Scene, Target, Tolerance};
+use oilwedge_scene::{PositionTable, Scene, Target, Tolerance};
 use oilwedge_study::checks::targets;
 use oilwedge_study::quantities::{
     ECCENTRICITY, LOAD, LOAD_X, LOAD_Y, MIN_FILM_ANGLE, MOMENT_X, MOMENT_Y, Row, TILT_X, TILT_Y,
@@ -74,8 +74,10 @@ fn at_position(scene: &Scene, found: &RunResult) -> Option<Scene> {
     let value = |row| found.quantity(row).map(|it| it.value);
     let tilt = value(&TILT_X).zip(value(&TILT_Y)).map(|(x, y)| [x, y]);
     let mut placed = scene.clone();
-    placed.journal.position =
-        Position::Given { eccentricity: value(&ECCENTRICITY)?, min_film_angle: value(&MIN_FILM_ANGLE)?.to_radians() };
+    placed.journal.position = PositionTable::Given {
+        eccentricity: value(&ECCENTRICITY)?,
+        min_film_angle: value(&MIN_FILM_ANGLE)?.to_radians(),
+    };
     placed.journal.tilt = tilt.or(scene.journal.tilt);
     (placed.load_at, placed.load_moment, placed.support) = (None, None, None);
     Some(placed)

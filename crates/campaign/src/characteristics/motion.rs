@@ -1,7 +1,7 @@
 //! How the journal moves, in the four motions that a film knows, and scenes with one of them.
 
 use oilwedge_reynolds::CentreVelocity;
-use oilwedge_scene::{Position, Scene};
+use oilwedge_scene::{PositionTable, Scene};
 use oilwedge_study::effects::Sockets;
 
 /// One motion of the journal.
@@ -75,8 +75,8 @@ impl JournalMotion {
     /// The motion of a scene at a given position.
     pub(super) fn of(scene: &Scene) -> Self {
         let (eccentricity, angle) = match scene.journal.position {
-            Position::Given { eccentricity, min_film_angle } => (eccentricity, min_film_angle),
-            Position::Load { .. } | Position::Cycle => (0.0, 0.0),
+            PositionTable::Given { eccentricity, min_film_angle } => (eccentricity, min_film_angle),
+            PositionTable::Load { .. } | PositionTable::Cycle => (0.0, 0.0),
         };
         let (sin, cos) = angle.sin_cos();
         let clearance = scene.bearing.clearance;

@@ -33,7 +33,7 @@ const DIGITS: (i32, i32) = (2, 11);
 /// How accuracy is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Measure {
+pub enum AccuracyMeasure {
     /// The error bar, the estimate of the level itself.
     Bar,
     /// The true error, which only finer levels show.
@@ -66,7 +66,7 @@ pub struct CostModel {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Price {
     /// How accuracy is measured.
-    pub measure: Measure,
+    pub measure: AccuracyMeasure,
     /// The relative error.
     pub accuracy: f64,
     /// The quickest strategy.
@@ -81,7 +81,7 @@ pub struct Price {
 
 /// The cost of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
 /// one that is predicted to be; of equally quick ones the first. Nothing where there are no levels.
-pub fn price_list(models: &[CostModel], measure: Measure) -> Vec<Price> {
+pub fn price_list(models: &[CostModel], measure: AccuracyMeasure) -> Vec<Price> {
     let reached =
         (models.iter()).filter_map(|model| model.levels.last()).map(|level| level.error).fold(f64::INFINITY, f64::min);
     if !reached.is_finite() {
@@ -109,7 +109,7 @@ pub fn with_errors(by_bars: &[Price], by_errors: Vec<Price>) -> Vec<Price> {
     let at_most = |price: Price| {
         let shown = by_bars.iter().find(|shown| shown.accuracy == price.accuracy);
         match shown.filter(|shown| shown.unknowns < price.unknowns && (!shown.extrapolated || price.extrapolated)) {
-            Some(shown) => Price { measure: Measure::Error, ..*shown },
+            Some(shown) => Price { measure: AccuracyMeasure::Error, ..*shown },
             None => price,
         }
     };
@@ -119,7 +119,7 @@ pub fn with_errors(by_bars: &[Price], by_errors: Vec<Price>) -> Vec<Price> {
 
 impl CostModel {
     /// The cost of an accuracy by this strategy.
-    fn price(&self, accuracy: f64, measure: Measure) -> Option<Price> {
+    fn price(&self, accuracy: f64, measure: AccuracyMeasure) -> Option<Price> {
         let row = |unknowns: f64, seconds: f64, extrapolated: bool| Price {
             measure,
             accuracy,
@@ -205,7 +205,7 @@ mod tests {
     fn powers_are_met_exactly_within_and_beyond_what_was_run() {
         // Errors from 1e-1 to 1e-1 4^-8 = 1.5e-6.
         let model = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
-        let prices = price_list(std::slice::from_ref(&model), Measure::Bar);
+        let prices = price_list(std::slice::from_ref(&model), AccuracyMeasure::Bar);
         let accuracies: Vec<f64> = prices.iter().map(|price| price.accuracy).collect();
         assert_eq!(accuracies, [1e-2, 1e-3, 1e-4, 1e-5, 1e-6]);
         for price in &prices {
@@ -222,7 +222,7 @@ mod tests {
         let mut model = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 4);
         // Errors 1e-1, 6e-3, 4e-4, 2.4e-5: by chance the first level is good.
         model.levels[0].error = 1e-7;
-        let prices = price_list(std::slice::from_ref(&model), Measure::Bar);
+        let prices = price_list(std::slice::from_ref(&model), AccuracyMeasure::Bar);
         assert!(prices.iter().find(|price| price.accuracy == 1e-3).is_some_and(|price| price.unknowns > 400.0));
         assert!(prices.iter().find(|price| price.accuracy == 1e-2).is_some_and(|price| price.unknowns == 100.0));
     }
@@ -232,14 +232,14 @@ mod tests {
     fn what_a_bar_shows_costs_no_more_by_the_true_error() {
         let bars = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
         let errors = model(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.25), 5);
-        let by_bars = price_list(&[bars], Measure::Bar);
-        let both = with_errors(&by_bars, price_list(&[errors], Measure::Error));
+        let by_bars = price_list(&[bars], AccuracyMeasure::Bar);
+        let both = with_errors(&by_bars, price_list(&[errors], AccuracyMeasure::Error));
         let (shown, true_errors) = both.split_at(by_bars.len());
         assert_eq!(shown, by_bars);
         assert!(!true_errors.is_empty());
         for price in true_errors {
             let bar = shown.iter().find(|bar| bar.accuracy == price.accuracy).expect("a price");
-            assert!(price.measure == Measure::Error && price.unknowns <= bar.unknowns, "{price:?}");
+            assert!(price.measure == AccuracyMeasure::Error && price.unknowns <= bar.unknowns, "{price:?}");
         }
     }
 
@@ -247,7 +247,7 @@ mod tests {
     fn the_quickest_is_named_and_what_was_run_goes_first() {
         let linear = model(Strategy::P1Uniform, (1.0, 1.0), (1e-7, 1.0), 6);
         let quadratic = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
-        let prices = price_list(&[linear, quadratic], Measure::Bar);
+        let prices = price_list(&[linear, quadratic], AccuracyMeasure::Bar);
         let quickest: Vec<_> = (prices.iter()).map(|price| (price.strategy, price.extrapolated)).collect();
         let (p1, p2) = (Strategy::P1Uniform, Strategy::P2Uniform);
         // Linear elements reach 1e-5 at the last level, quadratic ones 4e-4.
@@ -273,7 +273,7 @@ mod tests {
     fn a_strategy_that_is_not_clearly_quicker_does_not_win() {
         let simple = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
         let mut other = model(Strategy::P2Adaptive, (1e3, 2.0), (0.95e-6, 1.0), 3);
-        let quickest = |models: &[CostModel]| price_list(models, Measure::Bar)[0].strategy;
+        let quickest = |models: &[CostModel]| price_list(models, AccuracyMeasure::Bar)[0].strategy;
         assert_eq!(quickest(&[simple.clone(), other.clone()]), Strategy::P2Uniform);
         other.levels.iter_mut().for_each(|level| level.seconds *= 0.9);
         assert_eq!(quickest(&[simple, other]), Strategy::P2Adaptive);
@@ -286,13 +286,13 @@ mod tests {
             assert!((model.exponent() - found).abs() < 1e-12);
         }
         assert_eq!(model(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(), USUAL_EXPONENT);
-        assert!(price_list(&[], Measure::Bar).is_empty());
+        assert!(price_list(&[], AccuracyMeasure::Bar).is_empty());
     }
 
     #[test]
     fn a_coarse_answer_still_has_a_cost_of_one_percent() {
         let model = model(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.0), 1);
-        let prices = price_list(&[model], Measure::Bar);
+        let prices = price_list(&[model], AccuracyMeasure::Bar);
         assert_eq!(prices.len(), 1);
         assert!(prices[0].extrapolated && (prices[0].unknowns - 1000.0).abs() < 1e-9);
     }

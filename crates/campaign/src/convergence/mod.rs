@@ -14,7 +14,7 @@ pub mod strategy;
 mod study_run;
 
 pub use budget::Budget;
-pub use cost_model::{Measure, Price};
+pub use cost_model::{AccuracyMeasure, Price};
 pub use observer::Observer;
 pub use report::{ConvergenceReport, LevelReport, StrategyLevels, TIME_PARTS};
 pub use strategy::Strategy;
@@ -148,13 +148,13 @@ fn evaluate(report: &mut ConvergenceReport) {
     report.reference = reference::finest(&report.strategies);
     let Some(finest) = &report.reference else { return };
     reference::measure(&mut report.strategies, finest);
-    for measure in [Measure::Bar, Measure::Error] {
+    for measure in [AccuracyMeasure::Bar, AccuracyMeasure::Error] {
         let courses = report.strategies.iter();
         let models: Vec<CostModel> = courses.map(|course| cost_model(course, finest, measure)).collect();
         let prices = price_list(&models, measure);
         report.prices = match measure {
-            Measure::Bar => prices,
-            Measure::Error => with_errors(&report.prices, prices),
+            AccuracyMeasure::Bar => prices,
+            AccuracyMeasure::Error => with_errors(&report.prices, prices),
         };
         // The model by error bars is reported for a strategy, where it has bars.
         for (course, model) in report.strategies.iter_mut().zip(&models) {
@@ -184,7 +184,7 @@ fn reference_load(scene: &Scene) -> f64 {
 }
 
 /// Cost and error of the levels of a strategy whose error is known by that measure.
-fn cost_model(course: &StrategyLevels, reference: &report::Reference, measure: Measure) -> CostModel {
+fn cost_model(course: &StrategyLevels, reference: &report::Reference, measure: AccuracyMeasure) -> CostModel {
     let level_cost = |level: &LevelReport| {
         Some(LevelCost {
             unknowns: level.unknowns as f64,

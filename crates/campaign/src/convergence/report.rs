@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cost_model::{Measure, Price};
+use super::cost_model::{AccuracyMeasure, Price};
 use super::strategy::Strategy;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::result::{ResultHead, in_order};
@@ -104,10 +104,10 @@ pub struct LevelReport {
 impl LevelReport {
     /// The relative error by a measure: the bar, or the distance from the finest answer, but not less than
     /// that one is known to.
-    pub fn error(&self, measure: Measure, reference: &Reference) -> Option<f64> {
+    pub fn error(&self, measure: AccuracyMeasure, reference: &Reference) -> Option<f64> {
         match measure {
-            Measure::Bar => self.relative_bar,
-            Measure::Error => Some(self.relative_error.unwrap_or(0.0).max(reference.uncertainty?)),
+            AccuracyMeasure::Bar => self.relative_bar,
+            AccuracyMeasure::Error => Some(self.relative_error.unwrap_or(0.0).max(reference.uncertainty?)),
         }
     }
 }

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use oilwedge_bearing::{Deadline, InitialGuess, Point, Visited};
+use oilwedge_bearing::{Deadline, InitialGuess, OperatingPoint, Visited};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
@@ -310,14 +310,14 @@ fn redrawn(model: &Arc<Model>, position: Position) -> Result<PreviousFilm, Compi
 }
 
 /// Coordinate and duty of a case, by which its position is predicted from those of its neighbours.
-fn point(model: &Model, coordinate: f64) -> Point {
+fn point(model: &Model, coordinate: f64) -> OperatingPoint {
     let bearing = &model.mesh.bearing;
     let [x, y] = model.sockets.load.unwrap_or_default();
     let slenderness = bearing.radius / bearing.clearance;
     let diameter = 2.0 * bearing.radius;
     let drag = model.oil.viscosity * model.scope.speed.abs() * slenderness.powi(2) * diameter * bearing.length;
     let duty = (x.hypot(y) / drag).ln();
-    Point { coordinate, duty: if duty.is_finite() { duty } else { 0.0 } }
+    OperatingPoint { coordinate, duty: if duty.is_finite() { duty } else { 0.0 } }
 }
 
 /// Offset of the journal over the clearance.

@@ -9,9 +9,9 @@ use crate::linearisation::Route;
 use crate::{Analysis, Assembler, Constraints, LinearProlongation, LinearSolver, Linearisation, Matrix, Space};
 
 /// `F = x^3 - grad u` on a ring of period one, with a conductance that varies by a factor of 1000.
-struct Film;
+struct CubicReaction;
 
-impl ConservationLaw for Film {
+impl ConservationLaw for CubicReaction {
     fn tangent(&self) -> TangentKind {
         TangentKind::Conduction
     }
@@ -47,7 +47,7 @@ fn ring(columns: u32, rows: u32, height: f64) -> Arc<Mesh> {
 }
 
 /// A system with the ends given, its right-hand side, and both ways to solve it.
-struct System {
+struct TestSystem {
     matrix: Matrix,
     constraints: Constraints,
     b: Vec<f64>,
@@ -55,7 +55,7 @@ struct System {
     direct: LinearSolver,
 }
 
-impl System {
+impl TestSystem {
     fn on(mesh: &Arc<Mesh>) -> Self {
         let space = Space::new(mesh.clone(), 2);
         let assembler = Assembler::new(space.clone());
@@ -66,7 +66,7 @@ impl System {
             space.dofs_on_edge(edge).for_each(|dof| constraints.fix(dof, 0.0));
         }
         let mut matrix = Matrix::zero(pattern.clone());
-        let b = assembler.tangent_and_residual(&Film, &vec![0.0; space.dofs()], &mut matrix);
+        let b = assembler.tangent_and_residual(&CubicReaction, &vec![0.0; space.dofs()], &mut matrix);
         let direct = LinearSolver::Direct(Arc::new(Analysis::new(&space, pattern.clone()).expect("small")));
         let multigrid = LinearSolver::Multigrid(MultigridSolver {
             between: Arc::new(LinearProlongation::new(&space, pattern.clone())),
@@ -88,7 +88,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn steps_do_not_grow_with_the_mesh() {
     for (columns, rows) in [(24, 10), (60, 24), (150, 60), (300, 120)] {
-        let system = System::on(&ring(columns, rows, 0.4));
+        let system = TestSystem::on(&ring(columns, rows, 0.4));
         let multigrid = system.linearised(&system.multigrid);
         let x = multigrid.solve(&system.b).expect("solved");
         assert_eq!(multigrid.route(), Route::Multigrid);
@@ -100,7 +100,7 @@ fn steps_do_not_grow_with_the_mesh() {
 
 #[test]
 fn needles_go_to_a_factor() {
-    let system = System::on(&ring(20, 60, 0.01));
+    let system = TestSystem::on(&ring(20, 60, 0.01));
     let multigrid = system.linearised(&system.multigrid);
     let x = multigrid.solve(&system.b).expect("solved");
     assert_eq!(multigrid.route(), Route::Switched);
@@ -115,7 +115,7 @@ fn needles_go_to_a_factor() {
 #[test]
 fn other_dofs_may_be_held() {
     let mesh = ring(120, 48, 0.4);
-    let system = System::on(&mesh);
+    let system = TestSystem::on(&mesh);
     let mut held = system.constraints.clone();
     let space = Space::new(mesh.clone(), 2);
     for (edge, ends) in (0u32..).zip(&mesh.topology().edges) {
@@ -138,7 +138,7 @@ fn other_dofs_may_be_held() {
 
 #[test]
 fn threads_do_not_change_a_bit() {
-    let system = System::on(&ring(150, 60, 0.4));
+    let system = TestSystem::on(&ring(150, 60, 0.4));
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| system.linearised(&system.multigrid).solve(&system.b).expect("solved"))
@@ -148,7 +148,7 @@ fn threads_do_not_change_a_bit() {
 
 #[test]
 fn nothing_gives_nothing_and_nonsense_an_error() {
-    let mut system = System::on(&ring(24, 10, 0.4));
+    let mut system = TestSystem::on(&ring(24, 10, 0.4));
     let zero = vec![0.0; system.b.len()];
     let multigrid = system.linearised(&system.multigrid);
     assert_eq!(multigrid.solve(&zero).expect("solved"), zero);

@@ -1,4 +1,4 @@
-use oilwedge_campaign::convergence::cost_model::{Measure, Price};
+use oilwedge_campaign::convergence::cost_model::{AccuracyMeasure, Price};
 use oilwedge_campaign::convergence::report::{
     CONVERGE_FORMAT, ConvergenceReport, GoalFacts, LevelReport, Reference, StrategyLevels, Timing,
 };
@@ -44,7 +44,7 @@ pub(crate) fn example() -> ConvergenceReport {
             ended: "the time is up".into(),
         }],
         prices: vec![Price {
-            measure: Measure::Bar,
+            measure: AccuracyMeasure::Bar,
             accuracy: 0.01,
             strategy: Strategy::P2Uniform,
             unknowns: 190.0,
@@ -88,7 +88,7 @@ fn what_is_not_finite_is_not_written() {
 fn a_true_error_is_known_as_well_as_the_reference() {
     let report = example();
     let (reference, levels) = (report.reference.expect("one"), &report.strategies[0].levels);
-    let errors = |measure: Measure| [0, 1].map(|level| levels[level].error(measure, &reference));
-    assert_eq!(errors(Measure::Bar), [Some(0.015), None]);
-    assert_eq!(errors(Measure::Error), [Some(0.01), Some(1e-4)]);
+    let errors = |measure: AccuracyMeasure| [0, 1].map(|level| levels[level].error(measure, &reference));
+    assert_eq!(errors(AccuracyMeasure::Bar), [Some(0.015), None]);
+    assert_eq!(errors(AccuracyMeasure::Error), [Some(0.01), Some(1e-4)]);
 }

@@ -1,6 +1,8 @@
 //! A convergence study: error against time and against unknowns, and the adaptive mesh.
 
-use oilwedge_campaign::convergence::{Convergence, ConvergenceReport, LevelReport, Measure, Strategy, StrategyLevels};
+use oilwedge_campaign::convergence::{
+    AccuracyMeasure, Convergence, ConvergenceReport, LevelReport, Strategy, StrategyLevels,
+};
 use oilwedge_drawing::{
     Anchor, Axis, BLUE, Band, Chart, Colour, Figure, GREEN, GREY, INK, Label, LegendEntry, Letters, Mark, Note,
     PAGE_WIDTH, SMALLEST_LETTERS, Scale, Series, Stroke, VERMILION, draw_legend, legend_height,
@@ -79,7 +81,7 @@ fn predictions(report: &ConvergenceReport, against: ErrorAxis) -> Vec<(Strategy,
         let last = course.levels.last()?;
         let start = [against.of(last), last.error(measure, reference)?];
         // From the last point that is drawn on.
-        let drawn = errors(report, course, against).pop().filter(|_| measure == Measure::Error);
+        let drawn = errors(report, course, against).pop().filter(|_| measure == AccuracyMeasure::Error);
         let points = drawn.into_iter().chain([start]).chain(beyond.iter().copied()).collect();
         (!beyond.is_empty()).then_some((course.strategy, points))
     };

@@ -6,7 +6,7 @@ use oilwedge_drawing::{
     BLACK, BLUE, Chart, ChartKind, Figure, GREEN, GREY, GRID, Label, Mark, Note, Series, Stroke, VERMILION,
     charts_figure, least_and_greatest, linear_steps, number,
 };
-use oilwedge_study::duty::{DutyCycle, Frame};
+use oilwedge_study::duty::{DutyCycle, ForceAxes};
 
 /// Curves have a point for each degree of the crank angle.
 const POINTS_OF_A_TURN: f64 = 360.0;
@@ -53,15 +53,15 @@ impl<'a> DrawnLoad<'a> {
 
     /// The frames in which the load is known, with a word for their x axis; all of them where the shell is in a rod,
     /// else that of the shell alone.
-    fn frames(&self) -> Vec<(Frame, &'static str)> {
+    fn frames(&self) -> Vec<(ForceAxes, &'static str)> {
         let rod = self.cycle.turning().and_then(|turning| turning.rod);
         match rod {
             Some(_) => vec![
-                (Frame::Shell, "shell: x along the rod"),
-                (Frame::Cylinder, "cylinder: x to the cylinder"),
-                (Frame::Pin, "pin: x along the throw"),
+                (ForceAxes::Shell, "shell: x along the rod"),
+                (ForceAxes::Cylinder, "cylinder: x to the cylinder"),
+                (ForceAxes::Pin, "pin: x along the throw"),
             ],
-            None => vec![(Frame::Shell, "shell")],
+            None => vec![(ForceAxes::Shell, "shell")],
         }
     }
 
@@ -72,7 +72,7 @@ impl<'a> DrawnLoad<'a> {
         (0..=steps).map(move |k| period * f64::from(k) / f64::from(steps))
     }
 
-    fn force(&self, frame: Frame, angle: f64) -> [f64; 2] {
+    fn force(&self, frame: ForceAxes, angle: f64) -> [f64; 2] {
         let force = self.cycle.at(angle).force;
         let force = match self.cycle.turning() {
             Some(turning) => turning.from_shell(force, frame, angle),
@@ -86,9 +86,9 @@ impl<'a> DrawnLoad<'a> {
         let curve = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
             self.angles().map(|angle| [angle.to_degrees(), value(angle)]).collect()
         };
-        let part = |k: usize| curve(&|angle| self.force(Frame::Shell, angle)[k]);
+        let part = |k: usize| curve(&|angle| self.force(ForceAxes::Shell, angle)[k]);
         let magnitude = curve(&|angle| {
-            let [x, y] = self.force(Frame::Shell, angle);
+            let [x, y] = self.force(ForceAxes::Shell, angle);
             x.hypot(y)
         });
         let mut force =
@@ -109,7 +109,7 @@ impl<'a> DrawnLoad<'a> {
     }
 
     /// Where the tip of the force goes, with rings and crank angles, cut to where it goes.
-    fn polar(&self, frame: Frame, title: &str) -> Chart {
+    fn polar(&self, frame: ForceAxes, title: &str) -> Chart {
         let tip: Vec<_> = self.angles().map(|angle| self.force(frame, angle)).collect();
         let sheet = ForcePlane::around(&tip);
         let marks = (0..).map(|k| MARKED * f64::from(k));

@@ -6,7 +6,7 @@ use oilwedge_drawing::{
     Anchor, Colour, Figure, GREY, GRID, INK, Label, Letters, Mark, PURPLE, Pen, Polar, SMALLEST_LETTERS, Stroke,
     linear_steps, number,
 };
-use oilwedge_scene::{Crankshaft, ShaftPiece, ThrowShape};
+use oilwedge_scene::{CrankshaftTable, ShaftPiece, ThrowShape};
 use oilwedge_study::shaft::BearingReport;
 
 use crate::shaft_view::ShaftView;
@@ -47,7 +47,7 @@ impl DrawnThrow {
 
 /// A shaft and the places of its drawing.
 struct DrawnShaft<'a> {
-    shaft: &'a Crankshaft,
+    shaft: &'a CrankshaftTable,
     radius: f64,
     throws: Vec<DrawnThrow>,
     /// Greatest radius of a straight piece [m].
@@ -98,7 +98,7 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
 }
 
 /// Where the drawing begins and ends along the axis [m]: bearings may stand out at the ends of the shaft.
-fn extent(shaft: &Crankshaft, bearings: &[BearingReport]) -> [f64; 2] {
+fn extent(shaft: &CrankshaftTable, bearings: &[BearingReport]) -> [f64; 2] {
     let ends = bearings.iter().map(|bearing| {
         let half = 0.5 * bearing.geometry.length;
         [bearing.at - half, bearing.at + half]
@@ -106,7 +106,7 @@ fn extent(shaft: &Crankshaft, bearings: &[BearingReport]) -> [f64; 2] {
     ends.fold([0.0, shaft.length()], |[from, to], [low, high]| [from.min(low), to.max(high)])
 }
 
-fn throws(shaft: &Crankshaft) -> Vec<DrawnThrow> {
+fn throws(shaft: &CrankshaftTable) -> Vec<DrawnThrow> {
     let mut from = 0.0;
     let mut throws = Vec::new();
     for piece in &shaft.pieces {

@@ -1,7 +1,7 @@
 //! Stiffness and damping for people: small tables of two frames, and the stability of a rigid rotor.
 
 use super::quantities::quantities;
-use super::shown::Shown;
+use super::shown::ShownQuantities;
 use crate::digits::significant;
 use crate::readable::readable_unit;
 use crate::sheet::{Sheet, numeral, text};
@@ -13,7 +13,7 @@ const DIGITS: usize = 4;
 
 /// The tables of the coefficients, the stability of the rotor and, where all is shown, the coefficients with their
 /// bars; nothing where they were not asked for.
-pub(crate) fn dynamics(result: &RunResult, shown: Shown) -> Option<String> {
+pub(crate) fn dynamics(result: &RunResult, shown: ShownQuantities) -> Option<String> {
     let report = result.dynamics.as_ref()?;
     let mut parts = vec!["stiffness and damping at the temperature of the film".to_owned()];
     let distinct = match report.depends_on_whirl {
@@ -23,7 +23,7 @@ pub(crate) fn dynamics(result: &RunResult, shown: Shown) -> Option<String> {
     for coefficients in distinct {
         parts.push(at_whirl(report, coefficients));
     }
-    if shown == Shown::All {
+    if shown == ShownQuantities::All {
         let list = result.quantities.iter().filter(|quantity| quantity.row.table == Table::Dynamics);
         parts.push(quantities(list, result.bars));
     }

@@ -19,6 +19,6 @@ pub use pieces::{counted, duration, effects, heading, mesh, printable, time, who
 pub(crate) use run::tests::result as example;
 pub use run::{Written, run_report};
 pub use shaft::shaft_report;
-pub use shown::Shown;
+pub use shown::ShownQuantities;
 pub use sweep::sweep_report;
 pub(crate) use verdict::first_faults;

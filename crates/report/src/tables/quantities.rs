@@ -67,7 +67,7 @@ mod tests {
     use super::*;
     use crate::tables::run::run_report;
     use crate::tables::run::tests::{result, written};
-    use crate::tables::shown::Shown;
+    use crate::tables::shown::ShownQuantities;
     use oilwedge_campaign::Records;
     use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::quantities::Bar;
@@ -109,7 +109,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
+        let text = run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written()));
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -119,9 +119,11 @@ balance";
         assert!(text.contains(wanted), "{text}");
         let position = EFFECTS.iter().copied().filter(|effect| effect.socket == Socket::Position);
         result.effects.simulated.extend(position);
-        assert!(!run_report(&result, Shown::Headlines, &Records::default(), Some(written())).contains("bar  "));
+        assert!(
+            !run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written())).contains("bar  ")
+        );
         result.quantities[2].bar = Some(Bar { position: 2e-5, ..Bar::default() });
-        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
+        let text = run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written()));
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

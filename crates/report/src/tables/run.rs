@@ -4,7 +4,7 @@ use super::criteria::judged;
 use super::dynamics;
 use super::pieces::{effects, mesh, time, whole_run};
 use super::quantities::{bars, quantities};
-use super::shown::Shown;
+use super::shown::ShownQuantities;
 use super::temperature;
 use super::verdict::verdict;
 use crate::balances;
@@ -15,7 +15,7 @@ use crate::spread_sheet::spread_sheet;
 use oilwedge_campaign::{Records, comparisons};
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
-use oilwedge_study::result::{Counts, LinearRoute, LinearSolver, ResultTail, RunResult, headlines};
+use oilwedge_study::result::{Counts, LinearRoute, LinearSolverFacts, ResultTail, RunResult, headlines};
 use std::path::Path;
 
 /// What a run has written.
@@ -39,7 +39,7 @@ impl Written<'_> {
 
 /// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if
 /// anything was, and last the verdict.
-pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: Option<Written>) -> String {
+pub fn run_report(result: &RunResult, shown: ShownQuantities, records: &Records, written: Option<Written>) -> String {
     let mut parts = tables(result, shown);
     parts.extend(temperature::balance(result, shown));
     parts.extend(judged(result));
@@ -67,7 +67,7 @@ pub fn run_report(result: &RunResult, shown: Shown, records: &Records, written: 
 
 /// The tables of quantities: headlines first, then the joint of a cap, then all others of the film if they are asked
 /// for.
-fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
+fn tables(result: &RunResult, shown: ShownQuantities) -> Vec<String> {
     if result.quantities.is_empty() {
         return Vec::new();
     }
@@ -78,7 +78,7 @@ fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
     if of(Table::Cap).next().is_some() {
         parts.push(format!("joint of the cap\n{}", quantities(of(Table::Cap), result.bars)));
     }
-    if shown == Shown::All {
+    if shown == ShownQuantities::All {
         let others = of(Table::Film).filter(|quantity| !is_first(quantity));
         parts.push(format!("further quantities\n{}", quantities(others, result.bars)));
     }
@@ -86,8 +86,8 @@ fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
 }
 
 /// A sentence on the quantities that are not shown, with the way to see them.
-fn left_out(result: &RunResult, shown: Shown) -> Option<String> {
-    (shown == Shown::Headlines && !result.quantities.is_empty()).then(|| {
+fn left_out(result: &RunResult, shown: ShownQuantities) -> Option<String> {
+    (shown == ShownQuantities::Headlines && !result.quantities.is_empty()).then(|| {
         let count = result.quantities.len();
         format!("more      --all shows all {count} quantities; result.json has them too")
     })
@@ -131,7 +131,7 @@ fn cavity(result: &RunResult) -> Option<String> {
 }
 
 /// How often the expensive operations ran; nothing where nothing was counted.
-fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
+fn work(counts: Counts, solver: Option<LinearSolverFacts>) -> Option<String> {
     let work = [
         (counts.linear_solves, "linear solve"),
         (counts.factorisations, "factorisation"),
@@ -209,7 +209,7 @@ pub(crate) mod tests {
 
     #[test]
     fn a_run_is_shown_in_readable_units() {
-        let text = run_report(&result(), Shown::Headlines, &Records::default(), Some(written()));
+        let text = run_report(&result(), ShownQuantities::Headlines, &Records::default(), Some(written()));
         let parts = [
             "Hole-fed shell: converged",
             "not simulated",
@@ -233,7 +233,7 @@ pub(crate) mod tests {
     fn the_rest_is_shown_when_asked_for_and_the_verdict_is_last() {
         let mut result = result();
         result.quantities.push(Quantity::new(&LOAD_X, 12.0));
-        let [short, all] = [Shown::Headlines, Shown::All]
+        let [short, all] = [ShownQuantities::Headlines, ShownQuantities::All]
             .map(|shown| run_report(&result, shown, &Records::default(), Some(written())));
         assert!(!short.contains("load_x") && short.contains("--all shows all 3 quantities"), "{short}");
         assert!(all.find("attitude_angle") < all.find("load_x") && all.find("load_x").is_some(), "{all}");
@@ -249,12 +249,13 @@ pub(crate) mod tests {
         result.counts.nonlinear_iterations = 12;
         for (levels, words) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
-            let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
+            let text = run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written()));
             let work = format!("12 nonlinear iterations, started from {words}\n");
             assert!(text.contains(&work) && text.contains("cavity    42 % of the film\n"), "{text}");
         }
         assert!(
-            !run_report(&self::result(), Shown::Headlines, &Records::default(), Some(written())).contains("cavity ")
+            !run_report(&self::result(), ShownQuantities::Headlines, &Records::default(), Some(written()))
+                .contains("cavity ")
         );
     }
 
@@ -262,10 +263,13 @@ pub(crate) mod tests {
     fn the_joint_of_a_cap_has_a_table_of_its_own() {
         let mut result = result();
         result.quantities.insert(1, Quantity::new(&BOLT_TORQUE, 55.6));
-        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
+        let text = run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written()));
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
-        assert!(!run_report(&self::result(), Shown::Headlines, &Records::default(), Some(written())).contains("cap"));
+        assert!(
+            !run_report(&self::result(), ShownQuantities::Headlines, &Records::default(), Some(written()))
+                .contains("cap")
+        );
     }
 
     #[test]
@@ -274,7 +278,7 @@ pub(crate) mod tests {
         result.head.status = Status::NoSolution;
         result.head.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
+        let text = run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written()));
         assert!(text.contains("there is no solution") && text.contains("reason: no steady film"), "{text}");
         assert!(!text.contains("balance"), "{text}");
     }
@@ -285,7 +289,7 @@ pub(crate) mod tests {
         result.head.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
-        let text = run_report(&result, Shown::Headlines, &Records::default(), Some(written()));
+        let text = run_report(&result, ShownQuantities::Headlines, &Records::default(), Some(written()));
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }

@@ -2,7 +2,7 @@
 
 /// The quantities that a report shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shown {
+pub enum ShownQuantities {
     /// Headlines, and the joint of a cap.
     Headlines,
     /// All.

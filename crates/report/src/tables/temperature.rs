@@ -1,17 +1,17 @@
 //! The balance of heat for people: two curves as a table.
 
 use super::quantities::quantities;
-use super::shown::Shown;
+use super::shown::ShownQuantities;
 use crate::digits::significant;
 use crate::sheet::{Sheet, numeral};
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{RunResult, TemperatureReport};
 
 /// Temperatures, heats and curves where all is shown and the film is one; nothing where no temperature was sought.
-pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
+pub(crate) fn balance(result: &RunResult, shown: ShownQuantities) -> Option<String> {
     let report = result.temperature.as_ref()?;
     // Over a cycle there is no curve.
-    if shown == Shown::Headlines || report.curve.is_empty() {
+    if shown == ShownQuantities::Headlines || report.curve.is_empty() {
         return None;
     }
     let is_shown =

@@ -21,7 +21,7 @@
 
 /// What holds the outer surface of a ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OuterSurface {
+pub enum RingSupport {
     /// The outer surface does not move.
     Clamped,
     /// The outer surface is free of stress.
@@ -40,7 +40,7 @@ pub struct ElasticRing {
     /// Poisson's ratio nu [1].
     pub poisson: f64,
     /// What holds its outer surface.
-    pub outer: OuterSurface,
+    pub outer: RingSupport,
 }
 
 /// The constants of four functions: a condition is a row, and so is a displacement.
@@ -57,7 +57,7 @@ impl ElasticRing {
     pub fn compliance(&self, n: usize) -> f64 {
         match (n, self.outer) {
             (0, _) => self.lame(),
-            (1, OuterSurface::Free) => 0.0,
+            (1, RingSupport::Free) => 0.0,
             _ => self.harmonic(n),
         }
     }
@@ -85,8 +85,8 @@ impl ElasticRing {
         let stiffening = 1.0 / (1.0 - 2.0 * self.poisson);
         // A = a_per_b B.
         let a_per_b = match self.outer {
-            OuterSurface::Clamped => -1.0 / square,
-            OuterSurface::Free => 1.0 / (square * stiffening),
+            RingSupport::Clamped => -1.0 / square,
+            RingSupport::Free => 1.0 / (square * stiffening),
         };
         let b = 1.0 / (twice * (1.0 - stiffening * a_per_b));
         self.radius * b * (1.0 + a_per_b)
@@ -95,8 +95,8 @@ impl ElasticRing {
     fn harmonic(&self, n: usize) -> f64 {
         let (bore, outside) = (self.at(n, 1.0), self.at(n, self.ratio()));
         let held = match self.outer {
-            OuterSurface::Clamped => outside.displacement,
-            OuterSurface::Free => outside.stress,
+            RingSupport::Clamped => outside.displacement,
+            RingSupport::Free => outside.stress,
         };
         let constants = solved([bore.stress[0], bore.stress[1], held[0], held[1]], [-0.5, -0.5, 0.0, 0.0]);
         let parts = bore.displacement.iter().flat_map(|row| row.iter().zip(constants));
@@ -167,7 +167,7 @@ mod tests {
     use super::*;
 
     const STEEL: ElasticRing =
-        ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: OuterSurface::Clamped };
+        ElasticRing { radius: 0.05, thickness: 0.05, modulus: 2.1e11, poisson: 0.3, outer: RingSupport::Clamped };
 
     /// Hooke's law and equilibrium of `(u_r cos, u_t sin, s_r cos, s_rt sin)` along r: derivatives.
     fn along_r(ring: &ElasticRing, n: f64, r: f64, [u, v, s, t]: ConditionRow) -> ConditionRow {
@@ -200,15 +200,15 @@ mod tests {
     #[test]
     fn a_ring_is_that_of_the_equations_in_r() {
         let aluminium =
-            ElasticRing { radius: 0.03, thickness: 0.02, modulus: 7e10, poisson: 0.33, outer: OuterSurface::Free };
+            ElasticRing { radius: 0.03, thickness: 0.02, modulus: 7e10, poisson: 0.33, outer: RingSupport::Free };
         let soft = ElasticRing { thickness: 0.003, modulus: 5e6, poisson: 0.49, ..STEEL };
-        let thin = ElasticRing { thickness: 0.001, outer: OuterSurface::Free, ..STEEL };
+        let thin = ElasticRing { thickness: 0.001, outer: RingSupport::Free, ..STEEL };
         for ring in [STEEL, aluminium, soft, thin] {
-            let first = if ring.outer == OuterSurface::Free { 2 } else { 1 };
+            let first = if ring.outer == RingSupport::Free { 2 } else { 1 };
             for n in first..=16 {
                 let by = [[1e-9, 0.0, 0.0, 0.0], [0.0, 1e-9, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0]];
                 let [by_u, by_v, by_p] = by.map(|start| shot(&ring, n as f64, start));
-                let held = if ring.outer == OuterSurface::Clamped { [0, 1] } else { [2, 3] };
+                let held = if ring.outer == RingSupport::Clamped { [0, 1] } else { [2, 3] };
                 let [i, j] = held;
                 let determinant = by_u[i] * by_v[j] - by_v[i] * by_u[j];
                 let u = -1e-9 * (by_p[i] * by_v[j] - by_v[i] * by_p[j]) / determinant;
@@ -230,7 +230,7 @@ mod tests {
             assert!((STEEL.compliance(n) / half_plane(n as f64) - 1.0).abs() < 2e-3, "{n}");
         }
         // A thin free ring is a curved beam: p a^4/(D (n^2 - 1)^2).
-        let ring = ElasticRing { thickness: 1e-4, outer: OuterSurface::Free, ..STEEL };
+        let ring = ElasticRing { thickness: 1e-4, outer: RingSupport::Free, ..STEEL };
         let bending = 2.1e11 * 1e-12 / (12.0 * (1.0 - 0.09));
         for n in [2usize, 3, 5] {
             let beam = 0.05f64.powi(4) / (bending * ((n * n - 1) as f64).powi(2));

@@ -12,7 +12,7 @@
 mod jfo;
 
 use oilwedge_fem::complementarity::WarmStart;
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 
 pub use jfo::FilmFraction;
 pub(crate) use jfo::{
@@ -153,7 +153,7 @@ impl Cavitation {
         match self {
             Self::Jfo { .. } => jfo::solve((problem, system, motion), start, steps),
             _ => {
-                let solver = system.solver().map_err(Failure::from)?;
+                let solver = system.solver().map_err(NewtonFailure::from)?;
                 Ok(problem.pressure_film((system, &solver, motion), start, steps)?)
             }
         }

@@ -14,7 +14,9 @@
 //! **Range.** Plastic contact of run-in profiles. **Verified by** `tests/tests/contact/closed_forms.rs`: the force and
 //! the moment of [`crate::analytical::bearing_curve`].
 
-use super::ContactPressure;
+use std::ops::Range;
+
+use super::{ContactLaw, ContactPressure};
 
 /// A profile whose bearing area grows as the square of the approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,9 +27,8 @@ pub struct BearingCurve {
     pub hardness: f64,
 }
 
-impl BearingCurve {
-    /// Pressure of contact at the gap `h` [m].
-    pub fn at(&self, gap: f64) -> ContactPressure {
+impl ContactLaw for BearingCurve {
+    fn at(&self, gap: f64) -> ContactPressure {
         let approach = 1.0 - gap / self.depth;
         match approach {
             _ if approach <= 0.0 => ContactPressure::default(),
@@ -37,5 +38,21 @@ impl BearingCurve {
                 slope: -2.0 * self.hardness * approach / self.depth,
             },
         }
+    }
+
+    fn reach(&self) -> f64 {
+        self.depth
+    }
+
+    fn scale(&self) -> f64 {
+        self.depth
+    }
+
+    fn has_kink_in(&self, gaps: Range<f64>) -> bool {
+        gaps.contains(&0.0) || gaps.contains(&self.depth)
+    }
+
+    fn hardness(&self) -> f64 {
+        self.hardness
     }
 }

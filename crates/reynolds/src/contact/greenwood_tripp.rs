@@ -21,9 +21,10 @@
 //! asperities; the cap stands for those that yield. **Verified by** `the_integral_is_exact`, `tests/tests/contact`.
 
 use std::f64::consts::{PI, SQRT_2};
+use std::ops::Range;
 use std::sync::LazyLock;
 
-use super::ContactPressure;
+use super::{ContactLaw, ContactPressure};
 use crate::chebyshev::Piecewise;
 
 /// Where the logarithm of F_5/2 is made of polynomials: beyond its end the pressure is below 1e-33 of `E'`, and none.
@@ -56,12 +57,12 @@ pub fn integral(n: i32, l: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GreenwoodTripp {
     /// Combined roughness sigma [m].
-    pub roughness: f64,
+    roughness: f64,
     /// Hardness [Pa].
-    pub hardness: f64,
+    hardness: f64,
     /// `(16 sqrt 2/15) pi (eta beta sigma)^2 sqrt(sigma/beta) E'` [Pa].
     factor: f64,
-    /// `h/sigma` at which the pressure is the hardness.
+    /// `h/sigma` at which the pressure is the hardness; minus infinity where it never is.
     yields_at: f64,
 }
 
@@ -72,9 +73,10 @@ impl GreenwoodTripp {
         let factor = 16.0 * SQRT_2 / 15.0 * PI * density.powi(2) * sharpness.sqrt() * modulus;
         Self { roughness, hardness, factor, yields_at: ratio_of(hardness / factor) }
     }
+}
 
-    /// Pressure of contact at the gap `h` [m].
-    pub fn at(&self, gap: f64) -> ContactPressure {
+impl ContactLaw for GreenwoodTripp {
+    fn at(&self, gap: f64) -> ContactPressure {
         let l = gap / self.roughness;
         if l <= self.yields_at {
             return ContactPressure { pressure: self.hardness, slope: 0.0 };
@@ -93,14 +95,20 @@ impl GreenwoodTripp {
         ContactPressure { pressure, slope: pressure * slope / self.roughness }
     }
 
-    /// Gap [m] at which the pressure is the hardness; minus infinity where it never is.
-    pub fn yields_at(&self) -> f64 {
-        self.yields_at * self.roughness
+    fn reach(&self) -> f64 {
+        TO * self.roughness
     }
 
-    /// Gap [m] from which on there is no contact.
-    pub fn reach(&self) -> f64 {
-        TO * self.roughness
+    fn scale(&self) -> f64 {
+        self.roughness
+    }
+
+    fn has_kink_in(&self, gaps: Range<f64>) -> bool {
+        gaps.contains(&(self.yields_at * self.roughness))
+    }
+
+    fn hardness(&self) -> f64 {
+        self.hardness
     }
 }
 

@@ -10,6 +10,10 @@ pub mod greenwood_tripp;
 pub use bearing_curve::BearingCurve;
 pub use greenwood_tripp::GreenwoodTripp;
 
+use std::fmt::Debug;
+use std::ops::Range;
+use std::sync::Arc;
+
 /// A pressure of contact and its derivative by the gap.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ContactPressure {
@@ -20,69 +24,28 @@ pub struct ContactPressure {
 }
 
 /// How the pressure of contact depends on the gap.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ContactLaw {
-    /// Asperities of Gaussian heights with spherical tips.
-    GreenwoodTripp(GreenwoodTripp),
-    /// A profile whose bearing area grows as the square of the approach.
-    BearingCurve(BearingCurve),
-}
-
-impl ContactLaw {
+pub trait ContactLaw: Debug + Send + Sync {
     /// Pressure of contact at the gap `h` [m] between the mean planes of the surfaces.
-    pub fn at(&self, gap: f64) -> ContactPressure {
-        match self {
-            Self::GreenwoodTripp(law) => law.at(gap),
-            Self::BearingCurve(law) => law.at(gap),
-        }
-    }
+    fn at(&self, gap: f64) -> ContactPressure;
 
     /// Gap [m] from which on there is no contact.
-    pub fn reach(&self) -> f64 {
-        match self {
-            Self::GreenwoodTripp(law) => law.reach(),
-            Self::BearingCurve(law) => law.depth,
-        }
-    }
+    fn reach(&self) -> f64;
 
     /// Change of the gap [m] over which the pressure of contact is nearly a polynomial.
-    pub fn scale(&self) -> f64 {
-        match self {
-            Self::GreenwoodTripp(law) => law.roughness,
-            Self::BearingCurve(law) => law.depth,
-        }
-    }
+    fn scale(&self) -> f64;
 
     /// Whether the curvature of the pressure jumps at a gap [m] between these two.
-    pub fn has_kink_in(&self, gaps: std::ops::Range<f64>) -> bool {
-        match self {
-            Self::GreenwoodTripp(law) => gaps.contains(&law.yields_at()),
-            Self::BearingCurve(law) => gaps.contains(&0.0) || gaps.contains(&law.depth),
-        }
-    }
+    fn has_kink_in(&self, gaps: Range<f64>) -> bool;
 
     /// Greatest pressure of contact [Pa].
-    pub fn hardness(&self) -> f64 {
-        match self {
-            Self::GreenwoodTripp(law) => law.hardness,
-            Self::BearingCurve(law) => law.hardness,
-        }
-    }
-
-    /// Name in scenes and reports.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::GreenwoodTripp(_) => "greenwood-tripp",
-            Self::BearingCurve(_) => "bearing-curve",
-        }
-    }
+    fn hardness(&self) -> f64;
 }
 
 /// Contact of journal and liner.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Contact {
     /// The pressure of contact.
-    pub law: ContactLaw,
+    pub law: Arc<dyn ContactLaw>,
     /// Friction coefficient mu_b of surfaces that touch [1].
     pub friction: f64,
     /// How finely it is integrated.
@@ -102,10 +65,10 @@ pub enum Fineness {
 mod tests {
     use super::*;
 
-    const LAWS: fn() -> [ContactLaw; 2] = || {
+    const LAWS: fn() -> [Box<dyn ContactLaw>; 2] = || {
         [
-            ContactLaw::GreenwoodTripp(GreenwoodTripp::new(6e-7, 0.05, 0.01, 115e9, 1e9)),
-            ContactLaw::BearingCurve(BearingCurve { depth: 1.2e-6, hardness: 9e8 }),
+            Box::new(GreenwoodTripp::new(6e-7, 0.05, 0.01, 115e9, 1e9)),
+            Box::new(BearingCurve { depth: 1.2e-6, hardness: 9e8 }),
         ]
     };
 

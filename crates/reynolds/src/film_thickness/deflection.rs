@@ -225,10 +225,4 @@ impl FilmProblem {
         }
         self
     }
-
-    /// The problem in a rigid wall.
-    pub fn with_rigid_wall(mut self) -> Self {
-        self.film_thickness.retain(|contribution| contribution.as_deflection().is_none());
-        self
-    }
 }

@@ -47,7 +47,7 @@ pub struct SurfaceGrid {
 
 /// A surface through the points of a grid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Measured {
+pub struct MeasuredSurface {
     around: PointAxis,
     along: PointAxis,
     /// Values at the nodes, by angle and position: depth, slopes around and along, twist.
@@ -56,7 +56,7 @@ pub struct Measured {
     steps: [f64; 2],
 }
 
-impl Measured {
+impl MeasuredSurface {
     /// The surface of a bearing with this radius [m] and length [m]; `closed`: its angles go all around.
     pub fn new(points: &SurfaceGrid, radius: f64, length: f64, closed: bool) -> Self {
         let around = PointAxis {
@@ -122,7 +122,7 @@ impl Measured {
     }
 }
 
-impl Profile for Measured {
+impl Profile for MeasuredSurface {
     fn at(&self, [x, z]: [f64; 2]) -> Relief {
         let (around, along) = (self.around.parts(x), self.along.parts(z));
         let rows = self.along.places.len();
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn parabolas_are_exact() {
         let depth = |z: f64| 1e-6 + 2e-4 * z - 3e-3 * z * z;
-        let measured = Measured::new(&points(7, |_, z| depth(z)), RADIUS, 0.04, true);
+        let measured = MeasuredSurface::new(&points(7, |_, z| depth(z)), RADIUS, 0.04, true);
         for z in [-0.02, -0.017, 0.0, 0.0035, 0.02] {
             let found = measured.at([0.123, z]);
             assert!((found.depth - depth(z)).abs() < 1e-20, "{z}");
@@ -188,7 +188,7 @@ mod tests {
     #[test]
     fn the_surface_is_smooth_across_cells() {
         let shape = |phi: f64, z: f64| 1e-6 * (3.0 * phi + 40.0 * z).sin();
-        let measured = Measured::new(&points(24, shape), RADIUS, 0.04, true);
+        let measured = MeasuredSurface::new(&points(24, shape), RADIUS, 0.04, true);
         let step = 1e-9;
         // Across a column, across the seam, across a row.
         for ([x, z], d) in [([TAU * RADIUS / 24.0, 0.007], 0), ([0.0, -0.001], 0), ([0.02, 0.003], 1)] {
@@ -221,7 +221,7 @@ mod tests {
         let (angles, zs) = (grow(40, 0.0, TAU), grow(15, -0.02, 0.02));
         let depths: Vec<Vec<f64>> = (0..40).map(|_| (0..15).map(|_| 1e-6 * (6.0 * next()).floor()).collect()).collect();
         let points = SurfaceGrid { angles, zs, depths };
-        let measured = Measured::new(&points, RADIUS, 0.04, true);
+        let measured = MeasuredSurface::new(&points, RADIUS, 0.04, true);
         let twists = measured.nodes.iter().filter(|node| node[3] != 0.0).count();
         for i in 0..40 {
             let (left, right) = (points.angles[i], points.angles.get(i + 1).map_or(points.angles[0] + TAU, |at| *at));
@@ -243,7 +243,7 @@ mod tests {
     fn the_error_falls_with_the_third_power_of_the_spacing_and_the_second_at_extremes_between_points() {
         let shape = |phi: f64, _: f64| 1e-6 * (2.0 * phi).cos();
         let off = |columns: u32| {
-            let measured = Measured::new(&points(columns, shape), RADIUS, 0.04, true);
+            let measured = MeasuredSurface::new(&points(columns, shape), RADIUS, 0.04, true);
             let off = |k: u32| {
                 let phi = 0.001 + 0.01 * f64::from(k);
                 (measured.at([RADIUS * phi, 0.0]).depth - shape(phi, 0.0)).abs()
@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn one_angle_stands_for_all() {
         let one = SurfaceGrid { angles: vec![0.0], zs: vec![-0.02, 0.0, 0.02], depths: vec![vec![4e-6, 0.0, 4e-6]] };
-        let measured = Measured::new(&one, RADIUS, 0.04, true);
+        let measured = MeasuredSurface::new(&one, RADIUS, 0.04, true);
         for x in [0.0, 0.1, 0.3] {
             let found = measured.at([x, 0.01]);
             assert!((found.depth - 1e-6).abs() < 1e-20 && found.slope[0] == 0.0);

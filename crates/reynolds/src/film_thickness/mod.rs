@@ -17,7 +17,7 @@ pub use deflection::{Closing, Deflection, WallStage};
 pub use eccentricity::Eccentricity;
 pub use envelope::{Envelope, Wearing};
 pub use groove_depth::GrooveDepth;
-pub use measured::{Measured, SurfaceGrid};
+pub use measured::{MeasuredSurface, SurfaceGrid};
 pub use oval::Oval;
 pub use profile::{Profile, Relief, Shape};
 pub use tilt::Tilt;
@@ -106,7 +106,7 @@ mod tests {
                     Wearing { offset: [-1e-5, -3.8e-5], tilt: [0.0, 3e-4] },
                 ],
             ))),
-            Shape(Arc::new(Measured::new(&points, 0.04, 0.04, true))),
+            Shape(Arc::new(MeasuredSurface::new(&points, 0.04, 0.04, true))),
         ]
     }
 

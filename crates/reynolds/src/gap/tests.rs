@@ -13,9 +13,9 @@ const BEARING: Bearing = Bearing { radius: 0.05, length: 0.05, clearance: 5e-5, 
 
 /// A shape of the liner: some function of angle and axial position [m].
 #[derive(Debug)]
-struct Shape(fn(f64, f64) -> f64);
+struct LinerShape(fn(f64, f64) -> f64);
 
-impl FilmContribution for Shape {
+impl FilmContribution for LinerShape {
     fn add(&self, _journal: &JournalState, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         for ([x, z], point) in positions.iter().zip(film) {
             point.thickness += (self.0)(x / BEARING.radius, *z);
@@ -62,7 +62,7 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
         film_thickness: vec![
             Arc::new(Eccentricity { radius: BEARING.radius, clearance: BEARING.clearance }),
             Arc::new(Tilt { radius: BEARING.radius }),
-            Arc::new(Shape(shape)),
+            Arc::new(LinerShape(shape)),
         ],
         lubricant: Lubricant {
             viscosity: 0.02,

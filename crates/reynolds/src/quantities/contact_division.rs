@@ -163,7 +163,7 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// What is done with a part of a triangle, from the gaps [m] at its nodes and how often it was quartered.
-pub(super) fn division(law: &ContactLaw, fineness: Fineness, gaps: &[f64; 6], level: usize) -> Division {
+pub(super) fn division(law: &dyn ContactLaw, fineness: Fineness, gaps: &[f64; 6], level: usize) -> Division {
     /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
     const WITHIN: f64 = 0.25;
     let (least, greatest) = gaps

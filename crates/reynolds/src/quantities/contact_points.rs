@@ -86,7 +86,7 @@ pub struct ContactPoints {
 struct TouchingFilm<'a> {
     problem: &'a FilmProblem,
     system: &'a FilmSystem,
-    law: ContactLaw,
+    law: &'a dyn ContactLaw,
     fineness: Fineness,
     accuracy: ContactTolerance,
     /// The splines whose forces are asked for.
@@ -105,7 +105,7 @@ impl TouchingFilm<'_> {
         while let Some(piece) = left.pop() {
             let part = &PARTS[piece.level][piece.number];
             let gaps = self.at_nodes(t, part.nodes.map(|node| mapping.at(node).position));
-            let (of_quarters, is_wide) = match division(&self.law, self.fineness, &gaps, piece.level) {
+            let (of_quarters, is_wide) = match division(self.law, self.fineness, &gaps, piece.level) {
                 Division::NoContact => continue,
                 Division::Last => (0.0, false),
                 Division::Quarters(weight) => (weight, piece.level < by_wall),
@@ -202,13 +202,13 @@ impl ContactPoints {
         grid: Option<&Grid>,
         accuracy: ContactTolerance,
     ) -> Option<Self> {
-        let Contact { law, fineness, .. } = problem.contact?;
+        let Contact { law, fineness, .. } = problem.contact.as_ref()?;
         let deflection = problem.deflection();
         let touching = TouchingFilm {
             problem,
             system,
-            law,
-            fineness,
+            law: &**law,
+            fineness: *fineness,
             accuracy,
             grid,
             bent: deflection.map(|deflection| (&deflection.wall.grid, &*deflection.coefficients)),
@@ -226,7 +226,7 @@ impl ContactPoints {
 
     /// The points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is the law of
     /// their contact.
-    pub fn bent_further(&self, law: &ContactLaw, more: &[f64]) -> Self {
+    pub fn bent_further(&self, law: &dyn ContactLaw, more: &[f64]) -> Self {
         let bent = |point: &ContactPoint| {
             let gap = point.gap + point.splines.value(self.splines, more);
             let at = law.at(gap);

@@ -73,7 +73,7 @@ impl Power {
     /// The power with the friction of contact under a `thrust` Int p_a dA [N].
     pub fn with_contact(self, problem: &FilmProblem, thrust: f64) -> Self {
         let [x, z] = problem.surface_velocity();
-        let friction = problem.contact.map_or(0.0, |contact| contact.friction);
+        let friction = problem.contact.as_ref().map_or(0.0, |contact| contact.friction);
         Self { contact: friction * x.hypot(z) * thrust, ..self }
     }
 

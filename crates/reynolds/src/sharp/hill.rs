@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::newton::{Failure, NewtonStep};
+use oilwedge_fem::newton::{NewtonFailure, NewtonStep};
 use oilwedge_fem::{Constraints, Error, Field, Linearisation, Space, UnsymmetricAnalysis};
 
 use super::balance::HillBalance;
@@ -62,7 +62,7 @@ pub(super) struct Hill<'a> {
 impl Hill<'_> {
     /// Finds rupture and reformation for the oil that arrives, until the residual is this part of the greatest share of
     /// a node.
-    pub(super) fn solve(&mut self, enough: f64) -> Result<(), Failure> {
+    pub(super) fn solve(&mut self, enough: f64) -> Result<(), NewtonFailure> {
         let mut fixed = self.fixed();
         fixed.impose(&mut self.v);
         let mut residual = self.balance.residual(&self.v);
@@ -90,7 +90,7 @@ impl Hill<'_> {
             }
             self.is_stale = left > SLOW * before;
         }
-        Err(Failure::TooManySteps { history: std::mem::take(&mut self.history) })
+        Err(NewtonFailure::TooManySteps { history: std::mem::take(&mut self.history) })
     }
 
     /// Whether the factor there is serves steps with these dofs given.

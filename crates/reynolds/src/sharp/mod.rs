@@ -28,7 +28,7 @@ mod numbers;
 mod rays;
 
 use oilwedge_fem::Error;
-use oilwedge_fem::newton::{Failure, NewtonStep};
+use oilwedge_fem::newton::{NewtonFailure, NewtonStep};
 
 use self::balance::HillBalance;
 use self::hill::{Hill, Kept, NodeKinds};
@@ -110,7 +110,7 @@ impl FilmProblem {
     }
 
     /// The numbers of a hill at v.
-    fn measured(&self, system: &FilmSystem, hill: &Hill, v: &[f64]) -> Result<HillNumbers, Failure> {
+    fn measured(&self, system: &FilmSystem, hill: &Hill, v: &[f64]) -> Result<HillNumbers, NewtonFailure> {
         let numbers = numbers::measure(self, system, v, &hill.balance.filled(v));
         match numbers.greatest.is_finite() && numbers.load.possible.is_finite() {
             true => Ok(numbers),
@@ -125,7 +125,7 @@ impl FilmProblem {
         rays: &Rays,
         nodes: NodeKinds,
         start: Kept,
-    ) -> Result<Hill<'a>, Failure> {
+    ) -> Result<Hill<'a>, NewtonFailure> {
         let may_be = |(&held, &may): (&bool, &bool)| held && may;
         let mut balance = HillBalance::new(self, system, rays);
         if !start.along.is_empty() {
@@ -148,8 +148,8 @@ impl SolvedFilm {
     /// The hill over the cavity of this film; none where it is not of the kind that has one.
     ///
     /// # Errors
-    /// [`Failure`]: rupture and reformation were not found, or the viscosity law has no pressure for the film.
-    pub fn sharp_film(&self, start: HillStart) -> Result<Option<SharpFilm>, Failure> {
+    /// [`NewtonFailure`]: rupture and reformation were not found, or the viscosity law has no pressure for the film.
+    pub fn sharp_film(&self, start: HillStart) -> Result<Option<SharpFilm>, NewtonFailure> {
         let Self { problem, system, solution } = self;
         let Some(fraction) = solution.film_fraction.as_ref().filter(|_| problem.has_sharp_film(system)) else {
             return Ok(None);
@@ -172,8 +172,8 @@ impl SolvedFilm {
     /// This `hill` of this film, with what it would change by if its cavities were those of this position.
     ///
     /// # Errors
-    /// [`Failure`]: rupture and reformation were not found.
-    pub fn cavities_checked(&self, hill: SharpFilm) -> Result<SharpFilm, Failure> {
+    /// [`NewtonFailure`]: rupture and reformation were not found.
+    pub fn cavities_checked(&self, hill: SharpFilm) -> Result<SharpFilm, NewtonFailure> {
         let Some(fraction) = &self.solution.film_fraction else {
             return Ok(hill);
         };
@@ -188,7 +188,7 @@ impl SolvedFilm {
     }
 
     /// Finds the hill in quadratic elements, then in cubic ones.
-    fn first_hill(&self, rays: Rays) -> Result<SharpFilm, Failure> {
+    fn first_hill(&self, rays: Rays) -> Result<SharpFilm, NewtonFailure> {
         let Self { problem, system, solution } = self;
         let floor = problem.cavity_unknown();
         let start = Kept {
@@ -231,7 +231,7 @@ impl SolvedFilm {
     }
 
     /// The hill in cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
-    fn hill_near(&self, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
+    fn hill_near(&self, near: SharpFilm, enough: f64) -> Result<SharpFilm, NewtonFailure> {
         let (problem, cubic_system) = (&self.problem, &self.system.cubic().system);
         let HillFrame { rays, nodes, cavity } = near.frame;
         let mut cubic = problem.hill(cubic_system, &rays, nodes, near.kept)?;

@@ -65,12 +65,12 @@ struct Reformation {
     until: f64,
     /// `h theta` [m] at the switch.
     oil: f64,
-    source: Source,
+    source: OilSource,
 }
 
 /// Where the oil of a cavity is taken from: the point at which a ray enters a sub-triangle of the mass-conserving film.
 #[derive(Debug, Clone, Copy)]
-struct Source {
+struct OilSource {
     holder: Holder,
     /// Barycentric coordinates.
     weights: [f64; 3],
@@ -134,7 +134,7 @@ impl Rays {
     /// Takes the oil of the film at another position, with cavities and the places from which it comes as they are.
     pub(super) fn refill(&mut self, space: &Space, oil: &[f64]) {
         for reformation in self.rays.iter_mut().flat_map(|ray| &mut ray.reformations) {
-            let Source { holder, weights } = reformation.source;
+            let OilSource { holder, weights } = reformation.source;
             let dofs = space.element_dofs(holder.triangle as usize);
             let at_corner = |k: u8| oil[dofs[usize::from(k)]];
             reformation.oil = holder.corners.iter().zip(weights).map(|(&k, weight)| weight * at_corner(k)).sum();
@@ -300,7 +300,7 @@ impl Rays {
             switch,
             until: supply.map_or(middle, |supply| middle.min(supply.from)),
             oil: 0.0,
-            source: Source { holder: piece.holder, weights },
+            source: OilSource { holder: piece.holder, weights },
         })
     }
 

@@ -1,6 +1,6 @@
 //! What the tables of a crankshaft must be to each other.
 
-use super::{Crankshaft, ShaftPiece, ShaftScene};
+use super::{CrankshaftTable, ShaftPiece, ShaftScene};
 use crate::Complaints;
 use crate::wording::millimetres;
 
@@ -12,7 +12,7 @@ pub(super) fn check(scene: &ShaftScene, complaints: &mut Complaints) {
     check_weights(shaft, complaints);
 }
 
-fn check_pieces(shaft: &Crankshaft, complaints: &mut Complaints) {
+fn check_pieces(shaft: &CrankshaftTable, complaints: &mut Complaints) {
     let is_throw = |piece: Option<&ShaftPiece>| matches!(piece, Some(ShaftPiece::Throw { .. }));
     for (number, piece) in shaft.pieces.iter().enumerate() {
         let next = shaft.pieces.get(number + 1);
@@ -45,7 +45,7 @@ fn check_pieces(shaft: &Crankshaft, complaints: &mut Complaints) {
     );
 }
 
-fn check_places(shaft: &Crankshaft, complaints: &mut Complaints) {
+fn check_places(shaft: &CrankshaftTable, complaints: &mut Complaints) {
     let spans = shaft.straight_spans();
     let is_on_shaft = |z: f64| z.is_nan() || spans.iter().any(|[from, to]| z.is_nan() || (*from..=*to).contains(&z));
     let are_known = spans.iter().flatten().all(|z| z.is_finite());
@@ -134,7 +134,7 @@ fn check_loads(scene: &ShaftScene, complaints: &mut Complaints) {
     }
 }
 
-fn check_weights(shaft: &Crankshaft, complaints: &mut Complaints) {
+fn check_weights(shaft: &CrankshaftTable, complaints: &mut Complaints) {
     let throws = shaft.fires_at().len();
     for (number, weight) in shaft.counterweights.iter().enumerate() {
         complaints.refuse_if(

@@ -6,15 +6,15 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use super::variant::sum_of;
-use super::{Crankshaft, check};
+use super::{CrankshaftTable, check};
 use crate::catalogue;
 use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
 use crate::sweep::{self, Plan};
 use crate::wording;
 use crate::{
-    Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, key_tolerance, mesh,
-    orbit,
+    Complaint, Complaints, CrankBearing, CrankTable, LoadCycle, LoadSource, OrbitTable, SceneError, crank,
+    key_tolerance, mesh, orbit,
 };
 
 /// A shaft on the films of its bearings, as its scene describes it, in SI.
@@ -23,11 +23,11 @@ pub struct ShaftScene {
     /// Title of the study; the name of the file where the scene gives none.
     pub title: String,
     /// The shaft.
-    pub crankshaft: Crankshaft,
+    pub crankshaft: CrankshaftTable,
     /// The crank drive of each throw; `None`: the loads do not change.
-    pub crank: Option<Crank>,
+    pub crank: Option<CrankTable>,
     /// How the paths of the journals are followed; `None`: the loads do not change.
-    pub orbit: Option<Orbit>,
+    pub orbit: Option<OrbitTable>,
     /// The operating points at which it is to be solved.
     pub sweep: Option<Plan>,
     /// The text that was read.
@@ -66,7 +66,7 @@ impl ShaftScene {
             let help = "give the path of the scene of a bearing, counted from the folder of this scene";
             (key, bearing.scene.clone(), help)
         });
-        let gas = self.crank.as_ref().and_then(Crank::gas_file).map(|path| {
+        let gas = self.crank.as_ref().and_then(CrankTable::gas_file).map(|path| {
             let help = "give the path of a table with a header of units, counted from the folder of the scene";
             ("crank.gas.file".to_owned(), path.to_owned(), help)
         });

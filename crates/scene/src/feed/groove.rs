@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
 use crate::wording::millimetres;
-use crate::{Arc, Bearing, Complaints};
+use crate::{Arc, BearingTable, Complaints};
 
 keys! {
     "feed.groove" = Table; "", "no groove: the region of the mesh file is as it is", "",
@@ -70,7 +70,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> Groove {
 
 impl Groove {
     /// The groove lies on the liner.
-    pub(super) fn check(&self, bearing: &Bearing, key: &str, complaints: &mut Complaints) {
+    pub(super) fn check(&self, bearing: &BearingTable, key: &str, complaints: &mut Complaints) {
         complaints.refuse_if(
             self.width > bearing.length,
             &format!("{key}.width"),

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
 use crate::wording::{degrees, millimetres};
-use crate::{Bearing, Complaints};
+use crate::{BearingTable, Complaints};
 
 keys! {
     "feed.hole" = Table; "", "no hole: the region of the mesh file is as it is", "",
@@ -34,7 +34,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> Hole {
 
 impl Hole {
     /// The hole lies on the liner.
-    pub(super) fn check(&self, bearing: &Bearing, key: &str, complaints: &mut Complaints) {
+    pub(super) fn check(&self, bearing: &BearingTable, key: &str, complaints: &mut Complaints) {
         if self.diameter > bearing.length || self.diameter > bearing.diameter {
             let (around, along) = (millimetres(bearing.diameter), millimetres(bearing.length));
             return complaints.add(

@@ -1,7 +1,7 @@
 //! `field` of `[heat]`: the temperature as a field in the film, in the bush around it, and in the journal.
 
 use crate::reader::TableReader;
-use crate::{Complaints, Scene, Theory};
+use crate::{Complaints, Scene, TheoryKey};
 
 keys! {
     "heat.field" = Switch; "true", "`false`: the film has one temperature", "with the cavitation model `jfo`",
@@ -147,7 +147,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         complaints.refuse_if(complaints.has(key), key, "has no meaning beside heat.field", help);
     }
     complaints.refuse_if(
-        scene.bearing.theory != Theory::Full,
+        scene.bearing.theory != TheoryKey::Full,
         "bearing.theory",
         "leaves out flows that carry heat",
         "remove it, or remove heat.field",

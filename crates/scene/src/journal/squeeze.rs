@@ -1,7 +1,7 @@
 //! `[journal.squeeze]`: the velocity of the journal's centre.
 
 use crate::reader::TableReader;
-use crate::{Complaints, Journal, Position, Scene};
+use crate::{Complaints, Journal, PositionTable, Scene};
 
 keys! {
     "journal.squeeze" = Table; "", "the centre is at rest", "",
@@ -14,7 +14,7 @@ keys! {
 
 /// Velocity of the journal's centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Squeeze {
+pub struct SqueezeTable {
     /// Velocity along the line of centres [m/s]; positive: the eccentricity grows.
     pub radial: f64,
     /// Velocity across the line of centres [m/s]; positive: towards growing angles.
@@ -23,25 +23,25 @@ pub struct Squeeze {
 
 impl Journal {
     /// The velocity of the centre, if it moves.
-    pub fn motion(&self) -> Option<Squeeze> {
+    pub fn motion(&self) -> Option<SqueezeTable> {
         self.squeeze.filter(|it| it.radial != 0.0 || it.tangential != 0.0)
     }
 
     /// Has the centre move along the line of centres, at this velocity [m/s], and not otherwise.
     pub fn squeeze_along(&mut self, radial: f64) {
-        self.squeeze = Some(Squeeze { radial, tangential: 0.0 });
+        self.squeeze = Some(SqueezeTable { radial, tangential: 0.0 });
     }
 }
 
-pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
+pub(super) fn read(mut table: TableReader<'_>) -> SqueezeTable {
     let mut velocity = |key| table.number(key).or_usual();
-    Squeeze { radial: velocity("radial"), tangential: velocity("tangential") }
+    SqueezeTable { radial: velocity("radial"), tangential: velocity("tangential") }
 }
 
 /// A centred journal has a line of centres only where the scene gives its angle; under a load over a cycle the velocity
 /// is found.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
+    let is_centred = matches!(scene.journal.position, PositionTable::Given { eccentricity: 0.0, .. });
     super::refuse_beside_a_cycle("journal.squeeze", scene, complaints);
     complaints.refuse_if(
         scene.journal.motion().is_some() && scene.heat.is_some_and(|heat| heat.field.is_some()),
@@ -80,7 +80,7 @@ mod tests {
         let moved = |keys: &str| journal(&format!("{POSITION}, squeeze = {{ {keys} }}"), "").squeeze;
         let (radial, tangential) = (2.0 * 1e-3, -30.0 * 1e-6);
         let both = moved("radial = \"2 mm/s\", tangential = \"-30 um/s\"");
-        assert_eq!(both, Some(Squeeze { radial, tangential }));
+        assert_eq!(both, Some(SqueezeTable { radial, tangential }));
         let along = moved("radial = \"2 mm/s\"");
         assert_eq!(along.map(|it| (it.radial, it.tangential)), Some((radial, 0.0)));
         assert_eq!((moved("").is_some(), journal(&format!("{POSITION}, squeeze = {{}}"), "").motion()), (true, None));

@@ -2,7 +2,7 @@
 
 use crate::reader::TableReader;
 use crate::wording::{micrometres, millimetres};
-use crate::{Bearing, Complaints, Journal, Position, Scene, Theory};
+use crate::{BearingTable, Complaints, Journal, PositionTable, Scene, TheoryKey};
 
 keys! {
     "journal.tilt" = Table; "", "the axes are parallel", "",
@@ -41,7 +41,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Journal { position, tilt, .. } = scene.journal;
     super::refuse_beside_a_cycle("journal.tilt_rate", scene, complaints);
     complaints.refuse_if(
-        scene.bearing.theory == Theory::Long && scene.can_tilt(),
+        scene.bearing.theory == TheoryKey::Long && scene.can_tilt(),
         "bearing.theory",
         "is \"long\", but the journal tilts: a long film is the same all along the axis",
         "remove theory, or remove journal.tilt, journal.tilt_rate, load.at, load.moment and [support]",
@@ -51,12 +51,12 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         return;
     };
     let offset = match position {
-        Position::Given { eccentricity, min_film_angle } => {
+        PositionTable::Given { eccentricity, min_film_angle } => {
             let e = eccentricity * scene.bearing.clearance;
             [e * min_film_angle.cos(), e * min_film_angle.sin()]
         }
         // The position is found; with a tilt that touches in the middle of the bearing there is none.
-        Position::Load { .. } | Position::Cycle => [0.0; 2],
+        PositionTable::Load { .. } | PositionTable::Cycle => [0.0; 2],
     };
     if let Some((message, help)) = contact(&scene.bearing, offset, tilt) {
         complaints.add("journal.tilt", message, help);
@@ -64,7 +64,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
 }
 
 /// What is wrong and the way out where a journal with this offset [m] and tilt [rad] touches the liner at an end.
-pub(crate) fn contact(bearing: &Bearing, offset: [f64; 2], tilt: [f64; 2]) -> Option<(String, String)> {
+pub(crate) fn contact(bearing: &BearingTable, offset: [f64; 2], tilt: [f64; 2]) -> Option<(String, String)> {
     let half = 0.5 * bearing.length;
     let gap = |z: f64| {
         let [x, y] = [0, 1].map(|d| offset[d] + z * tilt[d]);

@@ -60,7 +60,7 @@ pub enum LoadSource {
     /// Harmonics.
     Harmonics {
         /// The orders.
-        orders: Vec<Harmonic>,
+        orders: Vec<HarmonicTable>,
         /// Axes of the forces.
         frame: LoadFrame,
     },
@@ -90,7 +90,7 @@ pub enum LoadFrame {
 
 /// One order of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Harmonic {
+pub struct HarmonicTable {
     /// Cycles in a turn of the crank.
     pub order: f64,
     /// Amplitude of the cosine [N].
@@ -178,14 +178,14 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
     })
 }
 
-fn harmonic(mut table: TableReader<'_>) -> Harmonic {
+fn harmonic(mut table: TableReader<'_>) -> HarmonicTable {
     let order = table.number("order").within("is negative", "give order >= 0: cycles in a turn of the crank");
     let order = order.required();
     let [cos, sin] = ["cos", "sin"].map(|key| {
         let parts = table.table_if_given(key);
         parts.map_or([0.0; 2], tilt::read)
     });
-    Harmonic { order, cos, sin }
+    HarmonicTable { order, cos, sin }
 }
 
 /// A crank where its axes are used, a journal that turns or a frequency, and whole periods of harmonics.

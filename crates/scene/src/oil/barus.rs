@@ -1,6 +1,6 @@
 //! `[oil.barus]`: a viscosity that grows exponentially with pressure.
 
-use super::{PressureLaw, THINNER};
+use super::{PressureLawTable, THINNER};
 use crate::reader::TableReader;
 use crate::{Complaints, Scene};
 
@@ -15,7 +15,7 @@ keys! {
 
 /// Barus' law: mu = mu0 exp(alpha p).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Barus {
+pub struct BarusTable {
     /// Pressure-viscosity coefficient alpha [1/Pa], not negative.
     pub alpha: f64,
     /// Form of the equation that is solved.
@@ -32,18 +32,19 @@ pub enum BarusForm {
     AsPrinted,
 }
 
-pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
+pub(super) fn read(mut table: TableReader<'_>) -> PressureLawTable {
     let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
     let alpha = table.number("alpha");
     let alpha = alpha.within(THINNER, help).required();
     let forms = [("conservative", BarusForm::Conservative), ("as-printed", BarusForm::AsPrinted)];
     let form = table.word("form", &forms).unwrap_or_default();
-    PressureLaw::Barus(Barus { alpha, form })
+    PressureLawTable::Barus(BarusTable { alpha, form })
 }
 
 /// A cavity that conserves oil needs an equation that does.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let is_printed = matches!(scene.oil.pressure_law, PressureLaw::Barus(Barus { form: BarusForm::AsPrinted, .. }));
+    let is_printed =
+        matches!(scene.oil.pressure_law, PressureLawTable::Barus(BarusTable { form: BarusForm::AsPrinted, .. }));
     let model = scene.cavitation.map_or("", |it| it.model.name());
     complaints.refuse_if(
         is_printed && scene.conserves_oil(),
@@ -67,7 +68,7 @@ mod tests {
         let text = STUDY.replace("1/Pa\"", "1/Pa\", form = \"as-printed\"");
         let (alpha, form) = (2.5e-8, BarusForm::AsPrinted);
         let law = read(&text).map(|scene| scene.oil.pressure_law).ok();
-        assert_eq!(law, Some(PressureLaw::Barus(Barus { alpha, form })));
+        assert_eq!(law, Some(PressureLawTable::Barus(BarusTable { alpha, form })));
     }
 
     #[test]

@@ -17,7 +17,7 @@ keys! {
 
 /// A density that was measured at some temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Density {
+pub struct MeasuredDensity {
     /// Density [kg/m3].
     pub value: f64,
     /// Temperature [K] at which it was measured.
@@ -26,17 +26,17 @@ pub struct Density {
     pub expansion: Option<f64>,
 }
 
-pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
+pub(super) fn read(oil: &mut TableReader<'_>) -> Option<MeasuredDensity> {
     if !oil.holds_table("density") {
         let value = of_liquid(oil.number("density")).given()?;
-        return Some(Density { value, at: ZERO_CELSIUS + 20.0, expansion: None });
+        return Some(MeasuredDensity { value, at: ZERO_CELSIUS + 20.0, expansion: None });
     }
     let mut table = oil.table_if_given("density")?;
     let expansion = table.number("expansion").within_or(
         |_, [least, most]| format!("is not the expansion of an oil: {least} to {most} 1/K"),
         "give some 65e-5 to 75e-5 1/K for mineral oil, or remove it",
     );
-    Some(Density {
+    Some(MeasuredDensity {
         expansion: expansion.given(),
         value: of_liquid(table.number("value")).required(),
         at: table.oil_temperature("at").or_usual(),

@@ -1,6 +1,6 @@
 //! `[oil.roelands]`: a viscosity that grows slower with pressure than an exponential.
 
-use super::{PressureLaw, THINNER};
+use super::{PressureLawTable, THINNER};
 use crate::reader::TableReader;
 
 keys! {
@@ -16,7 +16,7 @@ keys! {
 
 /// Roelands' law: mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Roelands {
+pub struct RoelandsTable {
     /// The exponent, directly or by the slope at zero pressure.
     pub exponent: RoelandsExponent,
     /// Reference pressure p_r [Pa].
@@ -32,7 +32,7 @@ pub enum RoelandsExponent {
     Alpha(f64),
 }
 
-pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
+pub(super) fn read(mut table: TableReader<'_>) -> PressureLawTable {
     let help = "give z >= 0, about 0.4 to 0.8 for mineral oil";
     let z = table.number("z").within(THINNER, help).given();
     let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
@@ -48,7 +48,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
         table.require_as("z", "0.6, or alpha = \"2.0e-8 1/Pa\" instead");
     }
     let reference = table.number("reference_pressure");
-    PressureLaw::Roelands(Roelands {
+    PressureLawTable::Roelands(RoelandsTable {
         reference_pressure: reference.or_usual(),
         exponent: match (z, alpha) {
             (None, Some(alpha)) => RoelandsExponent::Alpha(alpha),
@@ -70,7 +70,7 @@ mod tests {
         told_one(barus, "roelands = { z = -1 }", "oil.roelands.z: is negative");
         let text = STUDY.replace(barus, "roelands = { alpha = \"20 1/GPa\" }");
         let law = read(&text).map(|scene| scene.oil.pressure_law).ok();
-        let wanted = Roelands { exponent: RoelandsExponent::Alpha(20.0 * 1e-9), reference_pressure: 196.2e6 };
-        assert_eq!(law, Some(PressureLaw::Roelands(wanted)));
+        let wanted = RoelandsTable { exponent: RoelandsExponent::Alpha(20.0 * 1e-9), reference_pressure: 196.2e6 };
+        assert_eq!(law, Some(PressureLawTable::Roelands(wanted)));
     }
 }

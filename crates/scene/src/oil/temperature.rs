@@ -52,7 +52,7 @@ const WAYS: [&str; 5] = ["grade", "walther", "vogel", "exponential", "table"];
 
 /// How the viscosity falls with temperature.
 #[derive(Debug, Clone, PartialEq)]
-pub enum TemperatureLaw {
+pub enum TemperatureLawTable {
     /// The law of a typical oil of this grade, as `SAE 10W-40`.
     Grade(String),
     /// A line through two points `(T [K], nu [m2/s])` on the chart of ASTM D341.
@@ -111,27 +111,27 @@ impl<'a> TableReader<'a> {
 }
 
 /// Reads the law that is written, if there is one.
-pub(super) fn read(oil: &mut TableReader<'_>) -> Option<TemperatureLaw> {
+pub(super) fn read(oil: &mut TableReader<'_>) -> Option<TemperatureLawTable> {
     let written: Vec<&str> = WAYS.into_iter().filter(|way| oil.has(way)).collect();
     if let [first, second, ..] = written[..] {
         let message = format!("stands beside {first}, but viscosity follows one law of temperature");
         oil.complain(second, message, "keep one of grade, walther, vogel, exponential and table");
     }
-    let grade = oil.text_if_given("grade").map(TemperatureLaw::Grade);
+    let grade = oil.text_if_given("grade").map(TemperatureLawTable::Grade);
     let walther = oil.table_if_given("walther").map(walther);
     let vogel = oil.table_if_given("vogel").map(vogel);
     let exponential = oil.table_if_given("exponential").map(exponential);
     let points = oil.tables("table").into_iter().map(point).collect();
     match written.first() {
         None => None,
-        Some(&"table") => Some(TemperatureLaw::Table(points)),
+        Some(&"table") => Some(TemperatureLawTable::Table(points)),
         // A grade that was refused is none that is known.
-        Some(_) => grade.or(walther).or(vogel).or(exponential).or(Some(TemperatureLaw::Grade(String::new()))),
+        Some(_) => grade.or(walther).or(vogel).or(exponential).or(Some(TemperatureLawTable::Grade(String::new()))),
     }
 }
 
 /// Two points: at 40 and 100 degrees C, or at temperatures given.
-fn walther(mut table: TableReader<'_>) -> TemperatureLaw {
+fn walther(mut table: TableReader<'_>) -> TemperatureLawTable {
     let is_usual = table.has("nu40") || table.has("nu100");
     let is_general = ["t1", "nu1", "t2", "nu2"].into_iter().any(|key| table.has(key));
     if is_usual && is_general {
@@ -144,22 +144,22 @@ fn walther(mut table: TableReader<'_>) -> TemperatureLaw {
     };
     let [nu_40, nu_100] = ["nu40", "nu100"].map(|key| number(!is_general, key));
     let [nu_1, nu_2, t_1, t_2] = ["nu1", "nu2", "t1", "t2"].map(|key| number(is_general, key));
-    TemperatureLaw::Walther(match is_general {
+    TemperatureLawTable::Walther(match is_general {
         true => [(t_1, nu_1), (t_2, nu_2)],
         false => [(ZERO_CELSIUS + 40.0, nu_40), (ZERO_CELSIUS + 100.0, nu_100)],
     })
 }
 
-fn vogel(mut table: TableReader<'_>) -> TemperatureLaw {
+fn vogel(mut table: TableReader<'_>) -> TemperatureLawTable {
     let help = "give a constant that is not negative, some 600 to 1500 K for mineral oil";
     let b = table.number("b");
     let b = b.within("is negative", help).required();
-    TemperatureLaw::Vogel { a: table.required("a"), b, c: table.required("c") }
+    TemperatureLawTable::Vogel { a: table.required("a"), b, c: table.required("c") }
 }
 
-fn exponential(mut table: TableReader<'_>) -> TemperatureLaw {
+fn exponential(mut table: TableReader<'_>) -> TemperatureLawTable {
     let help = "give the relative fall of the viscosity, some 0.02 to 0.05 1/K";
-    TemperatureLaw::Exponential {
+    TemperatureLawTable::Exponential {
         viscosity: table.required("viscosity"),
         at: table.oil_temperature("at").required(),
         beta: table.number("beta").within("is not a relative fall of viscosity", help).required(),

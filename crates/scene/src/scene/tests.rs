@@ -1,7 +1,7 @@
 //! Scenes of the tests of all tables, and tests of whole scenes.
 
 use super::*;
-use crate::{Barus, BarusForm, CavitationModel, Layout, PressureLaw};
+use crate::{BarusForm, BarusTable, CavitationModel, Layout, PressureLawTable};
 
 pub(crate) const STUDY: &str = r#"
 title = "Hole-fed shell"
@@ -97,7 +97,7 @@ fn the_study_is_read_in_si() {
     assert_eq!(scene.mesh, MeshSource::File { path, unit: 1e-3, size: None, layout: Layout::Rows });
     assert_eq!(scene.feeds[0].hole.map(|hole| (hole.diameter, hole.z)), Some((0.017, 0.0)));
     assert!((scene.journal.speed - 100.0 * std::f64::consts::PI).abs() < 1e-12);
-    let law = PressureLaw::Barus(Barus { alpha: 2.5e-8, form: BarusForm::Conservative });
+    let law = PressureLawTable::Barus(BarusTable { alpha: 2.5e-8, form: BarusForm::Conservative });
     assert_eq!((scene.oil.pressure_law, scene.cavitation), (law, None));
     assert_eq!((scene.sha256.len(), scene.tolerance), (64, None));
     assert_eq!(
@@ -148,7 +148,7 @@ fn every_model_of_cavitation_is_read() {
         let table = format!("cavitation = {{ model = \"{name}\", pressure = \"-0.5 bar\" }}\ntitle = ");
         let scene = read(&STUDY.replacen("title = ", &table, 1)).expect("a scene");
         let pressure = -0.5e5;
-        assert_eq!(scene.cavitation, Some(Cavitation { model, pressure }));
+        assert_eq!(scene.cavitation, Some(CavitationTable { model, pressure }));
     }
     told_one("title = ", "cavitation.model = \"reynold\"\ntitle = ", "cavitation.model: \"reynold\" is not known");
 }

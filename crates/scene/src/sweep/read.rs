@@ -48,7 +48,7 @@ pub(crate) struct Swept {
 
 /// Keys of the scene of one bearing.
 pub(crate) static OF_BEARING: Swept =
-    Swept { short_names: &SHORT_NAMES, tables: &SWEPT, example: "\"ends.pressure\" or \"feed.GROUP.pressure\"" };
+    Swept { short_names: &SHORT_NAMES, tables: SWEPT, example: "\"ends.pressure\" or \"feed.GROUP.pressure\"" };
 /// Keys of the scene of a crankshaft.
 pub(crate) static OF_SHAFT: Swept = Swept {
     short_names: &SHAFT_SHORT_NAMES,

@@ -8,7 +8,7 @@ use oilwedge_reynolds::lubricant::walther::LEAST_ON_CHART;
 use oilwedge_reynolds::lubricant::{Grade, TemperatureLaw as Law};
 use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::wording::celsius;
-use oilwedge_scene::{Complaints, HighShear, PressureLaw, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{Complaints, HighShear, PressureLawTable, Scene, TemperatureLawTable, Viscosity};
 
 use crate::compile::oil::{HIGH_SHEAR_AT, points};
 use crate::effects::Sockets;
@@ -37,7 +37,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         _ => "oil.viscosity",
     };
     complaints.refuse_if(
-        matches!(scene.oil.pressure_law, PressureLaw::Roelands(_)) && oil.viscosity.ln() + 9.67 <= 0.0,
+        matches!(scene.oil.pressure_law, PressureLawTable::Roelands(_)) && oil.viscosity.ln() + 9.67 <= 0.0,
         source,
         "is below the range of Roelands' law, which needs ln(viscosity in Pa.s) + 9.67 > 0",
         "give more than 0.0632 mPa.s (is it in mPa.s?), or take another law of pressure",
@@ -66,10 +66,10 @@ fn high_shear(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
 }
 
 /// A grade is known, and points make a law.
-fn has_meaning(law: &TemperatureLaw, oil: &Oil, complaints: &mut Complaints) {
+fn has_meaning(law: &TemperatureLawTable, oil: &Oil, complaints: &mut Complaints) {
     let (key, help) = match law {
-        TemperatureLaw::Vogel { .. } | TemperatureLaw::Exponential { .. } => return,
-        TemperatureLaw::Grade(name) => {
+        TemperatureLawTable::Vogel { .. } | TemperatureLawTable::Exponential { .. } => return,
+        TemperatureLawTable::Grade(name) => {
             let near = nearest(name, GRADES.iter().map(|grade| grade.name));
             let near = near.map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
             return complaints.refuse_if(
@@ -79,11 +79,11 @@ fn has_meaning(law: &TemperatureLaw, oil: &Oil, complaints: &mut Complaints) {
                 format!("{near}oilwedge oil lists all; or give walther = {{ nu40, nu100 }} of its data sheet"),
             );
         }
-        TemperatureLaw::Walther(_) => (
+        TemperatureLawTable::Walther(_) => (
             "oil.walther",
             "write walther = { nu40 = \"95 mm2/s\", nu100 = \"14.3 mm2/s\" }, or t1, nu1, t2 and nu2 for other temperatures",
         ),
-        TemperatureLaw::Table(_) => (
+        TemperatureLawTable::Table(_) => (
             "oil.table",
             "write table = [{ t = \"40 C\", nu = \"95 mm2/s\" }, { t = \"100 C\", nu = \"14.3 mm2/s\" }], or mu = \"80 mPa.s\" in place of nu",
         ),

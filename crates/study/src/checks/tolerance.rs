@@ -1,8 +1,10 @@
 //! Which quantities a tolerance may name, and what a tolerance without a name means.
 
 use oilwedge_scene::spelling::nearest;
-use oilwedge_scene::{Complaints, Liner, Position, Scene, Target, Theory, Tolerance};
+use oilwedge_scene::{Complaints, PositionTable, Scene, Target, TheoryKey, Tolerance};
 
+use crate::column::Fault;
+use crate::effects::Sockets;
 use crate::outline::LinerOutline;
 use crate::quantities::{
     ATTITUDE_ANGLE, CATALOGUE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_COEFFICIENT, FRICTION_POWER, FRICTION_TORQUE,
@@ -27,7 +29,7 @@ pub fn targets(scene: &Scene) -> Option<Targets> {
         vec![Target { quantity, relative }]
     };
     let required = match scene.tolerance.as_ref()? {
-        Tolerance::Usual if scene.bearing.theory == Theory::Short => main(SHORT),
+        Tolerance::Usual if scene.bearing.theory == TheoryKey::Short => main(SHORT),
         Tolerance::Usual => main(USUAL),
         Tolerance::Main(relative) => main(*relative),
         Tolerance::ByName(targets) => {
@@ -48,7 +50,7 @@ pub fn targets(scene: &Scene) -> Option<Targets> {
 fn wanted(scene: &Scene) -> Vec<Target> {
     let target = |row: &Row| Target { quantity: row.name.to_owned(), relative: WANTED };
     // At the ends of slices that give way no mesh narrows what their grid leaves open of the least film.
-    let has_slices = matches!(scene.liner, Some(Liner::Winkler(_) | Liner::Wall { .. }));
+    let has_slices = Sockets::of(scene).wall.is_some_and(|wall| wall.has_slices());
     let of_mesh = |row: &&Row| !has_slices || *row != &FILM_THICKNESS_MIN;
     match scene.tolerance {
         Some(Tolerance::Usual) => [&PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW, &FRICTION_TORQUE]
@@ -77,11 +79,8 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     }
 }
 
-/// Message and help.
-type Fault = (String, String);
-
 fn unknown(name: &str) -> Fault {
-    let rows = CATALOGUE.into_iter().filter(|row| row.may_be_tolerance);
+    let rows = CATALOGUE.iter().filter(|row| row.may_be_tolerance);
     let mut known: Vec<&str> = rows.map(|row| row.name.trim_end_matches('.')).collect();
     if known.contains(&name) {
         let help = format!("write {name}.GROUP = \"1 %\"");
@@ -98,7 +97,7 @@ fn unknown(name: &str) -> Fault {
 /// A quantity that is absent from the result has no bar, and one that the scene gives has none either.
 fn no_error(scene: &Scene, row: &Row) -> Option<Fault> {
     let journal = &scene.journal;
-    let is_centred = matches!(journal.position, Position::Given { eccentricity: 0.0, .. });
+    let is_centred = matches!(journal.position, PositionTable::Given { eccentricity: 0.0, .. });
     let mut pressures = scene.feeds.iter().filter_map(|feed| feed.pressure);
     let supply = pressures.next();
     let is_one_of = |rows: &[&Row]| rows.contains(&row);

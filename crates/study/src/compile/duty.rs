@@ -3,10 +3,10 @@
 use oilwedge_bearing::duty_cycle::{
     Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PressureCurve, Throw, Turning,
 };
-pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, PeriodicSpline, RowsSummary, Summary};
+pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, ForceAxes, PeriodicSpline, RowsSummary, Summary};
 use oilwedge_scene::periodic_table::{TableError, read_loads, read_pressures};
 use oilwedge_scene::wording::degrees;
-use oilwedge_scene::{CrankBearing, Drive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
+use oilwedge_scene::{CrankBearing, CrankDrive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
 
 use crate::compile_error::CompileError;
 
@@ -75,7 +75,7 @@ pub(crate) fn load_of_orbit(scene: &Scene) -> Result<DutyCycle, CompileError> {
     }
 }
 
-fn of_load(load: &LoadCycle, crank: Option<&oilwedge_scene::Crank>, speed: f64) -> Result<DutyCycle, NoDuty> {
+fn of_load(load: &LoadCycle, crank: Option<&oilwedge_scene::CrankTable>, speed: f64) -> Result<DutyCycle, NoDuty> {
     let period = load.period;
     let rod = crank.map(|crank| Linkage { radius: crank.radius, rod_length: crank.rod_length });
     let turning = Turning { speed, rod };
@@ -110,19 +110,19 @@ fn of_load(load: &LoadCycle, crank: Option<&oilwedge_scene::Crank>, speed: f64) 
 ///
 /// # Errors
 /// [`NoDuty`]: the table of the gas pressure cannot be used; or there is no drive.
-pub(crate) fn crank_of(given: &oilwedge_scene::Crank, period: f64) -> Result<Crank, NoDuty> {
+pub(crate) fn crank_of(given: &oilwedge_scene::CrankTable, period: f64) -> Result<Crank, NoDuty> {
     let linkage = Linkage { radius: given.radius, rod_length: given.rod_length };
     let drive = given.drive.as_ref().ok_or(NoDuty::NotFinite { angle: 0.0 })?;
     crank(drive, linkage, period)
 }
 
-fn throws(drive: Option<&Drive>) -> Vec<Throw> {
+fn throws(drive: Option<&CrankDrive>) -> Vec<Throw> {
     let throw =
-        |throw: &oilwedge_scene::Throw| Throw { angle: throw.angle, share: throw.share, web_mass: throw.web_mass };
+        |throw: &oilwedge_scene::ThrowTable| Throw { angle: throw.angle, share: throw.share, web_mass: throw.web_mass };
     drive.into_iter().flat_map(|drive| &drive.throws).map(throw).collect()
 }
 
-fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> {
+fn crank(drive: &CrankDrive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> {
     let gas = match &drive.gas {
         Gas::Peak { peak, angle, sharpness } => {
             GasPressure::Curve(PressureCurve { peak: *peak, angle: *angle, sharpness: *sharpness, period })
@@ -142,10 +142,10 @@ fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> 
     })
 }
 
-fn axes(frame: LoadFrame) -> Frame {
+fn axes(frame: LoadFrame) -> ForceAxes {
     match frame {
-        LoadFrame::Shell => Frame::Shell,
-        LoadFrame::Cylinder => Frame::Cylinder,
-        LoadFrame::Pin => Frame::Pin,
+        LoadFrame::Shell => ForceAxes::Shell,
+        LoadFrame::Cylinder => ForceAxes::Cylinder,
+        LoadFrame::Pin => ForceAxes::Pin,
     }
 }

@@ -4,7 +4,7 @@ use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{
     self as law, Density, ExponentialLaw, Grade, ThermalOil, ViscosityTable, Vogel, Walther,
 };
-use oilwedge_scene::{HighShear, Oil as Described, PointViscosity, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{HighShear, OilTable as Described, PointViscosity, Scene, TemperatureLawTable, Viscosity};
 
 use crate::oil::{Oil, first_temperature};
 
@@ -42,7 +42,7 @@ fn density(oil: &Described) -> Option<Density> {
 /// The grade by which a scene describes its oil.
 fn grade(oil: &Described) -> Option<Grade> {
     match &oil.viscosity {
-        Viscosity::ByTemperature(TemperatureLaw::Grade(name)) => Grade::named(name),
+        Viscosity::ByTemperature(TemperatureLawTable::Grade(name)) => Grade::named(name),
         _ => None,
     }
 }
@@ -60,15 +60,17 @@ fn thermal(oil: &Described) -> Option<ThermalOil> {
     };
     let density = density(oil).unwrap_or_default();
     let law = match described {
-        TemperatureLaw::Grade(name) => Grade::named(name)?.oil()?.law,
-        TemperatureLaw::Walther([one, other]) => law::TemperatureLaw::Walther(Walther::through(*one, *other)?),
-        TemperatureLaw::Vogel { a, b, c } => {
+        TemperatureLawTable::Grade(name) => Grade::named(name)?.oil()?.law,
+        TemperatureLawTable::Walther([one, other]) => law::TemperatureLaw::Walther(Walther::through(*one, *other)?),
+        TemperatureLawTable::Vogel { a, b, c } => {
             law::TemperatureLaw::Vogel(Vogel { factor: *a, exponent: *b, singular: ZERO_CELSIUS - c })
         }
-        TemperatureLaw::Exponential { viscosity, at, beta } => {
+        TemperatureLawTable::Exponential { viscosity, at, beta } => {
             law::TemperatureLaw::Exponential(ExponentialLaw { reference: *viscosity, at: *at, rate: *beta })
         }
-        TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
+        TemperatureLawTable::Table(_) => {
+            law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?)
+        }
     };
     let unsheared = ThermalOil { law, density, sheared: 1.0 };
     Some(ThermalOil { sheared: sheared(oil, &unsheared), ..unsheared })
@@ -85,11 +87,13 @@ fn sheared(oil: &Described, unsheared: &ThermalOil) -> f64 {
 }
 
 /// The points `(T [K], nu [m2/s])` of a law that is given by points; the density makes dynamic viscosities kinematic.
-pub(crate) fn points(law: &TemperatureLaw, density: Density) -> Vec<(f64, f64)> {
+pub(crate) fn points(law: &TemperatureLawTable, density: Density) -> Vec<(f64, f64)> {
     match law {
-        TemperatureLaw::Grade(_) | TemperatureLaw::Vogel { .. } | TemperatureLaw::Exponential { .. } => Vec::new(),
-        TemperatureLaw::Walther(points) => points.to_vec(),
-        TemperatureLaw::Table(points) => (points.iter())
+        TemperatureLawTable::Grade(_) | TemperatureLawTable::Vogel { .. } | TemperatureLawTable::Exponential { .. } => {
+            Vec::new()
+        }
+        TemperatureLawTable::Walther(points) => points.to_vec(),
+        TemperatureLawTable::Table(points) => (points.iter())
             .map(|point| match point.viscosity {
                 PointViscosity::Kinematic(nu) => (point.temperature, nu),
                 PointViscosity::Dynamic(mu) => (point.temperature, mu / density.at(point.temperature)),

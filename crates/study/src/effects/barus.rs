@@ -5,7 +5,7 @@ use oilwedge_reynolds::Form;
 use oilwedge_reynolds::lubricant::PressureLaw as Law;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_scene::Scene;
-use oilwedge_scene::{BarusForm, PressureLaw};
+use oilwedge_scene::{BarusForm, PressureLawTable};
 
 use super::{BLANK, Effect, PressureRule, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
 use crate::regime::beyond_pressure;
@@ -44,7 +44,7 @@ const ROW: Effect = Effect {
     socket: Socket::Lubricant,
     kind: VISCOSITY_BY_PRESSURE,
     instead: "constant viscosity",
-    remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
+    remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLawTable::Constant),
     no_proportion: Some([
         "oil.barus",
         "makes the viscosity grow with pressure, so that forces are not in proportion to rates",
@@ -58,13 +58,13 @@ const ROW: Effect = Effect {
 
 fn form(scene: &Scene) -> Option<BarusForm> {
     match scene.oil.pressure_law {
-        PressureLaw::Barus(barus) => Some(barus.form),
+        PressureLawTable::Barus(barus) => Some(barus.form),
         _ => None,
     }
 }
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
-    if let PressureLaw::Barus(barus) = scene.oil.pressure_law {
+    if let PressureLawTable::Barus(barus) = scene.oil.pressure_law {
         sockets.pressure_rule = PressureRule::Fixed(Law::Barus(Barus { alpha: barus.alpha }));
     }
 }

@@ -15,7 +15,7 @@ pub const LONG_FROM: f64 = 2.0;
 pub(super) const SHORT: Effect = Effect {
     name: "theory: short",
     sentence: "pressure drives oil along the axis only",
-    is_in: |scene| scene.bearing.theory == scene::Theory::Short,
+    is_in: |scene| scene.bearing.theory == scene::TheoryKey::Short,
     install: |_, sockets| sockets.theory = Theory::Short,
     warnings: |film, _| {
         let slenderness = slenderness(film);
@@ -28,7 +28,7 @@ pub(super) const SHORT: Effect = Effect {
 pub(super) const LONG: Effect = Effect {
     name: "theory: long",
     sentence: "pressure drives oil around only, the ends are sealed",
-    is_in: |scene| scene.bearing.theory == scene::Theory::Long,
+    is_in: |scene| scene.bearing.theory == scene::TheoryKey::Long,
     install: |_, sockets| sockets.theory = Theory::Long,
     warnings: |film, _| {
         let slenderness = slenderness(film);
@@ -42,7 +42,7 @@ const ROW: Effect =
     Effect { socket: Socket::FlowFactors, instead: "pressure flow in both directions", remove: without, ..BLANK };
 
 fn without(scene: &Scene) -> Option<Scene> {
-    changed(scene, |scene| scene.bearing.theory = scene::Theory::Full)
+    changed(scene, |scene| scene.bearing.theory = scene::TheoryKey::Full)
 }
 
 fn slenderness(film: &Film) -> f64 {

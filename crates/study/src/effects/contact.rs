@@ -1,8 +1,10 @@
 //! Contact: rough surfaces touch where the film is thin.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness, GreenwoodTripp};
 use oilwedge_reynolds::existence::readable;
-use oilwedge_scene::{ContactModel, Scene};
+use oilwedge_scene::{ContactModel, ContactTable, Scene};
 
 use super::{Effect, ROUGHNESS, Socket, Sockets, changed};
 use crate::film::Film;
@@ -30,14 +32,14 @@ pub(super) const ROW: Effect = Effect {
 };
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
-    let law = |contact: &oilwedge_scene::Contact| match contact.model {
-        ContactModel::GreenwoodTripp { density, sharpness, modulus } => {
-            let roughness = scene.bearing.roughness?;
-            let law = GreenwoodTripp::new(roughness, density, sharpness, modulus, contact.hardness);
-            Some(ContactLaw::GreenwoodTripp(law))
-        }
-        ContactModel::BearingCurve { depth } => {
-            Some(ContactLaw::BearingCurve(BearingCurve { depth, hardness: contact.hardness }))
+    let law = |contact: &ContactTable| -> Option<Arc<dyn ContactLaw>> {
+        match contact.model {
+            ContactModel::GreenwoodTripp { density, sharpness, modulus } => {
+                let roughness = scene.bearing.roughness?;
+                let law = GreenwoodTripp::new(roughness, density, sharpness, modulus, contact.hardness);
+                Some(Arc::new(law))
+            }
+            ContactModel::BearingCurve { depth } => Some(Arc::new(BearingCurve { depth, hardness: contact.hardness })),
         }
     };
     let fineness = Fineness::Reported;
@@ -46,7 +48,7 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
 }
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
-    let Some(Contact { law, .. }) = film.problem.contact else {
+    let Some(Contact { law, .. }) = &film.problem.contact else {
         return Vec::new();
     };
     let greatest = law.at(measured.thinnest.thickness).pressure;

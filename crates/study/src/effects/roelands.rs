@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::lubricant::PressureLaw as Law;
 use oilwedge_reynolds::lubricant::roelands::Roelands;
-use oilwedge_scene::{PressureLaw, RoelandsExponent};
+use oilwedge_scene::{PressureLawTable, RoelandsExponent};
 
 use super::{Effect, PressureRule, Socket, VISCOSITY_BY_PRESSURE, changed};
 use crate::regime::beyond_pressure;
@@ -15,14 +15,14 @@ pub(super) const ROW: Effect = Effect {
     sentence: "viscosity grows with a power of pressure in the exponent",
     socket: Socket::Lubricant,
     kind: VISCOSITY_BY_PRESSURE,
-    is_in: |scene| matches!(scene.oil.pressure_law, PressureLaw::Roelands(_)),
+    is_in: |scene| matches!(scene.oil.pressure_law, PressureLawTable::Roelands(_)),
     install: |scene, sockets| {
-        if let PressureLaw::Roelands(law) = scene.oil.pressure_law {
+        if let PressureLawTable::Roelands(law) = scene.oil.pressure_law {
             sockets.pressure_rule = PressureRule::Roelands(law);
         }
     },
     instead: "constant viscosity",
-    remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
+    remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLawTable::Constant),
     no_proportion: Some([
         "oil.roelands",
         "makes the viscosity grow with pressure, so that forces are not in proportion to rates",

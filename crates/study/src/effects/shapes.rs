@@ -7,7 +7,7 @@ use oilwedge_reynolds::Thinnest;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_scene::surface_table::{SurfacePoints, read_bore, read_shaft};
 use oilwedge_scene::wording::{degrees, micrometres};
-use oilwedge_scene::{Bore, Shaft};
+use oilwedge_scene::{Bore, JournalShape};
 
 use super::{BLANK, Effect, ShapedSurface, Socket, changed};
 use crate::film::Film;
@@ -56,7 +56,7 @@ fn measurements(film: &Film) -> impl Iterator<Item = (&Path, SurfacePoints)> {
     let covered = film.model.covered;
     film.model.sockets.surfaces.iter().filter_map(move |surface| match surface {
         ShapedSurface::Bore(Bore::Measured(path)) => Some((path.as_path(), read_bore(path, covered).ok()?)),
-        ShapedSurface::Shaft(Shaft::Measured(path)) => Some((path.as_path(), read_shaft(path, covered).ok()?)),
+        ShapedSurface::Shaft(JournalShape::Measured(path)) => Some((path.as_path(), read_shaft(path, covered).ok()?)),
         _ => None,
     })
 }

@@ -1,18 +1,22 @@
 //! The sockets of a film: what the effects of a scene put there.
 
+use std::fmt::Debug;
 use std::sync::Arc;
 
-use oilwedge_bearing::{Load, Tilting};
+use oilwedge_bearing::{JournalLoad, Tilting};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::contact::Contact;
-use oilwedge_reynolds::film_thickness::{FilmContribution, GrooveDepth};
+use oilwedge_reynolds::film_thickness::{Deflection, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::flow_factors::FlowFactor;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
-use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
-use oilwedge_scene::{Bore, Dynamics, Liner, Roelands, Shaft};
+use oilwedge_reynolds::wall::Wall;
+use oilwedge_reynolds::{Bearing, Cavitation, CentreVelocity, Form, Theory};
+use oilwedge_scene::{Bore, DynamicsTable, JournalShape, RoelandsTable};
 
+use crate::compile_error::CompileError;
 use crate::thermal_model::{HeatFieldModel, ThermalModel};
+use crate::warning::Warning;
 
 /// Socket in which an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +83,7 @@ pub enum PressureRule {
     /// The law does not depend on the viscosity at no pressure.
     Fixed(PressureLaw),
     /// Roelands' law, which does.
-    Roelands(Roelands),
+    Roelands(RoelandsTable),
 }
 
 /// A surface that is no circle.
@@ -88,7 +92,26 @@ pub enum ShapedSurface {
     /// The bore.
     Bore(Bore),
     /// The journal.
-    Shaft(Shaft),
+    Shaft(JournalShape),
+}
+
+/// How the wall of a bearing gives way to pressure.
+pub trait WallModel: Debug + Send + Sync {
+    /// The wall of a bearing.
+    ///
+    /// # Errors
+    /// [`CompileError::Wall`]: a table cannot be used.
+    fn wall(&self, bearing: &Bearing) -> Result<Wall, CompileError>;
+
+    /// Whether slices across the axis move by themselves.
+    fn has_slices(&self) -> bool {
+        true
+    }
+
+    /// Why it is no model of the wall of a bearing that bends so.
+    fn warning(&self, _bearing: &Bearing, _deflection: &Deflection) -> Option<Warning> {
+        None
+    }
 }
 
 /// The sockets of one film.
@@ -109,7 +132,7 @@ pub struct Sockets {
     /// Surfaces of bore and journal that are no circles.
     pub surfaces: Vec<ShapedSurface>,
     /// How the wall gives way to the pressure; `None`: it is rigid.
-    pub liner: Option<Liner>,
+    pub wall: Option<Arc<dyn WallModel>>,
     /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
@@ -129,7 +152,7 @@ pub struct Sockets {
     /// How temperatures are found across the film; `None`: it has one temperature.
     pub heat_field: Option<HeatFieldModel>,
     /// What is asked about small motions of the journal; `None`: nothing.
-    pub dynamics: Option<Dynamics>,
+    pub dynamics: Option<DynamicsTable>,
 }
 
 impl Sockets {
@@ -143,7 +166,7 @@ impl Sockets {
             form: Form::Conservative,
             film_thickness: Vec::new(),
             surfaces: Vec::new(),
-            liner: None,
+            wall: None,
             inlet_fraction: None,
             cavitation: Cavitation::None,
             contact: None,
@@ -163,8 +186,8 @@ impl Sockets {
     }
 
     /// Force and moment under which position and tilt are found; `None` at a given position.
-    pub fn load(&self) -> Option<Load> {
+    pub fn load(&self) -> Option<JournalLoad> {
         let tilting = self.tilting;
-        self.load.map(|force| Load { force, tilting })
+        self.load.map(|force| JournalLoad { force, tilting })
     }
 }

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use oilwedge_reynolds::Bearing;
-use oilwedge_reynolds::film_thickness::{Crown, Envelope, Measured, Oval, Profile, SurfaceGrid, Wearing, Worn};
+use oilwedge_reynolds::film_thickness::{Crown, Envelope, MeasuredSurface, Oval, Profile, SurfaceGrid, Wearing, Worn};
 use oilwedge_scene::periodic_table::TableError;
 use oilwedge_scene::surface_table::{Covered, SurfacePoints, WearingPosition, read_bore, read_positions, read_shaft};
-use oilwedge_scene::{Bore, Shaft};
+use oilwedge_scene::{Bore, JournalShape};
 
 use super::ShapedSurface;
 
@@ -20,10 +20,10 @@ impl ShapedSurface {
         let crown = |depth: f64| Crown { depth, half_length: 0.5 * bearing.length };
         let measured = |SurfacePoints { angles, zs, depths }: SurfacePoints| {
             let points = SurfaceGrid { angles, zs, depths };
-            Measured::new(&points, radius, bearing.length, covered.arc.is_none())
+            MeasuredSurface::new(&points, radius, bearing.length, covered.arc.is_none())
         };
         Ok(match self {
-            &Self::Bore(Bore::Crown(depth)) | &Self::Shaft(Shaft::Crown(depth)) => Arc::new(crown(depth)),
+            &Self::Bore(Bore::Crown(depth)) | &Self::Shaft(JournalShape::Crown(depth)) => Arc::new(crown(depth)),
             &Self::Bore(Bore::Oval { depth, angle }) => Arc::new(Oval { radius, depth, angle }),
             &Self::Bore(Bore::Worn { depth, angle, half_width }) => Arc::new(Worn { radius, depth, angle, half_width }),
             Self::Bore(Bore::Envelope { path, film }) => {
@@ -33,7 +33,7 @@ impl ShapedSurface {
                 Arc::new(Envelope::new(bearing, *film, &positions))
             }
             Self::Bore(Bore::Measured(path)) => Arc::new(measured(read_bore(path, covered)?)),
-            Self::Shaft(Shaft::Measured(path)) => Arc::new(measured(read_shaft(path, covered)?)),
+            Self::Shaft(JournalShape::Measured(path)) => Arc::new(measured(read_shaft(path, covered)?)),
         })
     }
 }

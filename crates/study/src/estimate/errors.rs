@@ -23,7 +23,7 @@ use super::wall::wall_bars;
 use crate::film::Film;
 use crate::measure::{Measured, measure};
 use crate::quantities::{LOAD, PRESSURE_MAX, Quantity, Subject, View, measured};
-use crate::solved::{Balance, Solved};
+use crate::solved::{BalanceFacts, Solved};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 
 /// A film, measured, with the errors of what was measured.
@@ -173,8 +173,8 @@ fn reported(solved: &Solved) -> ReportedFilm {
     match solved.balance {
         _ if solved.temperature.is_some() => ReportedFilm::FiniteVolumes,
         None => ReportedFilm::Narrower,
-        Some(Balance { is_of_hill: true, .. }) => ReportedFilm::LoadOfHill,
-        Some(Balance { is_of_hill: false, .. }) => ReportedFilm::FiniteVolumes,
+        Some(BalanceFacts { is_of_hill: true, .. }) => ReportedFilm::LoadOfHill,
+        Some(BalanceFacts { is_of_hill: false, .. }) => ReportedFilm::FiniteVolumes,
     }
 }
 

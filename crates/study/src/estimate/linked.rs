@@ -9,13 +9,13 @@ use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{Form, Theory};
 
 use crate::quantities::{COOLING_FLOW, FEED_FLOW, FRICTION_COEFFICIENT, FRICTION_TORQUE, Quantity, SIDE_FLOW, View};
-use crate::solved::Balance;
+use crate::solved::BalanceFacts;
 
 /// Flows that differ by less than this part are one.
 const ROUNDING: f64 = 1e-12;
 
 /// Gives linked numbers of a list bars that agree; `balance` is that of the load, where one is given.
-pub(super) fn link(list: &mut [Quantity], view: &View, balance: Option<&Balance>) {
+pub(super) fn link(list: &mut [Quantity], view: &View, balance: Option<&BalanceFacts>) {
     let place = |row| list.iter().position(|quantity: &Quantity| quantity.row == row);
     let friction = place(&FRICTION_TORQUE).zip(place(&FRICTION_COEFFICIENT));
     let flow = place(&SIDE_FLOW).zip(place(&FEED_FLOW));

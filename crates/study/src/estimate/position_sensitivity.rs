@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, View, measured};
-use crate::solved::{Balance, Solved};
+use crate::solved::{BalanceFacts, Solved};
 
 /// A wall that leaves more than this part of its deflection is open.
 const OPEN: f64 = 1e-6;
@@ -22,7 +22,7 @@ const OPEN: f64 = 1e-6;
 /// position is, or the wall is open.
 pub(super) fn position_bars(
     solved: &Solved,
-    balance: &Balance,
+    balance: &BalanceFacts,
     bars: &[(Vector, f64)],
     list: &[Quantity],
     reported: &Measured,

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use oilwedge_bearing::Load;
+use oilwedge_bearing::JournalLoad;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::film_thickness::{Deflection, Eccentricity, FilmContribution, Shape};
-use oilwedge_reynolds::levels::Layout;
+use oilwedge_reynolds::levels::LevelLayout;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, JournalState, Theory, Thinnest};
-use oilwedge_scene::{Feed, Position as Placed};
+use oilwedge_scene::{Feed, PositionTable as Placed};
 
 use super::{DEGREE, Film, MeshOrigin, Start};
 use crate::compile_error::CompileError;
@@ -130,15 +130,15 @@ pub(super) fn problem(model: &Model, mesh: &Mesh, state: &FilmState) -> FilmProb
         flow_factors: sockets.flow_factors.clone(),
         storage: None,
         viscosity_across: None,
-        contact: sockets.contact,
+        contact: sockets.contact.clone(),
     }
 }
 
 /// How coarser meshes lie. Rows keep triangles from feeding a film that should starve. An orbit only begins on a
 /// coarser mesh, with a film that is full, so that free triangles serve it as well: the numbers of three starved arcs,
 /// whose inlets are 0.3 to 0.5 full, agree to all digits shown, on whichever layout their orbits began.
-fn coarser_layout(is_of_orbit: bool) -> Layout {
-    if is_of_orbit { Layout::Free } else { Layout::Rows }
+fn coarser_layout(is_of_orbit: bool) -> LevelLayout {
+    if is_of_orbit { LevelLayout::Free } else { LevelLayout::Rows }
 }
 
 /// A journal whose position is given leaves a film between surfaces of any shape, and one whose position is found has
@@ -147,7 +147,7 @@ fn check_gap(
     model: &Model,
     problem: &FilmProblem,
     system: &FilmSystem,
-    load: Option<Load>,
+    load: Option<JournalLoad>,
 ) -> Result<(), CompileError> {
     if model.scope.is_circular {
         return Ok(());

@@ -18,7 +18,7 @@ impl Model {
         let system = |model: &Self| {
             let sockets = &model.sockets;
             let closure = (sockets.form, discriminant(&sockets.cavitation));
-            (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some() || sockets.liner.is_some())
+            (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some() || sockets.wall.is_some())
         };
         let is_same_region = |(a, b): (&Feed, &Feed)| {
             (&a.group, a.hole, a.groove, a.pressure.is_some()) == (&b.group, b.hole, b.groove, b.pressure.is_some())

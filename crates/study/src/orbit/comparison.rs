@@ -25,7 +25,7 @@ const WIDER: f64 = 4.0;
 /// the deadline has ended one.
 pub(super) fn compare(
     motion: &Motion,
-    (film, model): (&Film, &oilwedge_scene::Orbit),
+    (film, model): (&Film, &oilwedge_scene::OrbitTable),
     (begin, orbit): (Vector, OrbitOptions),
     options: &RunOptions,
     quantities: &mut [Quantity],

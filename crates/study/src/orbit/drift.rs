@@ -25,9 +25,9 @@
 //! K and C of such a wall are those of slow motions, which it follows; its deflection has no deviation of its own.
 
 use oilwedge_bearing::coordinates::{Vector, dot, length, moved, unit};
-use oilwedge_bearing::orbit::{Cycle, Motion, OrbitEnd, Span, Step};
+use oilwedge_bearing::orbit::{Cycle, Motion, OrbitEnd, PathStep, Span};
 
-use super::sample::{Sampled, TOLERANCE, Tangents};
+use super::sample::{FilmTangents, Sampled, TOLERANCE};
 use crate::no_answer::NoAnswer;
 
 /// Rounds of a closed orbit: what is left of the first start is forgotten.
@@ -37,7 +37,7 @@ const ROUNDS: usize = 2;
 const UNSURE: f64 = 0.25;
 
 /// Gives each sample how far its numbers are off.
-pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
+pub(super) fn carry(steps: &[PathStep], samples: &mut [Sampled], end: OrbitEnd) {
     // An interrupt leaves later films without their bars: then none has one.
     if samples.iter().any(|one| one.tangents.is_none()) {
         return;
@@ -47,7 +47,7 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
         OrbitEnd::NotClosed | OrbitEnd::Ended => 1,
     };
     // Where the first film begins nothing is off yet, but its force.
-    let (mut by_mesh, mut by_time) = (Parts(vec![[0.0; 4]]), Parts(Vec::new()));
+    let (mut by_mesh, mut by_time) = (DriftParts(vec![[0.0; 4]]), DriftParts(Vec::new()));
     for _ in 0..rounds {
         for number in 0..samples.len() {
             let before = number.checked_sub(1).map(|before| samples[before].sample.time);
@@ -72,7 +72,7 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
 /// contract has no bars.
 pub(super) fn add_closure((cycles, clearance): (&[Cycle], f64), samples: &mut [Sampled], order: usize) {
     let Some(last) = cycles.last() else { return };
-    let mut deviations = Parts((0..order).map(unit).collect());
+    let mut deviations = DriftParts((0..order).map(unit).collect());
     let (mut before, mut sizes) = (None, Vec::with_capacity(samples.len()));
     for Sampled { sample, tangents, .. } in samples.iter() {
         let Some(tangents) = tangents else { return };
@@ -99,7 +99,7 @@ pub(super) fn add_closure((cycles, clearance): (&[Cycle], f64), samples: &mut [S
 
 /// What each step has made a journal deviate by until now [m].
 #[derive(Debug)]
-struct Parts(Vec<Vector>);
+struct DriftParts(Vec<Vector>);
 
 /// What the parts change a number by: together, and the sum of their sizes.
 struct OfNumber {
@@ -107,19 +107,19 @@ struct OfNumber {
     sizes: f64,
 }
 
-impl Parts {
+impl DriftParts {
     fn add(&mut self, part: Vector) {
         self.0.push(part);
     }
 
-    fn carry(&mut self, tangents: &Tangents, dt: f64) {
+    fn carry(&mut self, tangents: &FilmTangents, dt: f64) {
         for part in &mut self.0 {
             *part = tangents.step(*part, [0.0; 4], dt);
         }
     }
 
     /// What parts of unknown sign, at right angles to each other at first, change each number of a film by.
-    fn size_of_numbers(&self, tangents: &Tangents) -> Vec<f64> {
+    fn size_of_numbers(&self, tangents: &FilmTangents) -> Vec<f64> {
         let moving: Vec<[Vector; 2]> = (self.0.iter()).map(|&part| [part, tangents.rate(part, [0.0; 4])]).collect();
         let size = |(by_offset, by_rate): (&Vector, &Vector)| {
             let parts = moving.iter().map(|[part, rate]| dot(*by_offset, *part) + dot(*by_rate, *rate));
@@ -129,7 +129,7 @@ impl Parts {
     }
 
     /// What they change each number of a film by, the last of them being pushed on by a `defect` of force [N].
-    fn of_numbers(&self, tangents: &Tangents, defect: Vector) -> Vec<OfNumber> {
+    fn of_numbers(&self, tangents: &FilmTangents, defect: Vector) -> Vec<OfNumber> {
         let last = self.0.len().saturating_sub(1);
         let moving: Vec<[Vector; 2]> = (self.0.iter().enumerate())
             .map(|(number, &part)| {
@@ -153,7 +153,7 @@ impl Parts {
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film between the steps.
-pub(super) fn between(motion: &Motion, (step, span): (&Step, Span), time: f64) -> Result<f64, NoAnswer> {
+pub(super) fn between(motion: &Motion, (step, span): (&PathStep, Span), time: f64) -> Result<f64, NoAnswer> {
     const QUARTER: f64 = 0.25;
     if motion.moves_by_path(step) {
         return Ok(0.0);
@@ -177,7 +177,7 @@ pub(super) fn between(motion: &Motion, (step, span): (&Step, Span), time: f64) -
     Ok(length(k) * shape)
 }
 
-impl Tangents {
+impl FilmTangents {
     /// `(C + dt K)^-1 (C d - dt D)`.
     fn step(&self, from: Vector, defect: Vector, dt: f64) -> Vector {
         let pushed = moved(self.damping.times(from), -dt, defect);

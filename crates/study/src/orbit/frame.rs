@@ -1,6 +1,6 @@
 //! Films at even crank angles of the last cycle, drawn one after the other: an animation.
 
-use oilwedge_bearing::orbit::{Motion, Span, Step};
+use oilwedge_bearing::orbit::{Motion, PathStep, Span};
 use oilwedge_reynolds::JournalState;
 use rayon::prelude::*;
 
@@ -30,7 +30,7 @@ pub struct Frame {
 pub(super) fn frames<'a>(
     (film, motion): (&Film, &Motion),
     period: f64,
-    around: &(dyn Fn(f64) -> Option<(&'a Step, Span)> + Sync),
+    around: &(dyn Fn(f64) -> Option<(&'a PathStep, Span)> + Sync),
     options: &RunOptions,
 ) -> Result<Vec<Frame>, NoAnswer> {
     let frame = |k: u32| {

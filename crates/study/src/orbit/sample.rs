@@ -3,7 +3,7 @@
 
 use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::deflection::{displaced, hastened};
-use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
+use oilwedge_bearing::orbit::{Instant, Motion, PathStep, Span};
 use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
 use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 use oilwedge_reynolds::quantities::load::load;
@@ -38,7 +38,7 @@ pub(super) const TOLERANCE: f64 = 1e-4;
 pub(super) struct Sampled {
     pub(super) sample: Sample,
     /// What errors need; none where they are not estimated.
-    pub(super) tangents: Option<Tangents>,
+    pub(super) tangents: Option<FilmTangents>,
     /// Powers of the film [W].
     pub(super) power: Power,
     /// Oil that enters less oil that leaves, over the oil that passes [1].
@@ -50,7 +50,7 @@ pub(super) struct Sampled {
 }
 
 /// How a film answers to a journal elsewhere.
-pub(super) struct Tangents {
+pub(super) struct FilmTangents {
     /// `K`, that of the support included [N/m].
     pub(super) stiffness: Stiffness,
     /// `C` [N s/m].
@@ -70,7 +70,7 @@ pub(super) struct Tangents {
 pub(super) fn samples(
     film: &Film,
     motion: &Motion,
-    steps: &[Step],
+    steps: &[PathStep],
     options: &RunOptions,
 ) -> Result<Vec<Sampled>, NoAnswer> {
     let groups: Result<Vec<Vec<Sampled>>, NoAnswer> = (steps.par_chunks(GROUP))
@@ -97,7 +97,7 @@ pub(super) fn samples(
 pub(super) fn refine_peak(
     film: &Film,
     motion: &Motion,
-    steps: &mut Vec<Step>,
+    steps: &mut Vec<PathStep>,
     samples: &mut Vec<Sampled>,
     options: &RunOptions,
 ) -> Result<(), NoAnswer> {
@@ -109,7 +109,7 @@ pub(super) fn refine_peak(
         }
         let span = Span::between(&steps[next - 1], &steps[next]);
         let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
-        let step = Step { until_next: steps[next - 1].until_next, ..Step::of(&instant, 0.0) };
+        let step = PathStep { until_next: steps[next - 1].until_next, ..PathStep::of(&instant, 0.0) };
         let (one, _) = sample(film, motion, instant, options.errors())?;
         steps.insert(next, step);
         samples.insert(next, one);
@@ -143,7 +143,7 @@ fn peak(samples: &[Sampled]) -> Option<f64> {
 pub(super) fn solved_at(
     film: &Film,
     motion: &Motion,
-    from: Option<(&Step, Span)>,
+    from: Option<(&PathStep, Span)>,
     time: f64,
     errors: Errors,
 ) -> Result<Solved, NoAnswer> {
@@ -190,7 +190,13 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
             let [x, y, z_x, z_y] = motion.coordinates().forces(&carried);
             let quadratic = motion.coordinates().forces(&load(&followed).total.resultant());
             let [by_offset, by_rate] = sensitivities(motion, &here, &followed, &quantities)?;
-            Some(Tangents { stiffness, damping, defect: moved([x, y, z_x, z_y], -1.0, quadratic), by_offset, by_rate })
+            Some(FilmTangents {
+                stiffness,
+                damping,
+                defect: moved([x, y, z_x, z_y], -1.0, quadratic),
+                by_offset,
+                by_rate,
+            })
         }
     };
     let sample = Sample { time, journal: here.problem.journal, quantities, drift: Vec::new() };

@@ -35,7 +35,7 @@ const FIRST: f64 = 0.3;
 pub(super) fn prepared(
     model: &Arc<Model>,
     oil: &Oil,
-    (orbit, cycle): (&oilwedge_scene::Orbit, &DutyCycle),
+    (orbit, cycle): (&oilwedge_scene::OrbitTable, &DutyCycle),
     watch: Watch,
 ) -> Result<(Film, Vector), CompileError> {
     let film = on_mesh_for(model, oil, USUAL)?;
@@ -80,7 +80,7 @@ pub(crate) fn on_mesh_for(model: &Arc<Model>, oil: &Oil, eccentricity: f64) -> R
 }
 
 /// An orbit on the next coarser mesh, and its greatest eccentricity at an end; `None` where there is none.
-fn rough(film: &Film, (model, cycle): (&oilwedge_scene::Orbit, &DutyCycle), watch: Watch) -> Option<(Orbit, f64)> {
+fn rough(film: &Film, (model, cycle): (&oilwedge_scene::OrbitTable, &DutyCycle), watch: Watch) -> Option<(Orbit, f64)> {
     let fine = motion(film, model, cycle);
     let coarser = film.system.coarser.as_ref()?;
     let problem = coarser.problem(&film.problem);

@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
-use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, Step};
-use oilwedge_bearing::{NoBalance, ThermalFlows};
+use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, PathStep};
+use oilwedge_bearing::{NoThermalBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::Orbit;
+use oilwedge_scene::OrbitTable;
 
-use super::{Begin, Followed, expected_seconds, followed, start};
+use super::{FollowedCycle, OrbitStart, expected_seconds, followed, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::model::Model;
@@ -23,7 +23,7 @@ use crate::quantities::{
     CYCLE_COOLING_FLOW, CYCLE_POWER_LOSS, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, Quantity, Row,
 };
 use crate::run_options::RunOptions;
-use crate::thermal::{FilmTemperature, Left, none};
+use crate::thermal::{FilmTemperature, SearchStop, none};
 use crate::thermal_model::ThermalModel;
 
 /// Heat that is left over where the heat of a cycle is balanced, over the mean power and the tolerance of the orbit.
@@ -45,16 +45,16 @@ pub(crate) struct CycleTemperature {
 }
 
 /// Orbits of a film at one temperature after the other.
-struct Orbits<'a> {
+struct ThermalOrbits<'a> {
     film: Film,
-    orbit: Orbit,
+    orbit: OrbitTable,
     cycle: &'a DutyCycle,
     watch: Watch,
     options: RunOptions,
     /// Where the first one begins [m].
     begin: Vector,
     /// The last step of the one before; none before the first one.
-    last: Option<Step>,
+    last: Option<PathStep>,
 }
 
 /// Follows the orbit at the temperature that balances its heat.
@@ -62,16 +62,16 @@ struct Orbits<'a> {
 /// # Errors
 /// The scene does not become a film.
 pub(super) fn balanced(
-    (model, orbit, cycle): (&Arc<Model>, &Orbit, &DutyCycle),
+    (model, orbit, cycle): (&Arc<Model>, &OrbitTable, &DutyCycle),
     thermal: ThermalModel,
     watch: Watch,
     options: &RunOptions,
-) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
+) -> Result<(Film, Result<FollowedCycle, NoAnswer>), CompileError> {
     let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
     let (film, begin) = start::prepared(model, &model.oil, (orbit, cycle), watch)?;
     let mut search = FilmTemperature::of(&film, thermal);
-    let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
-    let orbits = |film, begin, orbit| Orbits { film, orbit, cycle, watch, options: quick, begin, last: None };
+    let rough = OrbitTable { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
+    let orbits = |film, begin, orbit| ThermalOrbits { film, orbit, cycle, watch, options: quick, begin, last: None };
     let found = orbits(film.on_coarser(), begin, rough).balance(&mut search, ROUGHLY);
     if let Err(reason) = found {
         return Ok((film, Err(reason)));
@@ -89,47 +89,49 @@ pub(super) fn balanced(
     Ok((orbits.film.at_temperature(search.temperature), outcome))
 }
 
-impl Orbits<'_> {
+impl ThermalOrbits<'_> {
     /// Finds the temperature at which no more than the part `accuracy` of the heat is left over.
     fn balance(&mut self, search: &mut FilmTemperature, accuracy: f64) -> Result<(), NoAnswer> {
         loop {
             match self.add(search) {
                 Ok(left) if left < accuracy => return Ok(()),
                 Ok(_) => search.turn()?,
-                Err(Left::NoAnswer(_)) if search.retreat() => {}
-                Err(Left::NoAnswer(reason)) => return Err(search.without_film(reason)),
-                Err(Left::Ended) => return Err(none(&search.model.balance, NoBalance::NoFilm(Left::Ended))),
+                Err(SearchStop::NoAnswer(_)) if search.retreat() => {}
+                Err(SearchStop::NoAnswer(reason)) => return Err(search.without_film(reason)),
+                Err(SearchStop::Ended) => {
+                    return Err(none(&search.model.balance, NoThermalBalance::NoFilm(SearchStop::Ended)));
+                }
             }
         }
     }
 
     /// Adds the orbit at the temperature asked for; the heat that is left over, as a part of the power [1].
-    fn add(&mut self, search: &mut FilmTemperature) -> Result<f64, Left> {
+    fn add(&mut self, search: &mut FilmTemperature) -> Result<f64, SearchStop> {
         if self.watch.deadline.is_over() {
-            return Err(Left::Ended);
+            return Err(SearchStop::Ended);
         }
         if let Some(observer) = self.options.observer {
             observer.temperature(search.runs() + 1, search.temperature - ZERO_CELSIUS);
         }
         let found = self.followed(search.temperature, &self.options).map_err(|reason| match reason {
-            NoAnswer::Orbit(NoOrbit::Ended { .. }) => Left::Ended,
-            reason => Left::NoAnswer(reason),
+            NoAnswer::Orbit(NoOrbit::Ended { .. }) => SearchStop::Ended,
+            reason => SearchStop::NoAnswer(reason),
         })?;
         if found.end == OrbitEnd::Ended {
-            return Err(Left::Ended);
+            return Err(SearchStop::Ended);
         }
         self.last = found.last;
-        Ok(search.add(found.flows.ok_or(Left::Ended)?, found.quantities))
+        Ok(search.add(found.flows.ok_or(SearchStop::Ended)?, found.quantities))
     }
 
-    fn followed(&self, temperature: f64, options: &RunOptions) -> Result<Followed, NoAnswer> {
+    fn followed(&self, temperature: f64, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
         let film = self.film.at_temperature(temperature);
-        let begin = self.last.as_ref().map_or(Begin::At(self.begin), Begin::After);
+        let begin = self.last.as_ref().map_or(OrbitStart::At(self.begin), OrbitStart::After);
         followed(&film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)
     }
 
     /// The orbit at the temperature found, with the numbers of the balance.
-    fn reported(&mut self, search: &mut FilmTemperature, options: &RunOptions) -> Result<Followed, NoAnswer> {
+    fn reported(&mut self, search: &mut FilmTemperature, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
         if options.bars && !search.has_slopes() {
             // A second orbit, for the change with temperature; without it the numbers have no bars.
             search.step_aside(1.0);
@@ -146,7 +148,7 @@ impl Orbits<'_> {
 
 /// Adds the numbers of the balance to those of an orbit at the temperature found, and what the bar of the temperature
 /// makes of all others.
-pub(crate) fn add_temperature(search: &FilmTemperature, flows: ThermalFlows, bars: bool, orbit: &mut Followed) {
+pub(crate) fn add_temperature(search: &FilmTemperature, flows: ThermalFlows, bars: bool, orbit: &mut FollowedCycle) {
     let (balance, temperature) = (&search.model.balance, search.temperature);
     let [_, outlet] = balance.ends(temperature, flows.carried_over);
     let numbers = [(&CYCLE_TEMPERATURE, temperature), (&CYCLE_TEMPERATURE_OUTLET, outlet)];

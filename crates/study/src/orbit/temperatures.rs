@@ -11,14 +11,14 @@ use std::sync::Arc;
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::film_heat::FilmHeat;
-use oilwedge_bearing::orbit::{OrbitEnd, Step};
+use oilwedge_bearing::orbit::{OrbitEnd, PathStep};
 use oilwedge_bearing::thermal_film::{HeatRound, HeatSearch, balance_heat};
 use oilwedge_reynolds::ViscosityAcross;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
-use oilwedge_scene::Orbit;
+use oilwedge_scene::OrbitTable;
 
-use super::{Begin, Followed, expected_seconds, followed, start};
+use super::{FollowedCycle, OrbitStart, expected_seconds, followed, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::measure::measure;
@@ -39,16 +39,16 @@ const ROUGHLY_CLOSED: f64 = 0.5;
 const ROUGH_TOLERANCE: f64 = 1e-2;
 
 /// Orbits of a film with one field of temperatures after the other.
-struct Orbits<'a> {
+struct FieldOrbits<'a> {
     film: Film,
-    orbit: Orbit,
+    orbit: OrbitTable,
     cycle: &'a DutyCycle,
     watch: Watch,
     options: RunOptions,
     /// Where the first one begins [m].
     begin: Vector,
     /// The last step of the one before; none before the first one.
-    last: Option<Step>,
+    last: Option<PathStep>,
 }
 
 /// Follows the orbit with the temperatures that balance the mean heat of its films.
@@ -56,11 +56,11 @@ struct Orbits<'a> {
 /// # Errors
 /// The scene does not become a film.
 pub(super) fn balanced(
-    (model, orbit, cycle): (&Arc<Model>, &Orbit, &DutyCycle),
+    (model, orbit, cycle): (&Arc<Model>, &OrbitTable, &DutyCycle),
     heat: &HeatFieldModel,
     watch: Watch,
     options: &RunOptions,
-) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
+) -> Result<(Film, Result<FollowedCycle, NoAnswer>), CompileError> {
     let quick = RunOptions { bars: false, frames: 0, earlier: None, ..*options };
     let oil = model.oil_at(Some(heat.surroundings.inlet));
     let (film, begin) = start::prepared(model, &oil, (orbit, cycle), watch)?;
@@ -68,8 +68,8 @@ pub(super) fn balanced(
         observer.expects(film.unknowns(), expected_seconds(&film));
         observer.turns_to("the orbits with the temperatures of one round after the other");
     }
-    let rough = Orbit { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
-    let orbits = |film, orbit| Orbits { film, orbit, cycle, watch, options: quick, begin, last: None };
+    let rough = OrbitTable { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
+    let orbits = |film, orbit| FieldOrbits { film, orbit, cycle, watch, options: quick, begin, last: None };
     let mut fine = orbits(film.clone(), *orbit);
     let outcome = on_both(&mut orbits(film.on_coarser(), rough), &mut fine, heat);
     match outcome {
@@ -82,7 +82,11 @@ pub(super) fn balanced(
 }
 
 /// The temperatures of the finer orbits, and their film.
-fn on_both(rough: &mut Orbits, fine: &mut Orbits, model: &HeatFieldModel) -> Result<(FilmHeat, Film), NoAnswer> {
+fn on_both(
+    rough: &mut FieldOrbits,
+    fine: &mut FieldOrbits,
+    model: &HeatFieldModel,
+) -> Result<(FilmHeat, Film), NoAnswer> {
     let inlet = model.surroundings.inlet;
     let first = rough.followed(&rough.film, &rough.options)?;
     let layers = layers(&first.solved.primary, model)?;
@@ -104,7 +108,7 @@ fn on_both(rough: &mut Orbits, fine: &mut Orbits, model: &HeatFieldModel) -> Res
     Ok((found, film))
 }
 
-impl Orbits<'_> {
+impl FieldOrbits<'_> {
     /// The temperatures that balance the mean heat, round by round.
     fn rounds(&mut self, model: &HeatFieldModel, search: HeatSearch) -> Result<FilmHeat, NoAnswer> {
         let base = self.film.clone();
@@ -118,8 +122,8 @@ impl Orbits<'_> {
     }
 
     /// The orbit of a film, from the end of the one before.
-    fn followed(&self, film: &Film, options: &RunOptions) -> Result<Followed, NoAnswer> {
-        let begin = self.last.as_ref().map_or(Begin::At(self.begin), Begin::After);
+    fn followed(&self, film: &Film, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
+        let begin = self.last.as_ref().map_or(OrbitStart::At(self.begin), OrbitStart::After);
         let found = followed(film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)?;
         match found.end {
             OrbitEnd::Ended => Err(NoAnswer::Temperature(NoTemperature::Ended { nearest: None })),
@@ -133,7 +137,7 @@ impl Orbits<'_> {
         (heat, film): (FilmHeat, &Film),
         model: &HeatFieldModel,
         options: &RunOptions,
-    ) -> Result<Followed, NoAnswer> {
+    ) -> Result<FollowedCycle, NoAnswer> {
         let mut orbit = self.followed(film, options)?;
         let network = orbit.network.take().ok_or(NoAnswer::Temperature(NoTemperature::Ended { nearest: None }))?;
         let viscosity = |temperature: f64| self.film.viscosity_at(temperature);
@@ -154,7 +158,7 @@ impl Orbits<'_> {
     /// where one of them does not come to its end.
     fn open(
         &self,
-        orbit: &Followed,
+        orbit: &FollowedCycle,
         (film, network): (&Film, NodeNetwork),
         model: &HeatFieldModel,
     ) -> Option<HashMap<Cow<'static, str>, f64>> {
@@ -166,7 +170,8 @@ impl Orbits<'_> {
             let mut film = vertices.clone();
             film.problem.viscosity_across = across.or(film.problem.viscosity_across);
             let options = RunOptions { observer: None, ..self.options };
-            let found = followed(&film, (&self.orbit, self.cycle), (Begin::At(begin), self.watch.deadline), &options);
+            let found =
+                followed(&film, (&self.orbit, self.cycle), (OrbitStart::At(begin), self.watch.deadline), &options);
             found.ok().filter(|found| found.end != OrbitEnd::Ended)
         };
         let alike = beside(None)?;
@@ -191,7 +196,7 @@ impl Orbits<'_> {
 }
 
 /// The numbers of the temperatures that a film of an orbit has.
-fn of_heat(orbit: &Followed, film: &Film) -> Vec<Quantity> {
+fn of_heat(orbit: &FollowedCycle, film: &Film) -> Vec<Quantity> {
     let measured = measure(&orbit.solved.primary);
     of_temperatures(&View::new(film, &orbit.solved.primary.problem, &measured))
 }

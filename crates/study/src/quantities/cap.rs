@@ -71,13 +71,13 @@ rows! {
 }
 
 /// The joint of a cap at the speed of the crank.
-struct Joint {
+struct CapJoint {
     cap: Cap,
     joint: CapBolts,
     forces: BoltForces,
 }
 
-impl Joint {
+impl CapJoint {
     fn new(cap: &Cap, speed: f64) -> Self {
         let joint = cap_joint(cap);
         Self { cap: *cap, forces: joint.forces(joint.inertia_force(speed)), joint }
@@ -90,18 +90,18 @@ impl Joint {
 }
 
 fn opens(scope: &Scope) -> bool {
-    let cap = scope.cap.map(|cap| Joint::new(&cap, scope.speed));
+    let cap = scope.cap.map(|cap| CapJoint::new(&cap, scope.speed));
     cap.is_some_and(|joint| joint.forces.opening > 0.0)
 }
 
-fn joint(film: &View) -> Option<Joint> {
-    Some(Joint::new(&film.base.model.scope.cap?, film.journal().speed))
+fn joint(film: &View) -> Option<CapJoint> {
+    Some(CapJoint::new(&film.base.model.scope.cap?, film.journal().speed))
 }
 
 /// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at
 /// rest, where the joint is tightened for no force.
 fn share_per_force(film: &View) -> Option<[f64; 2]> {
-    let Joint { cap, forces, .. } = joint(film)?;
+    let CapJoint { cap, forces, .. } = joint(film)?;
     (forces.opening > 0.0).then(|| [cap.angle.cos(), cap.angle.sin()].map(|part| part / forces.opening))
 }
 

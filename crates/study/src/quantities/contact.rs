@@ -7,7 +7,7 @@ use super::row::{Headline, Measure::One, Measure::OverCycle};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use crate::estimate::Estimate;
-use crate::measure::Touching;
+use crate::measure::ContactShare;
 
 rows! {
     /// `W_a . W/W^2`, `W_a = Int p_a (cos phi, sin phi) dA`: the part of the load, along it, that contact carries; the
@@ -85,7 +85,7 @@ const MOMENT: ErrorRule =
 
 /// Bar [N] of the quadrature of contact.
 pub(super) fn integrated(at: &Subject) -> Option<Bar> {
-    at.view.measured.contact.map(|Touching { unsure, .. }| Bar::of(unsure))
+    at.view.measured.contact.map(|ContactShare { unsure, .. }| Bar::of(unsure))
 }
 
 fn share(film: &View) -> Option<f64> {
@@ -105,7 +105,7 @@ fn moment(film: &View, axis: usize) -> Option<f64> {
 }
 
 fn greatest(film: &View) -> Option<f64> {
-    let contact = film.problem.contact?;
+    let contact = film.problem.contact.as_ref()?;
     Some(contact.law.at(film.measured.thinnest.thickness).pressure)
 }
 

@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::cycle_view::{At, CycleView, Judged};
+use super::cycle_view::{At, CycleView, ValueWithBar};
 use super::row::{Headline, Measure::OverCycle, Row};
 use super::rule::ErrorRule;
 use super::{COOLING_FLOW, FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
@@ -90,11 +90,11 @@ const MEAN: &str = "mean of the bars of the films, and of what the errors of the
 const BALANCED: &str = "those of mean power and flow, over the slope of their balance";
 const PLACE: &str = "where the film or the pressure is within twice its bar of the extreme";
 
-pub(super) fn greatest(cycle: &CycleView, row: &Row) -> Option<Judged> {
+pub(super) fn greatest(cycle: &CycleView, row: &Row) -> Option<ValueWithBar> {
     let At { time, value } = cycle.greatest(row)?;
     Some((value, cycle.bar_at(row, time)))
 }
 
-fn mean(cycle: &CycleView, row: &Row) -> Option<Judged> {
+fn mean(cycle: &CycleView, row: &Row) -> Option<ValueWithBar> {
     Some((cycle.mean(row)?, cycle.bar_of_mean(row)))
 }

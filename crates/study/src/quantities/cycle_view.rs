@@ -55,7 +55,7 @@ impl Sample {
 }
 
 /// A value, and its bar where errors are estimated.
-pub type Judged = (f64, Option<Bar>);
+pub type ValueWithBar = (f64, Option<Bar>);
 
 /// One cycle of an orbit.
 #[derive(Debug)]
@@ -209,7 +209,7 @@ impl CycleView<'_> {
     }
 
     /// The crank angle [deg] of the thinnest film and its bar.
-    pub fn thinnest_crank_angle(&self) -> Judged {
+    pub fn thinnest_crank_angle(&self) -> ValueWithBar {
         let (thinnest, time) = self.thinnest();
         let film = |at: f64| self.thinnest_at(at.rem_euclid(self.period())).thickness;
         let bar = self.bar_of_thinnest(time);
@@ -218,7 +218,7 @@ impl CycleView<'_> {
     }
 
     /// The angle [deg] around the bearing at which the film is thinnest, and its bar.
-    pub fn thinnest_angle(&self) -> Judged {
+    pub fn thinnest_angle(&self) -> ValueWithBar {
         let (thinnest, time) = self.thinnest();
         let film = |at: f64| self.thinnest_at(at.rem_euclid(self.period()));
         let bar = self.bar_of_thinnest(time);
@@ -240,7 +240,7 @@ impl CycleView<'_> {
     }
 
     /// The crank angle [deg] at which a row is greatest, and its bar.
-    pub fn greatest_crank_angle(&self, row: &Row) -> Option<Judged> {
+    pub fn greatest_crank_angle(&self, row: &Row) -> Option<ValueWithBar> {
         let At { time, value } = self.greatest(row)?;
         let spline = self.spline(row)?;
         let bar = self.bar_at(row, time);
@@ -264,7 +264,7 @@ impl CycleView<'_> {
 
     /// The part of the cycle [1] in which a row is above a level, on the spline through its values; its bar is the part
     /// in which it is within its bar of the level.
-    pub fn part_above(&self, row: &Row, level: f64) -> Option<Judged> {
+    pub fn part_above(&self, row: &Row, level: f64) -> Option<ValueWithBar> {
         let spline = self.spline(row)?;
         let places = (0..PLACES).map(|k| self.period() * f64::from(k) / f64::from(PLACES));
         let values: Vec<[f64; 2]> = places.map(|time| [time, spline.at(time)[0]]).collect();

@@ -4,7 +4,7 @@ use crate::scope::Scope;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::deviation::Sections;
 
-use super::cycle_view::{CycleView, Judged};
+use super::cycle_view::{CycleView, ValueWithBar};
 use super::row::Measure::{One, OverCycle};
 use super::rule::ErrorRule;
 use super::view::View;
@@ -78,7 +78,7 @@ fn over_cycle(cycle: &CycleView) -> Option<OfCycle> {
 
 impl OfCycle {
     /// A number of the sections, and its bar: what each section's bar changes it by.
-    fn film(&self, number: impl Fn(&Sections) -> f64) -> Judged {
+    fn film(&self, number: impl Fn(&Sections) -> f64) -> ValueWithBar {
         let value = number(&self.sections);
         let Sections { middle, ends: [low, high] } = self.sections;
         let bar = self.bars.map(|bars| {

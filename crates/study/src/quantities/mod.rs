@@ -75,7 +75,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 146] = [
+pub static CATALOGUE: &[&Row] = &[
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -226,7 +226,7 @@ pub static CATALOGUE: [&Row; 146] = [
 
 /// The row that a quantity of this name belongs to.
 pub fn row(name: &str) -> Option<&'static Row> {
-    CATALOGUE.into_iter().find(|row| row.has(name))
+    CATALOGUE.iter().copied().find(|row| row.has(name))
 }
 
 /// The quantity by which an answer is judged where nothing else is asked: the load, or the eccentricity that a given
@@ -261,7 +261,7 @@ pub fn over_cycle(cycle: &CycleView) -> Vec<Quantity> {
         }),
         Measure::One(_) | Measure::Each(_) => None,
     };
-    CATALOGUE.into_iter().filter_map(quantity).collect()
+    CATALOGUE.iter().copied().filter_map(quantity).collect()
 }
 
 /// Names and rows of the quantities that films of these scenes may have.

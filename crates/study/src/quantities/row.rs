@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::cycle_view::{CycleView, Judged};
+use super::cycle_view::{CycleView, ValueWithBar};
 use super::rule::ErrorRule;
 use super::unit::Unit;
 use super::view::View;
@@ -32,7 +32,7 @@ pub enum Measure {
     /// A family: one number for each region, by its name.
     Each(fn(&View) -> Vec<(String, f64)>),
     /// One number of a cycle, with its bar where errors are estimated.
-    OverCycle(fn(&CycleView) -> Option<Judged>),
+    OverCycle(fn(&CycleView) -> Option<ValueWithBar>),
 }
 
 /// Table in which people read a quantity.

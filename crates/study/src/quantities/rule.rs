@@ -7,7 +7,7 @@ use super::view::View;
 use super::warming::Warming;
 use crate::estimate::{Estimate, Scaled};
 use crate::film::Film;
-use crate::solved::Balance;
+use crate::solved::BalanceFacts;
 
 /// A number whose error is estimated.
 pub struct Subject<'a> {
@@ -92,7 +92,7 @@ impl ErrorRule {
     }
 
     /// Bar of what a given load fixes: how far it is from balanced. None of what it does not fix.
-    pub fn balanced(&self, balance: &Balance, subject: &Subject) -> Option<Bar> {
+    pub fn balanced(&self, balance: &BalanceFacts, subject: &Subject) -> Option<Bar> {
         let algebra = match self {
             Self::Load => balance.unbalanced,
             Self::PerLoad => balance.unbalanced / subject.view.force.max(f64::MIN_POSITIVE) * subject.value.abs(),

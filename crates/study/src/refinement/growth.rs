@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::FilmProblem;
 
-use super::level::Level;
+use super::level::SolvedLevel;
 use crate::result::{LevelFacts, Refinement};
 
 /// Part of the bars asked for that a mesh is drawn for.
@@ -43,7 +43,7 @@ pub(super) struct Growth {
 impl Growth {
     /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller
     /// step is better than none. The last mesh would take so many `seconds` [s] again.
-    pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], [left, seconds]: [f64; 2]) -> Self {
+    pub(super) fn of(level: &SolvedLevel, goal: &Goal, levels: &[LevelFacts], [left, seconds]: [f64; 2]) -> Self {
         let FilmProblem { cavitation, lubricant, .. } = &level.solved.film.problem;
         let order = cavitation.bar_order(&lubricant.pressure_law);
         let (least, most) = (LEAST_GROWTH, goal.most_growth);

@@ -4,7 +4,7 @@ use crate::estimate::Estimated;
 use crate::solved::Solved;
 
 /// A solved film on the way to a tolerance.
-pub(super) struct Level {
+pub(super) struct SolvedLevel {
     pub(super) solved: Solved,
     pub(super) estimated: Estimated,
     /// Greatest bar over what it may be.

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::distance::worst;
 use super::growth::{Goal, Growth, next_seconds};
-use super::level::Level;
-use super::next::{FIRST_UNKNOWNS, Next};
+use super::level::SolvedLevel;
+use super::next::{FIRST_UNKNOWNS, NextMesh};
 use super::{Answer, Tell, ended, solved};
 use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
@@ -41,7 +41,7 @@ const MOST_WANTED_ON_WALL: usize = 5_000;
 /// Most unknowns of such a mesh over those of the mesh before.
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
-impl Level {
+impl SolvedLevel {
     /// The level as the answer.
     fn answer(self, levels: Vec<LevelFacts>, limit: Option<Limit>) -> Answer {
         Answer { film: self.solved.film.clone(), outcome: Ok((self.solved, self.estimated)), levels, limit }
@@ -49,8 +49,8 @@ impl Level {
 }
 
 /// What follows a mesh.
-enum Step {
-    Finer(Next),
+enum RefinementStep {
+    Finer(NextMesh),
     Done(Box<Answer>),
 }
 
@@ -68,7 +68,7 @@ struct Refining<'a> {
     /// Seconds of the last mesh in which the position was found that it is graded for: known from then on [s].
     grading: f64,
     /// The film of the mesh before.
-    best: Option<Level>,
+    best: Option<SolvedLevel>,
     /// Meshes made for bars that are wanted but not required.
     wanted_levels: usize,
     /// True if the mesh that all others were divided from was laid anew.
@@ -95,21 +95,21 @@ pub(super) fn towards(
         wanted_levels: 0,
         is_laid_anew: false,
     };
-    let mut next = Next::first(model);
+    let mut next = NextMesh::first(model);
     if refining.elapsed() > f64::max(options.max_seconds, MOMENT) {
         return Err(CompileError::Late { cause: options.cause().to_string() });
     }
     loop {
         match refining.level(&next)? {
-            Step::Finer(finer) => next = finer,
-            Step::Done(answer) => return Ok(*answer),
+            RefinementStep::Finer(finer) => next = finer,
+            RefinementStep::Done(answer) => return Ok(*answer),
         }
     }
 }
 
 impl Refining<'_> {
     /// Makes and solves one mesh.
-    fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
+    fn level(&mut self, next: &NextMesh) -> Result<RefinementStep, CompileError> {
         let started = self.elapsed();
         let (refinement, graded) = match next.film(self.model, self.watch) {
             Ok(made) => made,
@@ -123,7 +123,7 @@ impl Refining<'_> {
         if film.start == Start::Failed
             && let Some(finer) = next.finer_than_failed()
         {
-            return Ok(Step::Finer(finer));
+            return Ok(RefinementStep::Finer(finer));
         }
         self.is_laid_anew |= film.origin.is_laid_anew;
         film.origin.is_laid_anew = self.is_laid_anew;
@@ -156,27 +156,27 @@ impl Refining<'_> {
     }
 
     /// The mesh before is the answer where the next has none, if there is one.
-    fn last_resort(&mut self, reason: String) -> Option<Step> {
+    fn last_resort(&mut self, reason: String) -> Option<RefinementStep> {
         let best = self.best.take()?;
         Some(self.done(best, Some(Limit::NoAnswer(reason))))
     }
 
-    fn done(&mut self, level: Level, limit: Option<Limit>) -> Step {
+    fn done(&mut self, level: SolvedLevel, limit: Option<Limit>) -> RefinementStep {
         // A mesh that meets what is required was followed by others only for more.
         let limit = limit.filter(|_| level.worst > 1.0);
         self.ended(level, limit)
     }
 
-    fn ended(&mut self, level: Level, limit: Option<Limit>) -> Step {
-        Step::Done(Box::new(level.answer(std::mem::take(&mut self.levels), limit)))
+    fn ended(&mut self, level: SolvedLevel, limit: Option<Limit>) -> RefinementStep {
+        RefinementStep::Done(Box::new(level.answer(std::mem::take(&mut self.levels), limit)))
     }
 
     /// What follows a mesh without an answer.
-    fn unanswered(&mut self, next: &Next, film: Film, reason: NoAnswer) -> Step {
+    fn unanswered(&mut self, next: &NextMesh, film: Film, reason: NoAnswer) -> RefinementStep {
         let may_divide = !self.watch.deadline.is_over() && 4 * film.unknowns() <= self.options.max_unknowns;
         // A finer mesh shows whether there is a film.
-        if let Some(finer) = (reason.is_near_limit() && may_divide).then(|| Next::divided(&film)).flatten() {
-            return Step::Finer(finer);
+        if let Some(finer) = (reason.is_near_limit() && may_divide).then(|| NextMesh::divided(&film)).flatten() {
+            return RefinementStep::Finer(finer);
         }
         // The mesh before is the answer of a run that ends.
         if matches!(reason, NoAnswer::NotBegun { .. })
@@ -197,8 +197,8 @@ impl Refining<'_> {
             .filter(|_| !reason.is_far_beyond() && !self.is_late(film.unknowns()))
             .or_else(|| next.finer_undecided(&film, &reason).filter(|_| may_divide));
         match (finer, self.best.take()) {
-            (Some(finer), None) => Step::Finer(finer),
-            _ => Step::Done(Box::new(Answer {
+            (Some(finer), None) => RefinementStep::Finer(finer),
+            _ => RefinementStep::Done(Box::new(Answer {
                 film,
                 outcome: Err(reason),
                 levels: std::mem::take(&mut self.levels),
@@ -210,11 +210,11 @@ impl Refining<'_> {
     /// What follows a solved mesh.
     fn answered(
         &mut self,
-        next: &Next,
+        next: &NextMesh,
         (refinement, started): (Refinement, f64),
         solved: Solved,
         estimated: Estimated,
-    ) -> Step {
+    ) -> RefinementStep {
         let error = |target: &Target| {
             let mut quantities = estimated.quantities.iter();
             let quantity = quantities.find(|quantity| quantity.name == target.quantity)?;
@@ -231,7 +231,7 @@ impl Refining<'_> {
         let (worst, name) = worst(&solved.film, &estimated, &self.targets.required);
         self.tell(&estimated.quantities, worst, name);
         let by_film = if self.targets.are_usual { worst * estimated.narrowed } else { worst };
-        let level = Level { solved, estimated, worst, by_film, worst_name: name.to_owned(), wanted };
+        let level = SolvedLevel { solved, estimated, worst, by_film, worst_name: name.to_owned(), wanted };
         let finer = match ended(&level.solved, self.options) {
             None if worst > 1.0 => self.finer(next, &level).map_err(Some),
             None if by_film > 1.0 => self.finer_for_film(next, &level).ok_or(None),
@@ -243,7 +243,7 @@ impl Refining<'_> {
             (Ok(finer), _) => {
                 self.tell_best(&level);
                 self.best = Some(level);
-                Step::Finer(finer)
+                RefinementStep::Finer(finer)
             }
             // A mesh that resolves less than the one before, as may happen at the edge of a cavity.
             (Err(Some(limit)), Some(before)) if before.worst < worst => {
@@ -255,7 +255,7 @@ impl Refining<'_> {
     }
 
     /// Tells what the run answers if it ends on the mesh after this level.
-    fn tell_best(&self, level: &Level) {
+    fn tell_best(&self, level: &SolvedLevel) {
         let Some(best) = self.best_so_far else { return };
         let limit = (level.worst > 1.0)
             .then(|| Limit::Unfinished(self.distance(level.worst), self.elapsed(), Cause::Interrupt));
@@ -284,20 +284,20 @@ impl Refining<'_> {
     }
 
     /// The mesh after that of a level, or why there must be none.
-    fn finer(&self, last: &Next, level: &Level) -> Result<Next, Limit> {
+    fn finer(&self, last: &NextMesh, level: &SolvedLevel) -> Result<NextMesh, Limit> {
         let goal = Goal { worst: level.worst, most_unknowns: self.options.max_unknowns, most_growth: MOST_GROWTH };
         self.finer_for(&goal, last, level)
     }
 
     /// The mesh after that of a level which has what is required by its hill alone, if there may be one.
-    fn finer_for_film(&self, last: &Next, level: &Level) -> Option<Next> {
+    fn finer_for_film(&self, last: &NextMesh, level: &SolvedLevel) -> Option<NextMesh> {
         let goal = Goal { worst: level.by_film, most_unknowns: self.options.max_unknowns, most_growth: MOST_GROWTH };
         self.finer_for(&goal, last, level).ok()
     }
 
     /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is
     /// expensive.
-    fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
+    fn finer_if_cheap(&mut self, last: &NextMesh, level: &SolvedLevel) -> Option<NextMesh> {
         self.wanted_levels += 1;
         let film = &level.solved.film;
         let most_unknowns = match film.load() {
@@ -315,10 +315,10 @@ impl Refining<'_> {
     }
 
     /// The mesh after that of a level for a goal, or why there must be none.
-    fn finer_for(&self, goal: &Goal, last: &Next, level: &Level) -> Result<Next, Limit> {
+    fn finer_for(&self, goal: &Goal, last: &NextMesh, level: &SolvedLevel) -> Result<NextMesh, Limit> {
         let left = self.options.max_seconds - self.elapsed();
         let growth = Growth::of(level, goal, &self.levels, [left, self.seconds_again()]);
-        let next = Next::refined(last, level, &growth)?;
+        let next = NextMesh::refined(last, level, &growth)?;
         let growth = next.growth(&level.solved.film).unwrap_or(growth.factor);
         self.limit(growth, goal).map_or(Ok(next), Err)
     }

@@ -9,11 +9,11 @@ use oilwedge_mesh::{Defect, Mesh, refine};
 use oilwedge_reynolds::film_thickness::Deflection;
 
 use super::growth::Growth;
-use super::level::Level;
+use super::level::SolvedLevel;
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
-use crate::grading::{Graded, Shown, graded, graded_within};
+use crate::grading::{Graded, MomentPath, graded, graded_within};
 use crate::liner_mesh::{expected_triangles, least_unknowns, liner_mesh};
 use crate::mesh_plan::MeshPlan;
 use crate::model::Model;
@@ -119,22 +119,22 @@ fn within_limit(plan: &MeshPlan, unknowns: f64, watch: Watch) -> Result<(), Comp
 }
 
 /// The next mesh.
-pub(super) enum Next {
+pub(super) enum NextMesh {
     /// A mesh made here with longest edges times this, from what a coarser one has shown of the way that a
     /// moment takes.
-    Drawn(f64, Option<Shown>),
+    Drawn(f64, Option<MomentPath>),
     /// A mesh made here with longest edges times this or less, so that it has about as many triangles as this,
     /// for the film found before.
-    DrawnFiner(f64, usize, Known),
+    DrawnFiner(f64, usize, EarlierFilm),
     /// The mesh as it is given or wanted.
     Given,
     /// A mesh at hand, for the film found before.
-    Divided(Arc<Mesh>, Refinement, Known),
+    Divided(Arc<Mesh>, Refinement, EarlierFilm),
 }
 
 /// What the next film takes over from a film found.
 #[derive(Debug, Clone)]
-pub(super) struct Known {
+pub(super) struct EarlierFilm {
     /// Where the journal is, as it is given where it is.
     position: Position,
     /// Temperature [K] where it was found.
@@ -143,7 +143,7 @@ pub(super) struct Known {
     deflection: Option<Deflection>,
 }
 
-impl Known {
+impl EarlierFilm {
     fn of(film: &Film) -> Self {
         Self {
             position: match film.load() {
@@ -167,11 +167,11 @@ impl Known {
     }
 }
 
-impl Next {
+impl NextMesh {
     /// The mesh of a film divided uniformly, if its round rims are fine enough for that.
     pub(super) fn divided(film: &Film) -> Option<Self> {
         let divided = refine::uniform(film.system.space().mesh()).ok()?;
-        Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, Known::of(film)))
+        Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, EarlierFilm::of(film)))
     }
 
     pub(super) fn first(model: &Model) -> Self {
@@ -227,7 +227,7 @@ impl Next {
     /// A start on a finer mesh where the first mesh, that of `film`, was too coarse to have an answer.
     pub(super) fn finer_first(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
         match self {
-            Self::Drawn(factor, _) if *factor > 1.0 => Some(Self::Drawn(1.0, Shown::of(film, reason))),
+            Self::Drawn(factor, _) if *factor > 1.0 => Some(Self::Drawn(1.0, MomentPath::of(film, reason))),
             _ => None,
         }
     }
@@ -237,7 +237,7 @@ impl Next {
     pub(super) fn finer_undecided(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
         match self {
             Self::Drawn(factor, _) if *factor > FINEST && reason.is_undecided() => {
-                Some(Self::Drawn(factor * UNDECIDED, Shown::of(film, reason)))
+                Some(Self::Drawn(factor * UNDECIDED, MomentPath::of(film, reason)))
             }
             _ => None,
         }
@@ -249,7 +249,7 @@ impl Next {
     }
 
     /// The mesh after that of a level, or why it cannot be made.
-    pub(super) fn refined(last: &Self, level: &Level, growth: &Growth) -> Result<Self, Limit> {
+    pub(super) fn refined(last: &Self, level: &SolvedLevel, growth: &Growth) -> Result<Self, Limit> {
         let (film, estimated) = (&level.solved.film, &level.estimated);
         let mesh = film.system.space().mesh();
         // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too
@@ -263,12 +263,12 @@ impl Next {
             (_, Self::Drawn(factor, _) | Self::DrawnFiner(factor, ..)) => {
                 let triangles = growth.factor * mesh.triangles().len() as f64;
                 let factor = factor / growth.factor.sqrt();
-                return Ok(Self::DrawnFiner(factor, triangles as usize, Known::of(film)));
+                return Ok(Self::DrawnFiner(factor, triangles as usize, EarlierFilm::of(film)));
             }
             _ => (refine::uniform(mesh).map(|divided| divided.mesh), Refinement::Uniform),
         };
         let divided = divided.map_err(|_| Limit::CoarseRim)?;
-        Ok(Self::Divided(Arc::new(divided), refinement, Known::of(film)))
+        Ok(Self::Divided(Arc::new(divided), refinement, EarlierFilm::of(film)))
     }
 }
 
@@ -315,7 +315,7 @@ mod tests {
         let bent = wall.with(vec![1e-6; wall.coefficients.len()]);
         let mut found = film.clone();
         found.problem = found.problem.deflected(Some(&bent));
-        let next = Known::of(&found).begun(film);
+        let next = EarlierFilm::of(&found).begun(film);
         assert_eq!(next.problem.deflection(), Some(&bent));
         assert_eq!(next.start, crate::film::Start::NearlyBalanced);
     }

@@ -24,15 +24,15 @@ pub struct DynamicsReport {
 }
 
 /// Rows: W_x, W_y and, where the journal may tilt, m_x, m_y; columns: e_x, e_y, g_x, g_y or their rates.
-pub type Matrix = Vec<Vec<f64>>;
+pub type CoefficientMatrix = Vec<Vec<f64>>;
 
 /// Stiffness and damping in one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Pair {
     /// Stiffness.
-    pub stiffness: Matrix,
+    pub stiffness: CoefficientMatrix,
     /// Damping.
-    pub damping: Matrix,
+    pub damping: CoefficientMatrix,
 }
 
 /// Coefficients at one frequency.
@@ -87,7 +87,7 @@ impl DynamicsReport {
         let (asked, dynamics) = (film.model.sockets.dynamics.as_ref()?, measured.dynamics()?);
         let problem = &film.problem;
         let load = measured.load.magnitude();
-        let frame = Frame {
+        let frame = LoadAxes {
             load,
             angle: (load > 0.0).then(|| measured.load.angle()),
             speed: problem.journal.speed,
@@ -126,7 +126,7 @@ impl DynamicsReport {
 }
 
 /// What the frame along the load is made of.
-struct Frame {
+struct LoadAxes {
     /// Magnitude of the load [N].
     load: f64,
     /// Direction of the load [rad], if there is one.
@@ -139,7 +139,7 @@ struct Frame {
     arm: f64,
 }
 
-impl Frame {
+impl LoadAxes {
     fn report(&self, at: &AtWhirl) -> CoefficientReport {
         let along = self.angle.map(|angle| at.coefficients.in_frame(angle, self.speed));
         let scaled = along.and_then(|along| along.without_dimension(self.load, self.clearance, self.speed, self.arm));

@@ -24,8 +24,8 @@
 //! `tests/full/tests/shaft_cycle.rs`.
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Instant, Orbits, Step};
-use oilwedge_bearing::shaft::{Engine, Film, Films, NoFilmAt, NodeForce};
+use oilwedge_bearing::orbit::{Instant, Orbits, PathStep};
+use oilwedge_bearing::shaft::{Engine, Films, NoFilmAt, NodeForce, ShaftFilm};
 
 use oilwedge_reynolds::solve::Neighbour;
 use rayon::prelude::*;
@@ -40,8 +40,8 @@ use crate::measure::{Measured, measure};
 /// [`NoFilmAt`]: a film that the shaft had is not found again.
 pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) -> Result<ShaftBalances, NoFilmAt> {
     let mut worst = ShaftBalances::default();
-    let angle = |step: &[Step]| engine.speed * step[0].time;
-    let magnitudes = |step: &Vec<Step>| {
+    let angle = |step: &[PathStep]| engine.speed * step[0].time;
+    let magnitudes = |step: &Vec<PathStep>| {
         let loads = engine.loads(angle(step)).into_iter();
         loads.map(|load| load.force[0].hypot(load.force[1])).sum::<f64>()
     };
@@ -55,7 +55,7 @@ pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) ->
         worst.force = worst.force.max(force / scale);
         worst.moment = worst.moment.max(moment / (arm * scale));
         worst.journals = worst.journals.max(step[0].residual);
-        let again = |(bearing, (film, step)): (usize, (&Film, &Step))| {
+        let again = |(bearing, (film, step)): (usize, (&ShaftFilm, &PathStep))| {
             let near = before.as_ref().map_or(Neighbour::None, |before| Neighbour::Start(&before[bearing].film));
             film.motion().film_at(step, near).map_err(|reason| NoFilmAt { bearing, reason })
         };
@@ -65,13 +65,13 @@ pub(super) fn balances(engine: &Engine, compiled: &Compiled, orbits: &Orbits) ->
         before = Some(instants);
         powers = [powers[0].max(left.abs()), powers[1].max(dissipated)];
     }
-    let keeps = |film: &Film| film.problem.cavitation.conserves_oil() || film.problem.deflection().is_some();
+    let keeps = |film: &ShaftFilm| film.problem.cavitation.conserves_oil() || film.problem.deflection().is_some();
     worst.power = (!films.films.iter().any(keeps)).then_some(powers[0] / powers[1]);
     Ok(worst)
 }
 
 /// Loads less forces of all films [N], and their moments about z = 0 [N m].
-fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[Step]) -> [[f64; 2]; 2] {
+fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[PathStep]) -> [[f64; 2]; 2] {
     let loads = engine.loads(engine.speed * step[0].time);
     let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
     for k in 0..2 {
@@ -79,7 +79,7 @@ fn left_of_loads(engine: &Engine, compiled: &Compiled, step: &[Step]) -> [[f64; 
             force[k] += load.force[k];
             moment[k] += compiled.loaded_at[load.place] * load.force[k];
         }
-        for (Step { excess: carried, .. }, bearing) in step.iter().zip(&compiled.bearings) {
+        for (PathStep { excess: carried, .. }, bearing) in step.iter().zip(&compiled.bearings) {
             force[k] -= carried[k];
             moment[k] -= bearing.at * carried[k] + bearing.coordinates().arm * carried[k + 2];
         }

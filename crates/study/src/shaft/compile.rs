@@ -8,7 +8,7 @@ use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::shaft::{
     self, CrankThrow, Crankshaft, Engine, Films, Material, NodeForce, Piece, Place, Round, Shaft,
 };
-use oilwedge_scene::{self as scene, Journal, Orbit, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support};
+use oilwedge_scene::{self as scene, Journal, OrbitTable, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support};
 
 use super::error::ShaftError;
 use crate::compile::compile;
@@ -22,7 +22,7 @@ const CHECKED: u32 = 1440;
 
 /// A bearing of a shaft.
 #[derive(Debug, Clone)]
-pub struct Bearing {
+pub struct CompiledBearing {
     /// How results call it.
     pub name: String,
     /// The file of its scene.
@@ -39,7 +39,7 @@ pub struct Bearing {
 #[derive(Debug)]
 pub struct Compiled {
     /// Bearings of the shaft along the axis.
-    pub bearings: Vec<Bearing>,
+    pub bearings: Vec<CompiledBearing>,
     /// The shaft as its journals see it.
     pub shaft: Shaft,
     /// Loads that do not change, on the nodes of the shaft.
@@ -90,7 +90,7 @@ fn coordinates(film: &Film) -> Coordinates {
     Coordinates { order: if film.model.has_support { 4 } else { 2 }, arm: 0.5 * film.problem.bearing.length }
 }
 
-impl Bearing {
+impl CompiledBearing {
     /// Coordinates of its journal that the film sees.
     pub fn coordinates(&self) -> Coordinates {
         coordinates(&self.film)
@@ -100,7 +100,7 @@ impl Bearing {
 impl Compiled {
     /// The films, as the balance of the shaft has them.
     pub fn films(&self) -> Films<'_> {
-        let compliance = |bearing: &Bearing| shaft::compliance_of_shell(bearing.coordinates(), bearing.support);
+        let compliance = |bearing: &CompiledBearing| shaft::compliance_of_shell(bearing.coordinates(), bearing.support);
         Films {
             shaft: &self.shaft,
             films: self.bearings.iter().map(film).collect(),
@@ -110,7 +110,7 @@ impl Compiled {
 
     /// This shaft on films of the vertices of their meshes alone.
     pub(super) fn on_vertices(&self) -> Self {
-        self.with_films(|_, Bearing { film, .. }| film.on_vertices())
+        self.with_films(|_, CompiledBearing { film, .. }| film.on_vertices())
     }
 
     /// This shaft on films that are meshed for another greatest eccentricity [1].
@@ -119,7 +119,7 @@ impl Compiled {
     /// [`ShaftError::Film`]: a bearing cannot be meshed for it.
     pub(super) fn meshed_for(&self, eccentricity: f64) -> Result<Self, ShaftError> {
         let mut films: Vec<Film> = Vec::new();
-        for (number, Bearing { path, film, .. }) in self.bearings.iter().enumerate() {
+        for (number, CompiledBearing { path, film, .. }) in self.bearings.iter().enumerate() {
             let first = self.bearings[..number].iter().position(|other| other.path == *path);
             films.push(match first {
                 Some(first) => films[first].clone(),
@@ -130,11 +130,11 @@ impl Compiled {
     }
 
     /// This shaft with another film of each bearing, by its number.
-    pub(super) fn with_films(&self, film: impl Fn(usize, &Bearing) -> Film) -> Self {
+    pub(super) fn with_films(&self, film: impl Fn(usize, &CompiledBearing) -> Film) -> Self {
         let bearings = self.bearings.iter().enumerate();
         Self {
             bearings: bearings
-                .map(|(number, bearing)| Bearing { film: film(number, bearing), ..bearing.clone() })
+                .map(|(number, bearing)| CompiledBearing { film: film(number, bearing), ..bearing.clone() })
                 .collect(),
             shaft: self.shaft.clone(),
             loads: self.loads.clone(),
@@ -149,12 +149,12 @@ impl Compiled {
     }
 }
 
-fn film(bearing: &Bearing) -> shaft::Film<'_> {
-    shaft::Film::new(&bearing.film.problem, &bearing.film.system, bearing.coordinates())
+fn film(bearing: &CompiledBearing) -> shaft::ShaftFilm<'_> {
+    shaft::ShaftFilm::new(&bearing.film.problem, &bearing.film.system, bearing.coordinates())
 }
 
 /// The bearings with their films; bearings of one scene share its mesh.
-fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, ShaftError> {
+fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<CompiledBearing>, ShaftError> {
     let mut films: Vec<(PathBuf, Film)> = Vec::new();
     let is_followed_alone = scene.crankshaft.statics == Statics::Cut && scene.crank.is_some();
     let mut bearings = Vec::new();
@@ -180,7 +180,7 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
                 film
             }
         };
-        bearings.push(Bearing {
+        bearings.push(CompiledBearing {
             name: bearing.name.clone(),
             path: path.clone(),
             at: bearing.at,
@@ -224,7 +224,7 @@ fn on_shaft(path: &Path, scene: &ShaftScene) -> Result<Scene, ShaftError> {
     changed.journal = Journal::without_load(shaft.speed);
     (changed.load_at, changed.load_moment, changed.load_cycle, changed.crank) = (None, None, None, None);
     changed.support = resists_tilt.then_some(Support { tilt_stiffness: 0.0, tilt: [0.0; 2] });
-    changed.orbit = Some(scene.orbit.unwrap_or_else(Orbit::usual));
+    changed.orbit = Some(scene.orbit.unwrap_or_else(OrbitTable::usual));
     changed.tolerance = None;
     (changed.dynamics, changed.sweep) = (None, None);
     Ok(changed)

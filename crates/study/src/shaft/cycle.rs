@@ -3,21 +3,21 @@
 use std::time::Instant;
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, LoadPoint, Turning};
-use oilwedge_bearing::orbit::{Journals, NoOrbit, NoOrbitAt, OrbitEnd, OrbitOptions, Orbits, Step};
+use oilwedge_bearing::duty_cycle::{DutyCycle, ForceAxes, LoadPoint, Turning};
+use oilwedge_bearing::orbit::{Journals, NoOrbit, NoOrbitAt, OrbitEnd, OrbitOptions, Orbits, PathStep};
 use oilwedge_bearing::shaft::{Engine, Films};
 use oilwedge_scene::{ShaftScene, Statics};
 
 use super::balances::balances;
-use super::compile::{Bearing, Compiled, compile_shaft};
+use super::compile::{Compiled, CompiledBearing, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, ShaftRun, found_with_shaft};
-use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
+use super::temperatures::{BearingNumbers, NoShaftAnswer, Temperatures};
 use crate::estimate::estimate_errors;
 use crate::orbit::{
-    BALANCED, CycleFacts, Followed, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured, motion,
-    suits,
+    BALANCED, CycleFacts, FollowedCycle, GREATEST, USUAL, add_temperature, compared, follow_under, judge, measured,
+    motion, suits,
 };
 use crate::reasons::{Cause, Limit};
 use crate::result::Status;
@@ -48,7 +48,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
     let mut run = ShaftRun::of(scene, options.bars);
     for (bearing, cycle) in compiled.bearings.iter().zip(engine.on_mains(&mains, &compiled.throws)) {
         let own = &bearing.film.model;
-        let orbit = own.scope.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let orbit = own.scope.orbit.unwrap_or_else(oilwedge_scene::OrbitTable::usual);
         let outcome = follow_under(own, (&orbit, &cycle), options);
         let (_, outcome) = outcome.map_err(|source| ShaftError::Film { path: bearing.path.clone(), source })?;
         match outcome {
@@ -75,7 +75,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
 /// All films at once.
 fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
     let clock = Instant::now();
-    let model = scene.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+    let model = scene.orbit.unwrap_or_else(oilwedge_scene::OrbitTable::usual);
     let mut compiled = compile_shaft(scene, USUAL)?;
     let mut run = ShaftRun::of(scene, options.bars);
     let march = OrbitOptions {
@@ -125,17 +125,20 @@ fn at_temperatures(
     (start, march): (&[Vector], &OrbitOptions),
     options: &RunOptions,
 ) -> Result<Orbits, NoShaftAnswer> {
-    let followed = |at: &Compiled, begin: Begin| {
+    let followed = |at: &Compiled, begin: MotionStart| {
         let found = orbits(scene, engine, at, &at.films(), (begin, march));
         found.map_err(|reason| (status(&reason), told(&reason, at, options.cause())))
     };
     if temperatures.are_given() {
-        return followed(compiled, Begin::At(start));
+        return followed(compiled, MotionStart::At(start));
     }
     let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
     let shown = |at: &Compiled, orbits: &Orbits| {
         let found = measured_all(scene, at, orbits, &numbers_alone)?;
-        Ok(found.into_iter().map(|(followed, _)| (followed.flows, followed.quantities)).collect::<Vec<Shown>>())
+        Ok(found
+            .into_iter()
+            .map(|(followed, _)| (followed.flows, followed.quantities))
+            .collect::<Vec<BearingNumbers>>())
     };
     if let Some(observer) = options.observer {
         observer.turns_to("the shaft at temperatures of its films, one set after the other");
@@ -146,31 +149,31 @@ fn at_temperatures(
         BALANCED * march.tolerance,
         || march.deadline.is_over(),
         |at| {
-            let orbits = followed(at, Begin::after(last.as_ref(), start))?;
+            let orbits = followed(at, MotionStart::after(last.as_ref(), start))?;
             let shown = shown(at, &orbits)?;
             last = Some(orbits);
             Ok(shown)
         },
     )?;
     if options.bars {
-        temperatures.show_slopes(compiled, |at| shown(at, &followed(at, Begin::after(last.as_ref(), start))?));
+        temperatures.show_slopes(compiled, |at| shown(at, &followed(at, MotionStart::after(last.as_ref(), start))?));
     }
     match last {
         Some(orbits) => Ok(orbits),
-        None => followed(&temperatures.applied(compiled), Begin::At(start)),
+        None => followed(&temperatures.applied(compiled), MotionStart::At(start)),
     }
 }
 
 /// Where the motion of all journals begins.
 #[derive(Clone, Copy)]
-enum Begin<'a> {
+enum MotionStart<'a> {
     /// At places [m].
     At(&'a [Vector]),
     /// At the end of other orbits.
     After(&'a Orbits),
 }
 
-impl<'a> Begin<'a> {
+impl<'a> MotionStart<'a> {
     /// After other orbits or, where there are none, at places [m].
     fn after(orbits: Option<&'a Orbits>, start: &'a [Vector]) -> Self {
         orbits.map_or(Self::At(start), Self::After)
@@ -183,15 +186,15 @@ fn orbits(
     engine: &Engine,
     compiled: &Compiled,
     films: &Films,
-    (begin, march): (Begin, &OrbitOptions),
+    (begin, march): (MotionStart, &OrbitOptions),
 ) -> Result<Orbits, NoOrbitAt> {
     let loads = |angle: f64| compiled.shaft.loads(&engine.loads(angle), angle);
     let drive = films.drive(&loads, [scene.crankshaft.period, scene.crankshaft.speed]);
     let motions = films.motions();
     let journals = Journals { motions: &motions, shaft: Some(drive) };
     match begin {
-        Begin::At(start) => journals.orbits(start, march),
-        Begin::After(Orbits { steps, .. }) => journals.orbits_after(steps.last().map_or(&[], |step| step), march),
+        MotionStart::At(start) => journals.orbits(start, march),
+        MotionStart::After(Orbits { steps, .. }) => journals.orbits_after(steps.last().map_or(&[], |step| step), march),
     }
 }
 
@@ -216,7 +219,7 @@ fn rough(
     )
     .ok()?;
     let end = places(orbit.steps.last()?);
-    let gaps = orbit.steps.iter().map(|step| films.thinnest(step.iter().map(Step::under_wall)).1);
+    let gaps = orbit.steps.iter().map(|step| films.thinnest(step.iter().map(PathStep::under_wall)).1);
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min);
     Some((end, greatest.clamp(0.0, GREATEST)))
 }
@@ -239,14 +242,15 @@ fn report(
         let on_vertices = compiled.on_vertices();
         let numbers_alone = RunOptions { bars: false, frames: 0, observer: None, ..*options };
         let compared = compared(march, |march| {
-            let orbits = orbits(scene, engine, &on_vertices, &on_vertices.films(), (Begin::At(start), march)).ok()?;
+            let orbits =
+                orbits(scene, engine, &on_vertices, &on_vertices.films(), (MotionStart::At(start), march)).ok()?;
             let is_complete = orbits.end != OrbitEnd::Ended;
             is_complete.then(|| measured_all(scene, &on_vertices, &orbits, &numbers_alone).ok()).flatten()
         });
         for (number, (followed, _)) in found.iter_mut().enumerate() {
             let [alike, wider] = compared
                 .each_ref()
-                .map(|all| all.as_ref().map(|all: &Vec<(Followed, DutyCycle)>| &all[number].0.quantities[..]));
+                .map(|all| all.as_ref().map(|all: &Vec<(FollowedCycle, DutyCycle)>| &all[number].0.quantities[..]));
             judge(alike.zip(wider), &mut followed.quantities);
             followed.are_bars_ended = alike.is_none() && options.deadline().is_over();
         }
@@ -258,7 +262,7 @@ fn report(
             left_over = left_over.max(followed.temperature.map_or(0.0, |found| found.left_over));
         }
         followed.quantities = found_with_shaft(followed.quantities);
-        let yields = |step: &Vec<Step>| {
+        let yields = |step: &Vec<PathStep>| {
             let carried: Vec<Vector> = step.iter().map(|step| step.excess).collect();
             films.joined(&[], 0.0).yields(&carried)[number]
         };
@@ -288,11 +292,11 @@ fn measured_all(
     compiled: &Compiled,
     orbits: &Orbits,
     options: &RunOptions,
-) -> Result<Vec<(Followed, DutyCycle)>, NoShaftAnswer> {
-    let of_bearing = |(number, bearing): (usize, &Bearing)| {
+) -> Result<Vec<(FollowedCycle, DutyCycle)>, NoShaftAnswer> {
+    let of_bearing = |(number, bearing): (usize, &CompiledBearing)| {
         let cycle = own_load(scene, bearing, &orbits.steps, number);
         let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;
-        let orbit = bearing.film.model.scope.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let orbit = bearing.film.model.scope.orbit.unwrap_or_else(oilwedge_scene::OrbitTable::usual);
         let motion = motion(&bearing.film, &orbit, &cycle);
         let followed = measured(&bearing.film, &motion, &orbit, orbits.of(number), options)
             .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
@@ -302,34 +306,34 @@ fn measured_all(
 }
 
 /// Places of all journals [m].
-fn places(step: &[Step]) -> Vec<Vector> {
+fn places(step: &[PathStep]) -> Vec<Vector> {
     step.iter().map(|step| step.at).collect()
 }
 
 /// The load that the film of a bearing carries over the cycle, by a curve through its steps.
 fn own_load(
     scene: &ShaftScene,
-    bearing: &Bearing,
-    steps: &[Vec<Step>],
+    bearing: &CompiledBearing,
+    steps: &[Vec<PathStep>],
     number: usize,
 ) -> Result<DutyCycle, oilwedge_bearing::duty_cycle::NoSpline> {
     let speed = scene.crankshaft.speed;
     let arm = bearing.coordinates().arm;
-    let point = |step: &Vec<Step>| {
-        let Step { time, excess: [x, y, z_x, z_y], .. } = step[number];
+    let point = |step: &Vec<PathStep>| {
+        let PathStep { time, excess: [x, y, z_x, z_y], .. } = step[number];
         LoadPoint { angle: speed * time, force: [x, y], moment: [arm * z_x, arm * z_y] }
     };
     // The last step is the first one of the next cycle.
     let points: Vec<LoadPoint> = steps[..steps.len().saturating_sub(1)].iter().map(point).collect();
-    DutyCycle::of_table(&points, scene.crankshaft.period, Frame::Shell, Turning { speed, rod: None })
+    DutyCycle::of_table(&points, scene.crankshaft.period, ForceAxes::Shell, Turning { speed, rod: None })
 }
 
 /// Adds the report of a bearing, its path, and the warnings about its thinnest film.
 fn add(
     run: &mut ShaftRun,
-    bearing: &Bearing,
+    bearing: &CompiledBearing,
     load: DutyCycle,
-    followed: Followed,
+    followed: FollowedCycle,
     shells: &[Vector],
     options: &RunOptions,
 ) {

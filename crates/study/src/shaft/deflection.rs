@@ -1,7 +1,7 @@
 //! The shaft as it is bent: its centre line in the housing, and the shells in which its journals lie.
 
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::orbit::{Orbits, Step};
+use oilwedge_bearing::orbit::{Orbits, PathStep};
 use oilwedge_bearing::shaft::{Engine, NodeForce};
 use serde::{Deserialize, Serialize};
 
@@ -37,12 +37,12 @@ impl ShaftDeflection {
     /// The line at the step with the least film of all bearings.
     pub(super) fn of_cycle(compiled: &Compiled, engine: &Engine, orbits: &Orbits) -> Option<Self> {
         let films = compiled.films();
-        let gaps = orbits.steps.iter().map(|step| films.gaps(step.iter().map(Step::under_wall)));
+        let gaps = orbits.steps.iter().map(|step| films.gaps(step.iter().map(PathStep::under_wall)));
         let least = orbits.steps.iter().zip(gaps.map(|gaps| least(&gaps)));
         let (step, (bearing, _)) = least.min_by(|(_, (_, a)), (_, (_, b))| a.total_cmp(b))?;
         let angle = engine.speed * step[0].time;
-        let [at, carried] =
-            [|step: &Step| step.at, |step: &Step| step.excess].map(|of| step.iter().map(of).collect::<Vec<Vector>>());
+        let [at, carried] = [|step: &PathStep| step.at, |step: &PathStep| step.excess]
+            .map(|of| step.iter().map(of).collect::<Vec<Vector>>());
         let line = Self::turned(compiled, (&at, &carried), (bearing, &engine.loads(angle)), angle)?;
         Some(Self { crank_angle_deg: Some(angle.to_degrees()), ..line })
     }

@@ -3,7 +3,7 @@
 use oilwedge_scene::ShaftScene;
 use serde::{Deserialize, Serialize};
 
-use super::compile::Bearing;
+use super::compile::CompiledBearing;
 use super::deflection::ShaftDeflection;
 use super::weights::CounterweightReport;
 use crate::limits::design_criteria;
@@ -137,7 +137,7 @@ pub struct BearingReport {
 
 impl BearingReport {
     /// The report of a bearing at rest, parallel to a shell that does not give way.
-    pub(super) fn of(bearing: &Bearing, quantities: Vec<Quantity>, bars: bool) -> Self {
+    pub(super) fn of(bearing: &CompiledBearing, quantities: Vec<Quantity>, bars: bool) -> Self {
         Self {
             name: bearing.name.clone(),
             scene: bearing.path.display().to_string(),

@@ -5,16 +5,16 @@ use std::time::Instant as Clock;
 use oilwedge_bearing::Work;
 use oilwedge_bearing::coordinates::{Vector, length, moved};
 use oilwedge_bearing::orbit::Instant;
-use oilwedge_bearing::shaft::{Balance, Films, NoBalance, NoFilmAt};
+use oilwedge_bearing::shaft::{Films, NoBalance, NoFilmAt, ShaftEquilibrium};
 use oilwedge_reynolds::quantities::load::{Resultant, load};
 use oilwedge_scene::ShaftScene;
 use rayon::prelude::*;
 
-use super::compile::{Bearing, Compiled, compile_shaft};
+use super::compile::{Compiled, CompiledBearing, compile_shaft};
 use super::deflection::ShaftDeflection;
 use super::error::ShaftError;
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
-use super::temperatures::{NoShaftAnswer, Shown, Temperatures};
+use super::temperatures::{BearingNumbers, NoShaftAnswer, Temperatures};
 use crate::estimate::{Displacement, Estimated, estimate_errors};
 use crate::isothermal::isothermal;
 use crate::measure::measure;
@@ -81,9 +81,9 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
 fn at_temperatures(
     compiled: &Compiled,
     temperatures: &mut Temperatures,
-    found: Balance,
+    found: ShaftEquilibrium,
     options: &RunOptions,
-) -> Result<Balance, NoShaftAnswer> {
+) -> Result<ShaftEquilibrium, NoShaftAnswer> {
     if temperatures.are_given() {
         return Ok(found);
     }
@@ -92,7 +92,7 @@ fn at_temperatures(
     let none = vec![[0.0; 4]; asked.len()];
     let mut balance = found;
     let mut films = balance.films;
-    let mut balanced = |at: &Compiled, near: &Balance| {
+    let mut balanced = |at: &Compiled, near: &ShaftEquilibrium| {
         let next = at.films().rebalanced(&asked, 0.0, near, &none);
         let next = next.map_err(|reason| without(&reason, at, options.cause()))?;
         films += next.films;
@@ -106,12 +106,12 @@ fn at_temperatures(
     if options.bars {
         temperatures.show_slopes(compiled, |at| Ok(shown(at, &balanced(at, &balance)?)));
     }
-    Ok(Balance { films, ..balance })
+    Ok(ShaftEquilibrium { films, ..balance })
 }
 
 /// What the quadratic films of a balance show.
-fn shown(at: &Compiled, balance: &Balance) -> Vec<Shown> {
-    let of_film = |(bearing, here): (&Bearing, &Instant)| {
+fn shown(at: &Compiled, balance: &ShaftEquilibrium) -> Vec<BearingNumbers> {
+    let of_film = |(bearing, here): (&CompiledBearing, &Instant)| {
         let film = bearing.film.with_journal(here.film.problem.journal);
         let measured = measure(&here.film);
         let flows = film.model.sockets.thermal.map(|model| thermal_flows(&model, &film, &measured));
@@ -129,14 +129,14 @@ fn without(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> NoShaftAnsw
     (status, told(reason, compiled, cause))
 }
 
-fn is_graded(bearing: &Bearing) -> bool {
+fn is_graded(bearing: &CompiledBearing) -> bool {
     bearing.film.model.mesh.is_graded()
 }
 
 /// The films of a balance, solved with those by which errors are estimated.
 struct Reported {
     /// The balance of the films that are reported.
-    balance: Balance,
+    balance: ShaftEquilibrium,
     /// The films.
     solved: Vec<Solved>,
     /// What they carry [N].
@@ -150,7 +150,7 @@ struct Reported {
 fn reported(
     compiled: &Compiled,
     films: &Films,
-    found: Balance,
+    found: ShaftEquilibrium,
     options: &RunOptions,
 ) -> Result<Reported, NoShaftAnswer> {
     let asked = compiled.steady_load();
@@ -159,11 +159,11 @@ fn reported(
     let mut more = vec![[0.0; 4]; films.films.len()];
     let mut left = f64::INFINITY;
     for _ in 0..MOST_BALANCES {
-        let solve = |(bearing, here): (&Bearing, &Instant)| {
+        let solve = |(bearing, here): (&CompiledBearing, &Instant)| {
             let solve = SolveOptions { errors: options.errors(), ..SolveOptions::default() };
             isothermal(&bearing.film.with_journal(here.film.problem.journal), &solve)
         };
-        let at: Vec<(&Bearing, &Instant)> = compiled.bearings.iter().zip(&balance.instants).collect();
+        let at: Vec<(&CompiledBearing, &Instant)> = compiled.bearings.iter().zip(&balance.instants).collect();
         let solved: Result<Vec<Solved>, NoAnswer> = at.into_par_iter().map(solve).collect();
         let solved = solved.map_err(|reason| (Status::without(&reason), reason.to_string()))?;
         let carried: Vec<Resultant> = solved.iter().map(|solved| load(solved.reported()).total.resultant()).collect();
@@ -189,7 +189,7 @@ fn reported(
 /// Fills in the numbers of a balance.
 fn report(
     (compiled, temperatures): (&Compiled, &Temperatures),
-    found: Balance,
+    found: ShaftEquilibrium,
     options: &RunOptions,
     result: &mut ShaftResult,
 ) -> Result<(), NoShaftAnswer> {
@@ -249,7 +249,7 @@ fn report(
 /// What the errors of all films do to each of them, by bearing; none where a film has no bar.
 fn displacements(
     films: &Films,
-    balance: &Balance,
+    balance: &ShaftEquilibrium,
     estimated: &[Estimated],
 ) -> Result<Option<Vec<Vec<Displacement>>>, NoFilmAt> {
     let of_film = |(number, estimated): (usize, &Estimated)| {
@@ -275,7 +275,7 @@ fn displacements(
 }
 
 /// The balances of the whole shaft, by the loads as they are given and what the films carry.
-fn balances(compiled: &Compiled, balance: &Balance, carried: &[Resultant]) -> ShaftBalances {
+fn balances(compiled: &Compiled, balance: &ShaftEquilibrium, carried: &[Resultant]) -> ShaftBalances {
     let (mut force, mut moment, mut scale, mut arm_scale) = ([0.0; 2], [0.0; 2], 0.0, 0.0);
     for load in &compiled.loads {
         let z = compiled.loaded_at[load.place];

@@ -2,7 +2,7 @@
 
 use oilwedge_bearing::ThermalFlows;
 
-use super::compile::{Bearing, Compiled};
+use super::compile::{Compiled, CompiledBearing};
 use crate::quantities::Quantity;
 use crate::result::Status;
 use crate::thermal::FilmTemperature;
@@ -11,7 +11,7 @@ use crate::thermal::FilmTemperature;
 pub(super) type NoShaftAnswer = (Status, String);
 
 /// What a run has shown of a bearing: what heats and what cools its film, and its numbers.
-pub(super) type Shown = (Option<ThermalFlows>, Vec<Quantity>);
+pub(super) type BearingNumbers = (Option<ThermalFlows>, Vec<Quantity>);
 
 /// The temperatures of the films of a shaft, by bearing; none of a film whose temperature is given.
 pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
@@ -19,8 +19,9 @@ pub(super) struct Temperatures(Vec<Option<FilmTemperature>>);
 impl Temperatures {
     /// The temperatures of the bearings of a shaft before the first run.
     pub(super) fn of(compiled: &Compiled) -> Self {
-        let of =
-            |Bearing { film, .. }: &Bearing| film.model.sockets.thermal.map(|model| FilmTemperature::of(film, model));
+        let of = |CompiledBearing { film, .. }: &CompiledBearing| {
+            film.model.sockets.thermal.map(|model| FilmTemperature::of(film, model))
+        };
         Self(compiled.bearings.iter().map(of).collect())
     }
 
@@ -57,7 +58,7 @@ impl Temperatures {
         compiled: &Compiled,
         accuracy: f64,
         is_over: impl Fn() -> bool,
-        mut run: impl FnMut(&Compiled) -> Result<Vec<Shown>, NoShaftAnswer>,
+        mut run: impl FnMut(&Compiled) -> Result<Vec<BearingNumbers>, NoShaftAnswer>,
     ) -> Result<(), NoShaftAnswer> {
         while !self.are_given() {
             match run(&self.applied(compiled)) {
@@ -82,7 +83,7 @@ impl Temperatures {
     pub(super) fn show_slopes(
         &mut self,
         compiled: &Compiled,
-        run: impl FnOnce(&Compiled) -> Result<Vec<Shown>, NoShaftAnswer>,
+        run: impl FnOnce(&Compiled) -> Result<Vec<BearingNumbers>, NoShaftAnswer>,
     ) {
         if self.0.iter().flatten().all(FilmTemperature::has_slopes) {
             return;
@@ -95,7 +96,7 @@ impl Temperatures {
     }
 
     /// Adds what a run has shown; the greatest heat that is left over, as a part of the power [1].
-    fn add(&mut self, shown: Vec<Shown>) -> f64 {
+    fn add(&mut self, shown: Vec<BearingNumbers>) -> f64 {
         let films = self.0.iter_mut().zip(shown);
         let left = films.map(|(search, (flows, quantities))| match search.as_mut().zip(flows) {
             Some((search, flows)) => search.add(flows, quantities),
@@ -105,7 +106,7 @@ impl Temperatures {
     }
 
     /// Turns to the temperatures of the next run.
-    fn turn(&mut self, bearings: &[Bearing]) -> Result<(), NoShaftAnswer> {
+    fn turn(&mut self, bearings: &[CompiledBearing]) -> Result<(), NoShaftAnswer> {
         for (search, bearing) in self.0.iter_mut().zip(bearings) {
             if let Some(search) = search {
                 let told = |reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name));

@@ -196,7 +196,7 @@ fn maps(compiled: &Compiled) -> Result<Vec<(usize, FiniteMap)>, NoWeights> {
 fn least_film(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)]) -> Option<f64> {
     let mains: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
     let cycles: Vec<DutyCycle> = engine.on_mains(&mains, &compiled.throws);
-    let least = |(bearing, cycle): (&super::Bearing, &DutyCycle)| {
+    let least = |(bearing, cycle): (&super::CompiledBearing, &DutyCycle)| {
         let first = compiled.bearings.iter().position(|other| other.path == bearing.path)?;
         let (_, map) = maps.iter().find(|(number, _)| *number == first)?;
         let travel = Travel {

@@ -7,9 +7,9 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::thermal_balance::{LONGEST_THINNING, is_usual};
-use oilwedge_bearing::{Balanced, NoBalance, ThermalFlows};
+use oilwedge_bearing::{Balanced, NoThermalBalance, ThermalFlows};
 
-use super::{Left, none, powers};
+use super::{SearchStop, none, powers};
 use crate::film::Film;
 use crate::no_answer::{NoAnswer, NoTemperature};
 use crate::oil::{Oil, first_temperature};
@@ -32,12 +32,12 @@ pub(crate) struct FilmTemperature {
     /// The temperature of the next run [K].
     pub(crate) temperature: f64,
     oil: Oil,
-    runs: Vec<Run>,
+    runs: Vec<RunAtTemperature>,
     retreats: usize,
 }
 
 /// What a run at one temperature has shown.
-struct Run {
+struct RunAtTemperature {
     temperature: f64,
     flows: ThermalFlows,
     surplus: f64,
@@ -66,7 +66,7 @@ impl FilmTemperature {
     pub(crate) fn add(&mut self, flows: ThermalFlows, quantities: Vec<Quantity>) -> f64 {
         let temperature = self.temperature;
         let surplus = self.model.balance.surplus(temperature, &flows);
-        self.runs.push(Run { temperature, flows, surplus, quantities });
+        self.runs.push(RunAtTemperature { temperature, flows, surplus, quantities });
         self.retreats = 0;
         if surplus == 0.0 { 0.0 } else { (surplus / flows.power).abs() }
     }
@@ -82,7 +82,7 @@ impl FilmTemperature {
         let end = if here.surplus > 0.0 { hottest } else { coldest };
         let (temperature, film) = (here.temperature, here.flows);
         if temperature == end {
-            return Err(none(balance, NoBalance::TooHot { temperature, film }));
+            return Err(none(balance, NoThermalBalance::TooHot { temperature, film }));
         }
         if self.runs.len() > MOST_RUNS {
             let (runs, last) = (self.runs.len(), powers(balance, temperature, &film));
@@ -107,10 +107,10 @@ impl FilmTemperature {
 
     /// Why there is no balance, where there is no film at the temperature asked for, for this `reason`.
     pub(crate) fn without_film(&self, reason: NoAnswer) -> NoAnswer {
-        let reason = Left::NoAnswer(reason);
+        let reason = SearchStop::NoAnswer(reason);
         let why = match self.runs.last() {
-            None => NoBalance::NoFilm(reason),
-            Some(last) => NoBalance::Ends { temperature: last.temperature, film: last.flows, reason },
+            None => NoThermalBalance::NoFilm(reason),
+            Some(last) => NoThermalBalance::Ends { temperature: last.temperature, film: last.flows, reason },
         };
         none(&self.model.balance, why)
     }
@@ -144,9 +144,9 @@ impl FilmTemperature {
     }
 
     /// The two runs nearest to the temperature found that are far enough from one another.
-    fn nearest(&self) -> Option<[&Run; 2]> {
-        let mut by_distance: Vec<&Run> = self.runs.iter().collect();
-        let distance = |run: &Run| (run.temperature - self.temperature).abs();
+    fn nearest(&self) -> Option<[&RunAtTemperature; 2]> {
+        let mut by_distance: Vec<&RunAtTemperature> = self.runs.iter().collect();
+        let distance = |run: &RunAtTemperature| (run.temperature - self.temperature).abs();
         by_distance.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
         let first = *by_distance.first()?;
         let second = by_distance.iter().find(|other| (other.temperature - first.temperature).abs() > APART)?;
@@ -154,7 +154,7 @@ impl FilmTemperature {
     }
 
     /// How the surplus changes with temperature near a run [W/K], negative.
-    fn slope(&self, here: &Run) -> f64 {
+    fn slope(&self, here: &RunAtTemperature) -> f64 {
         let balance = &self.model.balance;
         let usual = balance.slope_under_load(here.temperature, &here.flows, self.thinning(here.temperature));
         let before = self.runs.iter().rev().find(|run| run.temperature != here.temperature);
@@ -169,6 +169,6 @@ impl FilmTemperature {
 }
 
 /// How the surplus changes with temperature between two runs [W/K].
-fn secant(from: &Run, to: &Run) -> f64 {
+fn secant(from: &RunAtTemperature, to: &RunAtTemperature) -> f64 {
     (to.surplus - from.surplus) / (to.temperature - from.temperature)
 }

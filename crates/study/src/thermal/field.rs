@@ -156,7 +156,7 @@ pub(crate) fn none(reason: NoHeat<NoAnswer>) -> NoAnswer {
     match reason {
         NoHeat::NoFilm(reason) => reason,
         NoHeat::NoRound(NoRound::TooLarge(reason)) => {
-            NoAnswer::Film(oilwedge_fem::newton::Failure::from(reason).into())
+            NoAnswer::Film(oilwedge_fem::newton::NewtonFailure::from(reason).into())
         }
         NoHeat::NoRound(reason) => NoAnswer::Temperature(NoTemperature::NoRound(reason)),
         NoHeat::NotClosed { change, rounds } => NoAnswer::Temperature(NoTemperature::NotClosed { change, rounds }),

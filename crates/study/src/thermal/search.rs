@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::find;
-use oilwedge_bearing::{Balanced, FoundWarmth, InitialGuess, NoBalance, Work};
+use oilwedge_bearing::{Balanced, FoundWarmth, InitialGuess, NoThermalBalance, Work};
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
@@ -41,7 +41,7 @@ struct Slopes {
 }
 
 /// Why a search for the temperature was left.
-pub(crate) enum Left {
+pub(crate) enum SearchStop {
     /// No film was found.
     NoAnswer(NoAnswer),
     /// The deadline came; the film reached is the answer.
@@ -120,27 +120,28 @@ fn bracketed(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     let mut films = 0;
     let at = |temperature: f64| {
         if options.deadline.is_over() {
-            return Err(Left::Ended);
+            return Err(SearchStop::Ended);
         }
         films += 1;
         if let Some(observer) = options.observer {
             observer.temperature(films, temperature - ZERO_CELSIUS);
         }
         let options = SolveOptions { accuracy: Some(LEADING_ACCURACY), errors: Errors::Omitted, ..*options };
-        let solved = near_or_cold(temperature, (film, last.as_ref()), &options).map_err(Left::NoAnswer)?;
+        let solved = near_or_cold(temperature, (film, last.as_ref()), &options).map_err(SearchStop::NoAnswer)?;
         let (flows, is_ended) = (thermal_flows_of(model, &solved.primary), solved.is_ended());
         last = Some(solved);
-        if is_ended { Err(Left::Ended) } else { Ok(flows) }
+        if is_ended { Err(SearchStop::Ended) } else { Ok(flows) }
     };
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
     let found = find(&model.balance, first, ROUGHLY, at);
     match (found, last) {
         (Ok(_), Some(last)) => Ok(last.film),
-        (Err(NoBalance::NoFilm(Left::Ended) | NoBalance::Ends { reason: Left::Ended, .. }), Some(last)) => {
-            Ok(last.film)
-        }
+        (
+            Err(NoThermalBalance::NoFilm(SearchStop::Ended) | NoThermalBalance::Ends { reason: SearchStop::Ended, .. }),
+            Some(last),
+        ) => Ok(last.film),
         (Err(reason), _) => Err(none(&model.balance, reason)),
-        (Ok(_), None) => Err(none(&model.balance, NoBalance::NoFilm(Left::Ended))),
+        (Ok(_), None) => Err(none(&model.balance, NoThermalBalance::NoFilm(SearchStop::Ended))),
     }
 }
 

@@ -5,7 +5,7 @@ use super::map_picture::{CellMap, Outcome};
 use serde::Deserialize;
 use toml::{Table, Value};
 
-use oilwedge_verification::answer::{Answer, limit, solve_within, with_law};
+use oilwedge_verification::answer::{CaseAnswer, limit, solve_within, with_law};
 use oilwedge_verification::cases::put;
 use oilwedge_verification::family::{Expect, LimitedLaw};
 use oilwedge_verification::suite::{SuiteError, in_threads};
@@ -71,9 +71,9 @@ fn column(place: usize) -> Vec<Outcome> {
 }
 
 /// What became of a cell whose film must not exist (`beyond`), or must.
-pub fn cell(answer: &Answer, beyond: bool) -> Outcome {
+pub fn cell(answer: &CaseAnswer, beyond: bool) -> Outcome {
     match (answer, answer.end(), beyond) {
-        (Answer::Run(run), Expect::Converged, false) => Outcome::Answer(run.result.counts.nonlinear_iterations),
+        (CaseAnswer::Run(run), Expect::Converged, false) => Outcome::Answer(run.result.counts.nonlinear_iterations),
         (_, Expect::NoSolution, true) => Outcome::Absent("no film".to_owned()),
         (_, end, _) => Outcome::Unexplained(end.name().to_owned()),
     }

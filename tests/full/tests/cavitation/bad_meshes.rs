@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::quantities::{flow::flows, load::load};
 use oilwedge_reynolds::supply::BoundaryKind;
@@ -63,7 +63,7 @@ fn shaken_meshes_have_a_film_or_a_place_where_it_is_wrong() {
                     assert!(fraction < 0.0 && couplings > 0, "{told}: {fraction} {couplings}");
                     assert!(z.abs() <= 0.5 * LENGTH && angle.abs() < 7.0, "{told}: {angle} {z}");
                 }
-                Err(NoFilm::NotConverged(Failure::Cycling { .. })) => refused += 1,
+                Err(NoFilm::NotConverged(NewtonFailure::Cycling { .. })) => refused += 1,
                 Err(other) => panic!("{told}: {other}"),
             }
         }

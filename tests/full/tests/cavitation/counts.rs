@@ -56,7 +56,7 @@ fn refined(study: &mut Film) {
         })
         .collect();
     let system = FilmSystem::new(Arc::new(finer.mesh), 2, regions).expect("refinement keeps the boundary");
-    study.system = Arc::new(system.with_coarser(&study.problem, oilwedge_reynolds::levels::Layout::Rows));
+    study.system = Arc::new(system.with_coarser(&study.problem, oilwedge_reynolds::levels::LevelLayout::Rows));
 }
 
 #[test]

@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
-use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, Harmonic, Turning};
-use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span, Step};
-use oilwedge_bearing::{Deadline, Load, SearchOptions, find};
+use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, ForceAxes, Harmonic, Turning};
+use oilwedge_bearing::orbit::{Motion, OrbitOptions, PathStep, Span};
+use oilwedge_bearing::{Deadline, JournalLoad, SearchOptions, find};
 use oilwedge_reynolds::film_thickness::WallStage;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
@@ -42,7 +42,7 @@ fn load_with(turning: f64) -> DutyCycle {
     };
     let orders = vec![of(0.0, [1.5, 0.0], [0.0; 2]), of(1.0, [turning, 0.0], [0.0, 0.7 * turning])];
     let rotation = Turning { speed: SPEED, rod: None };
-    DutyCycle::of_harmonics(orders, TAU, Frame::Shell, rotation)
+    DutyCycle::of_harmonics(orders, TAU, ForceAxes::Shell, rotation)
 }
 
 fn motion<'a>(problem: &'a FilmProblem, system: &'a Arc<FilmSystem>, cycle: &'a DutyCycle) -> Motion<'a> {
@@ -100,7 +100,7 @@ fn a_load_at_rest_leads_to_the_position_at_rest() {
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
     let mut problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
-    problem.contact = Some(contacts()[0]);
+    problem.contact = contacts().into_iter().next();
     let way = Way { start: [0.9 * CLEARANCE, 0.2 * CLEARANCE, 0.0, 0.0], turns: 3.0, options: options(1e-2, 1) };
     let rest = comes_to_rest(&problem, &ring(), 6.0, &way, 1e-6);
     assert!(rest > CLEARANCE, "{rest}");
@@ -132,7 +132,7 @@ fn comes_to_rest(problem: &FilmProblem, system: &Arc<FilmSystem>, units: f64, wa
     let orbit = motion.orbit(way.start, &way.options);
     let orbit = orbit.unwrap_or_else(|reason| panic!("{reason}"));
     let end = orbit.steps.last().expect("steps");
-    let load: Load = [force, 0.0].into();
+    let load: JournalLoad = [force, 0.0].into();
     let begin = FilmProblem {
         journal: JournalState { offset: [way.start[0], way.start[1]], ..problem.journal },
         ..problem.clone()
@@ -259,12 +259,12 @@ fn converges_with_the_step(model: Cavitation, system: &Arc<FilmSystem>, fewest: 
     let orbit = motion.orbit(START, &options(5e-2, 1)).expect("an orbit");
     let begin = orbit.steps.last().expect("an end");
     let end = |steps: u32| {
-        let mut here: Step = begin.clone();
+        let mut here: PathStep = begin.clone();
         let idle = Span::between(begin, begin);
         for number in 1..=steps {
             let time = begin.time + period / 4.0 * f64::from(number) / f64::from(steps);
             let next = motion.between(&here, &idle, time, 1e-6);
-            here = Step::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
+            here = PathStep::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
         }
         here
     };

@@ -5,14 +5,14 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Instant;
 
 use oilwedge_fem::complementarity::WarmStart;
-use oilwedge_fem::newton::{Failure, NewtonStep, Seconds};
+use oilwedge_fem::newton::{NewtonFailure, NewtonStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
 use super::balance::{CellBalance, add};
 use super::loops;
 use super::relaxation::NodeStates;
 use super::rows::Condition;
-use super::{Film, History, volumes_of};
+use super::{DiscreteFilm, History, volumes_of};
 use crate::Fallback;
 
 /// Greatest number of steps of one search.
@@ -27,7 +27,7 @@ const TIME_STEPS: usize = 24;
 
 /// The nodes in the cavity, and the steps that led there.
 pub(super) struct ActiveSetSearch<'a> {
-    film: &'a Film<'a>,
+    film: &'a DiscreteFilm<'a>,
     state: NodeStates,
     first: Option<f64>,
     balance: CellBalance,
@@ -71,7 +71,7 @@ enum SetEnd {
 }
 
 impl<'a> ActiveSetSearch<'a> {
-    pub(super) fn new(film: &'a Film<'a>, start: WarmStart) -> Self {
+    pub(super) fn new(film: &'a DiscreteFilm<'a>, start: WarmStart) -> Self {
         let WarmStart { u: p, mut held } = start;
         for (dof, held) in held.iter_mut().enumerate() {
             *held &= film.may_cavitate(dof);
@@ -91,7 +91,7 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// Iterates over sets of nodes until every sign is right, and goes over to pseudo-time where a set comes back.
-    pub(super) fn run(mut self) -> Result<Found, Failure> {
+    pub(super) fn run(mut self) -> Result<Found, NewtonFailure> {
         let mut end = self.iterate(None)?;
         if let SetEnd::Repeated = end {
             self.fallbacks.push(Fallback::PseudoTime);
@@ -101,7 +101,7 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// The balance of all nodes for the cavity of the start.
-    pub(super) fn step(mut self) -> Result<Found, Failure> {
+    pub(super) fn step(mut self) -> Result<Found, NewtonFailure> {
         let (linearisation, residual) = self.solve(None)?;
         let wrong = self.wrong_signs(&residual);
         self.record(&wrong);
@@ -110,21 +110,21 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// Searches from the film at which pseudo-time arrives.
-    fn after_pseudo_time(&mut self) -> Result<SetEnd, Failure> {
+    fn after_pseudo_time(&mut self) -> Result<SetEnd, NewtonFailure> {
         self.pseudo_time()?;
         self.iterate(None)
     }
 
     /// Goes in pseudo-time from the start.
     #[cfg(test)]
-    pub(super) fn run_in_time(mut self) -> Result<Found, Failure> {
+    pub(super) fn run_in_time(mut self) -> Result<Found, NewtonFailure> {
         let end = self.after_pseudo_time()?;
         self.found(end)
     }
 
-    fn found(mut self, end: SetEnd) -> Result<Found, Failure> {
+    fn found(mut self, end: SetEnd) -> Result<Found, NewtonFailure> {
         let SetEnd::Settled(solved) = end else {
-            return Err(Failure::Cycling { history: self.history });
+            return Err(NewtonFailure::Cycling { history: self.history });
         };
         // What rounding has left in the balances is solved for once more: their sum is the balance of the oil.
         let linearisation = *solved;
@@ -142,7 +142,7 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// Makes the step that removes the residual `before`.
-    fn advance(&mut self, linearisation: &Linearisation, before: &[f64]) -> Result<Vec<f64>, Failure> {
+    fn advance(&mut self, linearisation: &Linearisation, before: &[f64]) -> Result<Vec<f64>, NewtonFailure> {
         let minus: Vec<f64> = before.iter().map(|r| -r).collect();
         let step = linearisation.solve(&minus)?;
         for (dof, step) in step.iter().enumerate() {
@@ -155,7 +155,7 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// Solves the balances and exchanges nodes until every sign is right.
-    fn iterate(&mut self, time: Option<&TimeStep>) -> Result<SetEnd, Failure> {
+    fn iterate(&mut self, time: Option<&TimeStep>) -> Result<SetEnd, NewtonFailure> {
         let mut seen = HashSet::new();
         while self.history.len() < MOST_STEPS {
             let (linearisation, residual) = self.solve(time)?;
@@ -174,7 +174,7 @@ impl<'a> ActiveSetSearch<'a> {
             self.state.turn(self.film, &turned);
             self.state.relax(self.film, &self.balance, &turned);
         }
-        Err(Failure::TooManySteps { history: std::mem::take(&mut self.history) })
+        Err(NewtonFailure::TooManySteps { history: std::mem::take(&mut self.history) })
     }
 
     /// Entry of a step in the history.
@@ -186,7 +186,7 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// The balance of all nodes for the present cavity, which is linear.
-    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), Failure> {
+    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), NewtonFailure> {
         let clock = Instant::now();
         let (film, rows) = (self.film, &self.film.rows);
         let mut constraints = Constraints::none(self.state.p.len());
@@ -282,7 +282,7 @@ impl<'a> ActiveSetSearch<'a> {
     }
 
     /// Goes towards the steady film by the backward Euler method in the film fraction, with growing steps.
-    fn pseudo_time(&mut self) -> Result<(), Failure> {
+    fn pseudo_time(&mut self) -> Result<(), NewtonFailure> {
         let volume = volumes_of(self.film.volumes, &self.film.blocks, self.state.p.len());
         let mut time = TimeStep {
             rate: 1.0 / (FIRST_TIME_STEP * self.film.time),

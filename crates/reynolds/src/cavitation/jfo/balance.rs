@@ -3,7 +3,7 @@
 use oilwedge_fem::{Matrix, in_order};
 use rayon::prelude::*;
 
-use super::Film;
+use super::DiscreteFilm;
 use super::blocks::CellMatrix;
 
 /// Least number of nodes whose balances are computed as one task.
@@ -21,7 +21,7 @@ pub(super) struct CellBalance {
 
 impl CellBalance {
     /// The balance of the flow that pressure drives, without transport.
-    pub(super) fn of_pressure(film: &Film<'_>) -> Self {
+    pub(super) fn of_pressure(film: &DiscreteFilm<'_>) -> Self {
         let mut pressure = Matrix::zero(film.volumes.pattern.clone());
         for (block, addresses) in film.blocks.iter().zip(&film.volumes.addresses) {
             add(&mut pressure, addresses, &block.pressure());

@@ -67,7 +67,7 @@ pub struct FilmFraction {
 }
 
 /// The discrete film.
-struct Film<'a> {
+struct DiscreteFilm<'a> {
     volumes: &'a ControlVolumes,
     blocks: Vec<Block>,
     rows: NodeConditions,
@@ -98,7 +98,7 @@ pub(crate) fn solve(
     steps: StepBudget,
 ) -> Result<FilmSolution, NoFilm> {
     let clock = std::time::Instant::now();
-    let film = Film::new(problem, system, motion)?;
+    let film = DiscreteFilm::new(problem, system, motion)?;
     let mut search = ActiveSetSearch::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
     let found = match steps {
@@ -136,7 +136,7 @@ pub(crate) fn solve(
 /// # Errors
 /// [`NoFilm::NoSupply`]: a place that none reaches; or the sub-mesh does not fit in memory.
 pub(crate) fn check_supply(problem: &FilmProblem, system: &FilmSystem) -> Result<(), NoFilm> {
-    let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
+    let volumes = system.volumes().map_err(oilwedge_fem::newton::NewtonFailure::from)?;
     let law = FilmLaw::new(problem, 1.0);
     NodeConditions::new(problem, system, volumes, &law, cavity_floor(problem)).check_supply(problem, system, volumes)
 }
@@ -176,9 +176,9 @@ fn volumes_of(volumes: &ControlVolumes, blocks: &[Block], nodes: usize) -> Vec<f
     volume
 }
 
-impl<'a> Film<'a> {
+impl<'a> DiscreteFilm<'a> {
     fn new(problem: &'a FilmProblem, system: &'a FilmSystem, motion: f64) -> Result<Self, NoFilm> {
-        let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
+        let volumes = system.volumes().map_err(oilwedge_fem::newton::NewtonFailure::from)?;
         let law = FilmLaw::new(problem, motion);
         let floor = cavity_floor(problem);
         let rows = NodeConditions::new(problem, system, volumes, &law, floor);
@@ -196,7 +196,7 @@ impl<'a> Film<'a> {
         let (radius, velocity) = (problem.bearing.radius, law.velocity());
         let by_motion = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
         let by_history = (problem.storage.as_ref()).map_or(0.0, |before| problem.pressure_of(before.per_time));
-        Ok(Film {
+        Ok(DiscreteFilm {
             volumes,
             blocks,
             rows,

@@ -10,7 +10,7 @@
 
 use oilwedge_fem::Space;
 
-use super::Film;
+use super::DiscreteFilm;
 use super::balance::CellBalance;
 use super::rows::Condition;
 
@@ -37,7 +37,7 @@ impl NodeStates {
     }
 
     /// Moves nodes to the other side.
-    pub(super) fn turn(&mut self, film: &Film<'_>, nodes: &[usize]) {
+    pub(super) fn turn(&mut self, film: &DiscreteFilm<'_>, nodes: &[usize]) {
         for &dof in nodes {
             self.cavity[dof] = !self.cavity[dof];
             self.theta[dof] = 1.0;
@@ -46,7 +46,7 @@ impl NodeStates {
     }
 
     /// Relaxes the surroundings of nodes that have turned.
-    pub(super) fn relax(&mut self, film: &Film<'_>, balance: &CellBalance, turned: &[usize]) {
+    pub(super) fn relax(&mut self, film: &DiscreteFilm<'_>, balance: &CellBalance, turned: &[usize]) {
         let mut front = VisitFront::new(film, self.p.len());
         turned.iter().for_each(|&dof| front.reach(dof));
         for _ in 0..SWEEPS {
@@ -62,7 +62,7 @@ impl NodeStates {
     }
 
     /// State of one node that balances it while its neighbours stay.
-    fn balanced(&self, film: &Film<'_>, balance: &CellBalance, dof: usize) -> (f64, f64, bool) {
+    fn balanced(&self, film: &DiscreteFilm<'_>, balance: &CellBalance, dof: usize) -> (f64, f64, bool) {
         let floor = film.rows.value[dof];
         let pattern = &balance.pressure.pattern;
         let (mut left, mut driven, mut carried) = (balance.constant[dof], 0.0, 0.0);
@@ -129,14 +129,14 @@ impl Downstream {
 
 /// Nodes to be visited next.
 struct VisitFront<'a> {
-    film: &'a Film<'a>,
+    film: &'a DiscreteFilm<'a>,
     /// The nodes by their places downstream.
     next: Vec<u32>,
     waits: Vec<bool>,
 }
 
 impl<'a> VisitFront<'a> {
-    fn new(film: &'a Film<'a>, nodes: usize) -> Self {
+    fn new(film: &'a DiscreteFilm<'a>, nodes: usize) -> Self {
         let (next, waits) = (Vec::new(), vec![false; nodes]);
         Self { film, next, waits }
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_mesh::{Mesh, RawMesh};
 
-use super::{ActiveSetSearch, Film};
+use super::{ActiveSetSearch, DiscreteFilm};
 use crate::film_thickness::Eccentricity;
 use crate::lubricant::{Lubricant, PressureLaw};
 use crate::supply::{BoundaryKind, SupplyRegion};
@@ -81,7 +81,7 @@ fn pseudo_time_arrives_at_the_film_of_the_active_set() {
     let system = ring(48, 8);
     for eccentricity in [0.6, 0.9] {
         let problem = problem(eccentricity);
-        let film = Film::new(&problem, &system, 1.0).expect("a supply");
+        let film = DiscreteFilm::new(&problem, &system, 1.0).expect("a supply");
         let start =
             |broken: bool| WarmStart { u: vec![0.0; system.space().dofs()], held: vec![broken; system.space().dofs()] };
         let expected = ActiveSetSearch::new(&film, start(false)).run().expect("a film");

@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 
 use super::*;
 use crate::scene::tests::{STUDY, read};
-use crate::{Gas, Position};
+use crate::{Gas, PositionTable};
 
 const CRANK: &str = "crank = { radius = \"62.5 mm\", rod_length = \"230 mm\", reciprocating_mass = \"3.43 kg\", \
     rotating_mass = \"2.025 kg\", bore = \"125 mm\", gas = { peak = \"8 MPa\", angle = \"12 deg\", sharpness = 14 } }\n";
@@ -35,7 +35,7 @@ fn loads_over_a_cycle_are_read() {
     let path = PathBuf::from("scenes/a.csv");
     let frame = LoadFrame::Shell;
     assert_eq!(cycle.source, LoadSource::File { path, frame });
-    assert_eq!(from_file.journal.position, Position::Cycle);
+    assert_eq!(from_file.journal.position, PositionTable::Cycle);
     assert!(from_file.crank.is_none() && from_file.journal.load().is_none());
 
     let harmonics = scene(HARMONICS).load_cycle.expect("a cycle");
