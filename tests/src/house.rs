@@ -13,7 +13,7 @@ pub const EFFECTS: [(&str, usize); 13] = [
     ("barus", 5),
     ("squeeze", 7),
     ("jfo", 8),
-    ("heat", 34),
+    ("heat", 39),
     ("iso7902", 4),
     ("roughness", 15),
     ("turbulence", 13),

@@ -229,13 +229,13 @@ pub const NUMBERS: [(&str, Figure); 8] = [
 
 /// A film of the reference.
 pub struct ReferenceRow {
-    /// Its name.
+    /// Name of the film.
     pub name: &'static str,
     /// What it is.
     pub what: &'static str,
-    /// Its scene.
+    /// Text of the scene.
     pub text: String,
-    /// Its numbers in the order of [`NUMBERS`], each with its uncertainty; none of a bush that is adiabatic.
+    /// Numbers in the order of [`NUMBERS`], each with its uncertainty; none of a bush that is adiabatic.
     pub numbers: [Option<[f64; 2]>; 8],
 }
 

@@ -1,10 +1,10 @@
 //! # The films of a cycle as one network of heat
 //!
-//! **Equation.** Temperatures that do not follow the motion of the journal see the means over the cycle of what carries,
-//! makes and conducts heat: of the flows between cells, of their powers, and of `theta/h`. What the cells hold at the
-//! end of a cycle is what they held at its beginning, so that the mean flows of each cell sum to zero but for what steps
-//! in time leave over, `d_i`. A flow along the network takes it to the boundary: `w (phi_i - phi_j)` from i to j, w what
-//! flows there on average, by `sum_j w (phi_i - phi_j) = d_i` with phi = 0 at the boundary.
+//! **Equation.** Temperatures that do not follow the motion of the journal see the means over the cycle of what
+//! carries, makes and conducts heat: of the flows between cells, of their powers, and of `theta/h`. What the cells hold
+//! at the end of a cycle is what they held at its beginning, so that the mean flows of each cell sum to zero but for
+//! what steps in time leave over, `d_i`. A flow along the network takes it to the boundary: `w (phi_i - phi_j)` from i
+//! to j, w what flows there on average, by `sum_j w (phi_i - phi_j) = d_i` with phi = 0 at the boundary.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|

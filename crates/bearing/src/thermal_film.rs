@@ -16,7 +16,8 @@
 //! as its oil warms ([`oilwedge_heat::Thinning`]).
 //!
 //! **Source.** Anderson, J. ACM 12 (1965) 547; Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715. **Range.** Steady films
-//! that conserve oil, and cycles of them, over which temperatures do not follow the motion. **Verified by** `tests/tests/thermal_film.rs`.
+//! that conserve oil, and cycles of them, over which temperatures do not follow the motion. **Verified by**
+//! `tests/tests/thermal_film.rs`.
 
 use std::sync::Arc;
 

@@ -51,7 +51,7 @@ impl ViscosityAcross {
         Self { space: space.clone(), nodes, of_vertices: None }
     }
 
-    /// The same viscosity for a film on the vertices of the mesh alone.
+    /// This viscosity for a film on the vertices of the mesh alone.
     pub fn on_vertices(&self) -> Self {
         let vertices = 0..self.space.mesh().points().len() as u32;
         Self { of_vertices: Some(vertices.map(|vertex| self.space.vertex_dof(vertex)).collect()), ..self.clone() }

@@ -12,7 +12,8 @@ fn films_are_those_of_two_other_codes() {
     assert!((leaves - 87.0236).abs() < 0.39 + 0.005 * 87.0, "{leaves} W along the shaft");
 }
 
-/// Under a load that does not change the journal comes to rest, and its film has the temperatures of one at rest.
+/// A journal under a load that does not change comes to rest, and its film has the temperatures of a
+/// film at rest.
 #[test]
 fn under_a_load_that_stands_still_the_temperatures_are_those_of_a_film_at_rest() {
     let rest = ThermalFilm::of(&coarse_engine());

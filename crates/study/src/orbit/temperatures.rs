@@ -1,8 +1,8 @@
 //! Temperatures across the films of a cycle, which do not follow the motion of the journal: those that balance the mean
 //! heat of the cycle.
 //!
-//! They are first found on a coarser mesh; on that of the result rounds begin with them. Each orbit begins where the one
-//! before had closed.
+//! They are first found on a coarser mesh; on that of the result rounds begin with them. Each orbit begins where the
+//! one before had closed.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
