@@ -68,7 +68,7 @@ def solved(name, size, law):
 @pytest.mark.full
 @pytest.mark.parametrize(
     "name, size, law, bearing, grid",
-    [("36", "1 mm", THIN[1], ENGINE, (108, 20, 8)), ("38", "8 mm", THICK[1], TURBINE, (108, 8, 16))],
+    [("36", "1 mm", THIN[1], ENGINE, (108, 20, 8)), ("38", "8 mm", THICK[1], TURBINE, (108, 16, 16))],
 )
 def test_a_field_of_temperature_is_that_of_a_second_code(name, size, law, bearing, grid):
     result, second = solved(name, size, law), Solver(bearing, *grid).solve()

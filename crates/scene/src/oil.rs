@@ -63,17 +63,6 @@ pub enum PressureLawTable {
     Roelands(RoelandsTable),
 }
 
-impl PressureLawTable {
-    /// Key of the table that gives it; none of a constant viscosity.
-    pub fn key(&self) -> Option<&'static str> {
-        match self {
-            Self::Constant => None,
-            Self::Barus(_) => Some("oil.barus"),
-            Self::Roelands(_) => Some("oil.roelands"),
-        }
-    }
-}
-
 /// Reads a law of pressure.
 type ReadLaw = fn(TableReader<'_>) -> PressureLawTable;
 /// Laws of pressure by the table that gives them.
@@ -81,6 +70,12 @@ const PRESSURE_LAWS: &[(&str, ReadLaw)] = &[
     ("barus", barus::read),       // mu0 exp(alpha p)
     ("roelands", roelands::read), // mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1))
 ];
+
+/// Keys of the laws of pressure.
+pub(crate) fn pressure_law_keys() -> impl Iterator<Item = String> {
+    PRESSURE_LAWS.iter().map(|(name, _)| format!("oil.{name}"))
+}
+
 /// What a law of pressure may not do, as the end of a sentence.
 const THINNER: &str = "is negative, so the oil would grow thinner under pressure";
 

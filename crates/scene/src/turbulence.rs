@@ -1,5 +1,6 @@
 //! `[turbulence]`: a film that is no longer laminar.
 
+use crate::oil::pressure_law_keys;
 use crate::reader::TableReader;
 use crate::{Complaints, Scene, TheoryKey};
 
@@ -40,9 +41,10 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "leaves out one of the flows that turbulence resists, by closed forms of laminar films",
         "remove it, or remove [turbulence]",
     );
-    if let Some(key) = scene.oil.pressure_law.key() {
-        complaints.add(
-            key,
+    for key in pressure_law_keys() {
+        complaints.refuse_if(
+            complaints.has(&key),
+            &key,
             "changes the Reynolds number of a turbulent film with its pressure, which is not computed",
             "remove it: such films are fast rather than highly loaded; or remove [turbulence]",
         );

@@ -25,7 +25,7 @@ use crate::measure::measure;
 use crate::model::Model;
 use crate::no_answer::{NoAnswer, NoTemperature};
 use crate::observer::Watch;
-use crate::quantities::{Quantity, View, is_of_heat, of_temperatures};
+use crate::quantities::{HEAT_POWER, Quantity, View, is_of_heat, of_temperatures};
 use crate::run_options::RunOptions;
 use crate::thermal::field::{layers, none};
 use crate::thermal::field_bars::more_layers;
@@ -198,7 +198,13 @@ impl FieldOrbits<'_> {
 /// The numbers of the temperatures that a film of an orbit has.
 fn of_heat(orbit: &FollowedCycle, film: &Film) -> Vec<Quantity> {
     let measured = measure(&orbit.solved.primary);
-    of_temperatures(&View::new(film, &orbit.solved.primary.problem, &measured))
+    let mut numbers = of_temperatures(&View::new(film, &orbit.solved.primary.problem, &measured));
+    // The mean of the cycle in place of that of one film.
+    let of_power = numbers.iter_mut().find(|quantity| quantity.row == &HEAT_POWER);
+    if let Some((power, heat)) = of_power.zip(film.heat.as_ref()) {
+        power.value = heat.heating();
+    }
+    numbers
 }
 
 /// Adds to each bar what is left open of the number; temperatures have no other one. No number has a bar where that is

@@ -55,9 +55,9 @@ rows! {
         in_table(Table::Temperature) only(|scope| scope.has_heat_field && scope.is_fed);
 
     /// `P_h`: heat of the film, of shear and of the flow that pressure drives: `P` and what the pressure of the supply
-    /// puts in; none without `heat.field`
+    /// puts in, over a cycle the mean; none without `heat.field`
     HEAT_POWER = "heat_power", "P_heat", Watt, "heat of the film: friction, and the pressure of the supply":
-        One(|film| Some(heat(film)?.heating())), OF_FIELD,
+        One(|film| heat(film).map(|_| film.measured.power.shear + film.measured.power.driven)), OF_FIELD,
         in_table(Table::Temperature) only(|scope| scope.has_heat_field);
 
     /// Heat into the bush; none without `heat.bush`
