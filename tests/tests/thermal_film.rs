@@ -130,7 +130,7 @@ fn what_does_not_go_with_a_field_is_refused() {
 
 /// A journal that moves has no field of temperatures.
 #[test]
-fn a_field_of_a_journal_that_moves_is_refused() {
+fn a_field_of_a_journal_that_is_squeezed_is_refused() {
     let squeezed = edited(
         FERRON,
         &[
@@ -144,9 +144,6 @@ fn a_field_of_a_journal_that_moves_is_refused() {
     );
     let found = complaints(&squeezed);
     assert!(found.iter().any(|complaint| complaint.key == "journal.squeeze"), "{found:?}");
-    let orbit = edited(FERRON, &[("angle = \"270 deg\"", "angle = \"270 deg\"\nperiod = \"15 ms\"")]) + "[orbit]\n";
-    let found = complaints(&orbit);
-    assert!(found.iter().any(|complaint| complaint.key == "orbit"), "{found:?}");
 }
 
 /// The exponential law of viscosity is one law beside the others, with all of its keys.

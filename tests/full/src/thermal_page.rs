@@ -5,7 +5,7 @@ use oilwedge_tests::thermal_films::{NUMBERS, ThermalFilm, reference};
 use crate::tables::replace;
 
 /// Digits behind the point of each number.
-const DIGITS: [usize; 8] = [4, 2, 3, 1, 2, 2, 2, 2];
+const DIGITS: [usize; 8] = [4, 3, 3, 1, 3, 2, 2, 2];
 
 /// The page with its table computed anew.
 pub fn page(page: &str) -> String {

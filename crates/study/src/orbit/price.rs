@@ -30,6 +30,6 @@ pub fn expected_seconds(film: &Film) -> Option<f64> {
         false => PER_UNKNOWN,
     };
     let films = FILMS * (TOLERANCE / orbit.tolerance).powf(0.25);
-    let orbits = if film.model.sockets.thermal.is_some() { TEMPERATURES } else { 1.0 };
+    let orbits = if film.model.sockets.finds_temperature() { TEMPERATURES } else { 1.0 };
     Some(orbits * CYCLES * films * per_unknown * film.unknowns() as f64)
 }
