@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
 //! | `orbit/frame.rs` | films at even crank angles, to be drawn |
+//! | `orbit/series.rs` | orbits from one film to the next, by which heat is balanced |
 //! | `orbit/temperature.rs` | the temperature at which the mean flow carries off the mean power |
 //! | `orbit/temperatures.rs` | the temperatures across the films that balance the mean heat |
 //! | `orbit/price.rs` | the processor time that it will take, estimated |
@@ -22,6 +23,7 @@ mod drift;
 mod frame;
 mod price;
 mod sample;
+mod series;
 mod start;
 mod temperature;
 mod temperatures;

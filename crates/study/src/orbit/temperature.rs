@@ -5,15 +5,15 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
-use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd, PathStep};
+use oilwedge_bearing::orbit::{NoOrbit, OrbitEnd};
 use oilwedge_bearing::{NoThermalBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::OrbitTable;
 
-use super::{FollowedCycle, OrbitStart, expected_seconds, followed, start};
+use super::series::OrbitSeries;
+use super::{FollowedCycle, expected_seconds, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::model::Model;
@@ -44,19 +44,6 @@ pub(crate) struct CycleTemperature {
     pub(crate) steps: usize,
 }
 
-/// Orbits of a film at one temperature after the other.
-struct ThermalOrbits<'a> {
-    film: Film,
-    orbit: OrbitTable,
-    cycle: &'a DutyCycle,
-    watch: Watch,
-    options: RunOptions,
-    /// Where the first one begins [m].
-    begin: Vector,
-    /// The last step of the one before; none before the first one.
-    last: Option<PathStep>,
-}
-
 /// Follows the orbit at the temperature that balances its heat.
 ///
 /// # Errors
@@ -71,7 +58,7 @@ pub(super) fn balanced(
     let (film, begin) = start::prepared(model, &model.oil, (orbit, cycle), watch)?;
     let mut search = FilmTemperature::of(&film, thermal);
     let rough = OrbitTable { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
-    let orbits = |film, begin, orbit| ThermalOrbits { film, orbit, cycle, watch, options: quick, begin, last: None };
+    let orbits = |film, begin, orbit| OrbitSeries { film, orbit, cycle, watch, options: quick, begin, last: None };
     let found = orbits(film.on_coarser(), begin, rough).balance(&mut search, ROUGHLY);
     if let Err(reason) = found {
         return Ok((film, Err(reason)));
@@ -89,7 +76,7 @@ pub(super) fn balanced(
     Ok((orbits.film.at_temperature(search.temperature), outcome))
 }
 
-impl ThermalOrbits<'_> {
+impl OrbitSeries<'_> {
     /// Finds the temperature at which no more than the part `accuracy` of the heat is left over.
     fn balance(&mut self, search: &mut FilmTemperature, accuracy: f64) -> Result<(), NoAnswer> {
         loop {
@@ -113,21 +100,18 @@ impl ThermalOrbits<'_> {
         if let Some(observer) = self.options.observer {
             observer.temperature(search.runs() + 1, search.temperature - ZERO_CELSIUS);
         }
-        let found = self.followed(search.temperature, &self.options).map_err(|reason| match reason {
-            NoAnswer::Orbit(NoOrbit::Ended { .. }) => SearchStop::Ended,
-            reason => SearchStop::NoAnswer(reason),
-        })?;
+        let found =
+            self.followed(&self.film.at_temperature(search.temperature), &self.options).map_err(
+                |reason| match reason {
+                    NoAnswer::Orbit(NoOrbit::Ended { .. }) => SearchStop::Ended,
+                    reason => SearchStop::NoAnswer(reason),
+                },
+            )?;
         if found.end == OrbitEnd::Ended {
             return Err(SearchStop::Ended);
         }
         self.last = found.last;
         Ok(search.add(found.flows.ok_or(SearchStop::Ended)?, found.quantities))
-    }
-
-    fn followed(&self, temperature: f64, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
-        let film = self.film.at_temperature(temperature);
-        let begin = self.last.as_ref().map_or(OrbitStart::At(self.begin), OrbitStart::After);
-        followed(&film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)
     }
 
     /// The orbit at the temperature found, with the numbers of the balance.
@@ -138,7 +122,7 @@ impl ThermalOrbits<'_> {
             drop(self.add(search));
             search.step_aside(-1.0);
         }
-        let mut orbit = self.followed(search.temperature, options)?;
+        let mut orbit = self.followed(&self.film.at_temperature(search.temperature), options)?;
         if let Some(flows) = orbit.flows {
             add_temperature(search, flows, options.bars, &mut orbit);
         }

@@ -8,16 +8,17 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::film_heat::FilmHeat;
-use oilwedge_bearing::orbit::{OrbitEnd, PathStep};
+use oilwedge_bearing::heat_round::NoRound;
+use oilwedge_bearing::orbit::OrbitEnd;
 use oilwedge_bearing::thermal_film::{HeatRound, HeatSearch, balance_heat};
 use oilwedge_reynolds::ViscosityAcross;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 use oilwedge_scene::OrbitTable;
 
+use super::series::OrbitSeries;
 use super::{FollowedCycle, OrbitStart, expected_seconds, followed, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
@@ -31,25 +32,13 @@ use crate::thermal::field::{layers, none};
 use crate::thermal::field_bars::more_layers;
 use crate::thermal_model::HeatFieldModel;
 
-/// Temperatures are found where those of the next round differ by no more than this [K].
+/// Temperatures are found where those of the next round differ by no more than this [K]: the least bar of a temperature
+/// that was measured, on the big end of scene 28, is 0.026 K.
 const CLOSED: f64 = 0.02;
 /// On the coarser mesh, which only gives a start, this is enough [K].
 const ROUGHLY_CLOSED: f64 = 0.5;
 /// Tolerance of the orbits there.
 const ROUGH_TOLERANCE: f64 = 1e-2;
-
-/// Orbits of a film with one field of temperatures after the other.
-struct FieldOrbits<'a> {
-    film: Film,
-    orbit: OrbitTable,
-    cycle: &'a DutyCycle,
-    watch: Watch,
-    options: RunOptions,
-    /// Where the first one begins [m].
-    begin: Vector,
-    /// The last step of the one before; none before the first one.
-    last: Option<PathStep>,
-}
 
 /// Follows the orbit with the temperatures that balance the mean heat of its films.
 ///
@@ -69,13 +58,13 @@ pub(super) fn balanced(
         observer.turns_to("the orbits with the temperatures of one round after the other");
     }
     let rough = OrbitTable { tolerance: ROUGH_TOLERANCE.max(orbit.tolerance), ..*orbit };
-    let orbits = |film, orbit| FieldOrbits { film, orbit, cycle, watch, options: quick, begin, last: None };
+    let orbits = |film, orbit| OrbitSeries { film, orbit, cycle, watch, options: quick, begin, last: None };
     let mut fine = orbits(film.clone(), *orbit);
     let outcome = on_both(&mut orbits(film.on_coarser(), rough), &mut fine, heat);
     match outcome {
         Err(reason) => Ok((film, Err(reason))),
         Ok((found, film)) => {
-            let outcome = fine.reported((found, &film), heat, options);
+            let outcome = fine.reported_with_heat((found, &film), heat, options);
             Ok((film, outcome))
         }
     }
@@ -83,8 +72,8 @@ pub(super) fn balanced(
 
 /// The temperatures of the finer orbits, and their film.
 fn on_both(
-    rough: &mut FieldOrbits,
-    fine: &mut FieldOrbits,
+    rough: &mut OrbitSeries,
+    fine: &mut OrbitSeries,
     model: &HeatFieldModel,
 ) -> Result<(FilmHeat, Film), NoAnswer> {
     let inlet = model.surroundings.inlet;
@@ -108,38 +97,32 @@ fn on_both(
     Ok((found, film))
 }
 
-impl FieldOrbits<'_> {
+impl OrbitSeries<'_> {
     /// The temperatures that balance the mean heat, round by round.
     fn rounds(&mut self, model: &HeatFieldModel, search: HeatSearch) -> Result<FilmHeat, NoAnswer> {
         let base = self.film.clone();
         let viscosity = |temperature: f64| base.viscosity_at(temperature);
-        let round = |HeatRound { across, growth, .. }: &HeatRound| {
-            let found = self.followed(&base.with_heat(across.clone(), *growth), &self.options)?;
-            self.last = found.last;
-            found.network.ok_or(NoAnswer::Temperature(NoTemperature::Ended { nearest: None }))
-        };
+        let round =
+            |HeatRound { across, growth, .. }: &HeatRound| self.mean_heat(&base.with_heat(across.clone(), *growth));
         balance_heat(&model.surroundings, base.system.space(), search, &viscosity, round).map_err(none)
     }
 
-    /// The orbit of a film, from the end of the one before.
-    fn followed(&self, film: &Film, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
-        let begin = self.last.as_ref().map_or(OrbitStart::At(self.begin), OrbitStart::After);
-        let found = followed(film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)?;
-        match found.end {
-            OrbitEnd::Ended => Err(NoAnswer::Temperature(NoTemperature::Ended { nearest: None })),
-            OrbitEnd::Closed | OrbitEnd::NotClosed => Ok(found),
-        }
+    /// The network of the mean heat of a complete orbit on a film.
+    fn mean_heat(&mut self, film: &Film) -> Result<NodeNetwork, NoAnswer> {
+        let found = self.followed(film, &self.options)?;
+        self.last = found.last;
+        network_of(found.end, found.network)
     }
 
     /// The orbit with the temperatures found, and their numbers.
-    fn reported(
+    fn reported_with_heat(
         &self,
         (heat, film): (FilmHeat, &Film),
         model: &HeatFieldModel,
         options: &RunOptions,
     ) -> Result<FollowedCycle, NoAnswer> {
         let mut orbit = self.followed(film, options)?;
-        let network = orbit.network.take().ok_or(NoAnswer::Temperature(NoTemperature::Ended { nearest: None }))?;
+        let network = network_of(orbit.end, orbit.network.take())?;
         let viscosity = |temperature: f64| self.film.viscosity_at(temperature);
         let heat =
             heat.balanced_on(&model.surroundings, network.clone(), &viscosity).map_err(|reason| none(reason.into()))?;
@@ -185,13 +168,23 @@ impl FieldOrbits<'_> {
         for (heat, across) in [(by_layers.heat, of_layers), (by_mesh.heat, by_mesh.across)] {
             let there = beside(Some(across))?;
             let film = Film { heat: Some(Arc::new(heat)), ..orbit.solved.film.clone() };
-            let pairs = [(&alike.quantities, &there.quantities), (&here, &of_heat(orbit, &film))];
-            for (quantity, other) in pairs.into_iter().flat_map(|(one, other)| one.iter().zip(other)) {
-                *open.entry(quantity.name.clone()).or_default() +=
-                    quantity.row.difference(other.value, quantity.value).abs();
+            for (one, others) in [(&alike.quantities, &there.quantities), (&here, &of_heat(orbit, &film))] {
+                for quantity in one {
+                    let other = others.iter().find(|other| other.name == quantity.name)?;
+                    *open.entry(quantity.name.clone()).or_default() +=
+                        quantity.row.difference(other.value, quantity.value).abs();
+                }
             }
         }
         Some(open)
+    }
+}
+
+/// The network of an orbit that has come to its end.
+fn network_of(end: OrbitEnd, network: Option<NodeNetwork>) -> Result<NodeNetwork, NoAnswer> {
+    match end {
+        OrbitEnd::Ended => Err(NoAnswer::Temperature(NoTemperature::Ended { nearest: None })),
+        OrbitEnd::Closed | OrbitEnd::NotClosed => network.ok_or_else(|| none(NoRound::MakesOil.into())),
     }
 }
 
