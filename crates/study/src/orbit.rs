@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
 //! | `orbit/frame.rs` | films at even crank angles, to be drawn |
-//! | `orbit/series.rs` | orbits from one film to the next, by which heat is balanced |
 //! | `orbit/temperature.rs` | the temperature at which the mean flow carries off the mean power |
 //! | `orbit/temperatures.rs` | the temperatures across the films that balance the mean heat |
 //! | `orbit/price.rs` | the processor time that it will take, estimated |
@@ -23,7 +22,6 @@ mod drift;
 mod frame;
 mod price;
 mod sample;
-mod series;
 mod start;
 mod temperature;
 mod temperatures;
@@ -51,6 +49,7 @@ use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::model::Model;
 use crate::no_answer::NoAnswer;
+use crate::observer::Watch;
 use crate::quantities::cycle_view::{Sample, WallOnPath};
 use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
@@ -196,6 +195,33 @@ enum OrbitStart<'a> {
     At(Vector),
     /// At the end of another one, which this is the last step of.
     After(&'a PathStep),
+}
+
+/// Orbits of one journal on one film after the other, by which a balance of heat is found: each begins where the one
+/// before has closed.
+struct OrbitSeries<'a> {
+    /// Film of the first orbit, by which the others differ in temperature.
+    film: Film,
+    orbit: oilwedge_scene::OrbitTable,
+    cycle: &'a DutyCycle,
+    watch: Watch,
+    /// Options of the orbits that only lead to the balance.
+    options: RunOptions,
+    /// Offsets at which the first orbit begins [m].
+    begin: Vector,
+    /// Last step of the orbit before; `None` before the first one.
+    last: Option<PathStep>,
+}
+
+impl OrbitSeries<'_> {
+    /// The next orbit, on a film like that of the series.
+    ///
+    /// # Errors
+    /// [`NoAnswer`]: the film has no orbit.
+    fn followed(&self, film: &Film, options: &RunOptions) -> Result<FollowedCycle, NoAnswer> {
+        let begin = self.last.as_ref().map_or(OrbitStart::At(self.begin), OrbitStart::After);
+        followed(film, (&self.orbit, self.cycle), (begin, self.watch.deadline), options)
+    }
 }
 
 /// Follows the orbit of a film until a deadline, and measures it.

@@ -12,8 +12,7 @@ use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::OrbitTable;
 
-use super::series::OrbitSeries;
-use super::{FollowedCycle, expected_seconds, start};
+use super::{FollowedCycle, OrbitSeries, expected_seconds, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::model::Model;

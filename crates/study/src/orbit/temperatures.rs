@@ -18,8 +18,7 @@ use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
 use oilwedge_scene::OrbitTable;
 
-use super::series::OrbitSeries;
-use super::{FollowedCycle, OrbitStart, expected_seconds, followed, start};
+use super::{FollowedCycle, OrbitSeries, OrbitStart, expected_seconds, followed, start};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::measure::measure;
