@@ -34,6 +34,7 @@ mod refinement;
 mod reported_numbers;
 mod scene_properties;
 mod scenes;
+mod sensitivity;
 mod shaft;
 mod shapes;
 mod thermal_cycle;

@@ -1,6 +1,9 @@
 //! What a balance asks of the film: a force and, where the tilt of the journal is free, a moment.
 
-use crate::coordinates::Vector;
+use oilwedge_reynolds::JournalState;
+use oilwedge_reynolds::quantities::load::Resultant;
+
+use crate::coordinates::{Coordinates, Vector};
 
 /// Force on the journal, and what tilts it where its tilt is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +33,20 @@ impl JournalLoad {
 }
 
 impl JournalLoad {
+    /// What a film carries at a place of the journal, and its support there, less this load [N]: nothing where the
+    /// journal is in balance.
+    pub fn excess(&self, coordinates: &Coordinates, journal: &JournalState, carried: &Resultant) -> Vector {
+        let (film, at, arm) = (coordinates.forces(carried), coordinates.at(journal), coordinates.arm);
+        let tilting = |d: usize| {
+            let by = |tilting: Tilting| {
+                let support = tilting.stiffness * (tilting.support[d] - at[2 + d] / arm);
+                film[2 + d] - (tilting.moment[d] + support) / arm
+            };
+            self.tilting.map_or(0.0, by)
+        };
+        [film[0] - self.force[0], film[1] - self.force[1], tilting(0), tilting(1)]
+    }
+
     /// This load with further forces in coordinates whose slopes are multiplied by `arm` [m].
     pub(crate) fn with(self, [x, y, z_x, z_y]: Vector, arm: f64) -> Self {
         let [force_x, force_y] = self.force;

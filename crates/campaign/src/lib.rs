@@ -8,6 +8,7 @@ pub mod convergence;
 mod cost;
 mod mobility;
 pub mod records;
+mod sensitivity;
 mod spread;
 mod standard;
 pub mod statistics;
@@ -19,7 +20,8 @@ pub use compare::{Compare, comparisons, shafts};
 pub use comparison::{Alternative, Comparison, QuantityPair};
 pub use convergence::converge;
 pub use records::Records;
-pub use spread::{NoSpread, main_of, with_spread};
+pub use sensitivity::NoSpread;
+pub use spread::{main_of, with_derivatives};
 
 use oilwedge_study::CompileError;
 

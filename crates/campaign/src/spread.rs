@@ -1,130 +1,81 @@
-//! How far the tolerances of a scene spread its quantities: two films beside the nominal one for each tolerance.
+//! How far the tolerances of a scene spread its quantities, to first order, and two films at the worst corners.
 //!
-//! With the effect `d_j = (Q(x_j + t_j) - Q(x_j - t_j)) / 2` of a tolerance t_j the worst case is `sum |d_j|`, and
-//! `rss^2 = sum d_j^2` (ISO 14253-2 calls it the combined uncertainty of independent inputs); the derivative by x_j is
-//! `d_j / t_j`. All films are those of a sweep without error bars: on the mesh of the nominal film, which is drawn anew
-//! where the film has moved too far for it. Two films at the worst corners of the main quantity show whether effects
-//! add up. Tested by `tests/tests/cli/spread.rs` against exponents of the short film and against draws.
+//! With the effect `d_j = t_j dQ/dx_j` of a tolerance t_j the worst case is `sum |d_j|`, and `rss^2 = sum d_j^2` (ISO
+//! 14253-2 calls it the combined uncertainty of independent inputs). Derivatives are those of [`crate::sensitivity`].
+//! Two films at the worst corners of the main quantity show whether effects add up. Tested by
+//! `tests/tests/cli/spread.rs` against exponents of the short film and against draws.
 
 use std::collections::BTreeMap;
 
-use oilwedge_scene::unit::Dimension;
-use oilwedge_scene::{KeyTolerance, Scene, SceneError};
+use oilwedge_scene::{KeyTolerance, Scene};
 use oilwedge_study::CHECKS;
-use oilwedge_study::quantities::{Quantity, QuantitySpread, Sensitivity, Unit};
+use oilwedge_study::quantities::{Quantity, QuantitySpread};
 use oilwedge_study::result::{RunResult, headlines};
+use oilwedge_study::run::Run;
 use oilwedge_study::run_options::RunOptions;
 
-use crate::sweep::{CaseOutcome, chain_of};
+use crate::sensitivity::{Derivatives, NoSpread, add, derivatives, quantities};
+use crate::sweep::chain_of;
 
 /// Corners that depart from the sum of effects by more than this are reported by themselves.
 const LINEAR: f64 = 0.2;
-/// Effects below this part of the quantity are round-off.
-const ROUND_OFF: f64 = 1e-12;
-
-/// Why tolerances have no spread.
-#[derive(Debug, thiserror::Error)]
-pub enum NoSpread {
-    /// The numbers at an end make no scene.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// There is no film at an end of a tolerance.
-    #[error("there is no film at an end of the tolerance of {key}: {reason}; give a narrower tolerance")]
-    Film {
-        /// Key of the tolerance.
-        key: String,
-        /// Why.
-        reason: String,
-    },
-}
-
-/// The quantities at both ends of each tolerance, a row each: `[number of the tolerance][end]`.
-///
-/// # Errors
-/// A scene at an end is none, or has no film.
-fn ends(scene: &Scene, options: &RunOptions) -> Result<Vec<[Vec<Quantity>; 2]>, NoSpread> {
-    let inputs = &scene.tolerances;
-    let mut scenes = vec![scene.with_values(&[], &CHECKS)?];
-    for input in inputs {
-        for sign in SIGNS {
-            scenes.push(scene.with_values(&[(input, input.nominal + sign * input.half_width)], &CHECKS)?);
-        }
-    }
-    let mut found = chain_of(&scenes, options).into_iter().skip(1);
-    let mut rows = Vec::with_capacity(inputs.len());
-    for input in inputs {
-        let mut end = || quantities(found.next(), &input.key);
-        rows.push([end()?, end()?]);
-    }
-    Ok(rows)
-}
-
-/// Signs of the two ends of a tolerance.
+/// Signs of the two corners.
 const SIGNS: [f64; 2] = [-1.0, 1.0];
 
-fn quantities(found: Option<CaseOutcome>, key: &str) -> Result<Vec<Quantity>, NoSpread> {
-    match found {
-        Some(found) if !found.quantities.is_empty() => Ok(found.quantities),
-        other => Err(NoSpread::Film {
-            key: key.to_owned(),
-            reason: other.and_then(|found| found.reason).unwrap_or_default(),
-        }),
+/// The result of a run whose quantities have their derivatives by some `inputs` of its scene and, where it has
+/// tolerances and these are among the inputs, their spread; and why some have none.
+pub fn with_derivatives(
+    scene: &Scene,
+    run: &Run,
+    inputs: &[KeyTolerance],
+    options: &RunOptions,
+) -> (RunResult, Vec<String>) {
+    let (mut result, options) = (run.result.clone(), RunOptions { bars: false, observer: None, ..*options });
+    let (mut reasons, mut of_tolerances) = (Vec::new(), Vec::new());
+    for (input, found) in inputs.iter().zip(derivatives(scene, run, inputs, &options)) {
+        match found {
+            Ok(found) => {
+                add(&mut result.quantities, input, &found);
+                of_tolerances.extend((input.half_width > 0.0).then_some(found));
+            }
+            Err(reason) => reasons.push(format!("there is no sensitivity to {}: {reason}", input.key)),
+        }
     }
-}
-
-/// The value of a quantity of this name.
-fn value(of: &[Quantity], name: &str) -> Option<f64> {
-    of.iter().find(|other| other.name == name).map(|other| other.value)
-}
-
-/// How far a quantity is from one end to the other; angles the shorter way round.
-fn difference(quantity: &Quantity, [low, high]: [f64; 2]) -> f64 {
-    match quantity.row.unit {
-        Unit::Degree => (high - low + 180.0).rem_euclid(360.0) - 180.0,
-        _ => high - low,
+    if !of_tolerances.is_empty() && of_tolerances.len() == scene.tolerances.len() {
+        match spread(scene, &result, &of_tolerances, &options) {
+            Ok(quantities) => result.quantities = quantities,
+            Err(reason) => reasons.push(format!("the tolerances have no spread: {reason}")),
+        }
     }
+    (result, reasons)
 }
 
-/// Effects of the tolerances on each quantity of a result: half of the difference between their ends. A quantity that
-/// a film lacks has none.
-///
-/// # Errors
-/// A scene at an end is none, or has no film.
-fn effects(scene: &Scene, of: &RunResult, options: &RunOptions) -> Result<Vec<Option<Vec<f64>>>, NoSpread> {
-    let rows = ends(scene, options)?;
-    let effect = |quantity: &Quantity, [low, high]: &[Vec<Quantity>; 2]| {
-        let ends = [value(low, &quantity.name)?, value(high, &quantity.name)?];
-        let effect = 0.5 * difference(quantity, ends);
-        Some(if effect.abs() > ROUND_OFF * quantity.value.abs() { effect } else { 0.0 })
-    };
-    Ok((of.quantities.iter()).map(|quantity| rows.iter().map(|row| effect(quantity, row)).collect()).collect())
-}
-
-/// The result of a scene with the spread of its quantities; the same where the scene has no tolerances.
-///
-/// # Errors
-/// A scene at an end is none, or has no film.
-pub fn with_spread(scene: &Scene, result: RunResult, options: &RunOptions) -> Result<RunResult, NoSpread> {
-    if scene.tolerances.is_empty() || result.quantities.is_empty() {
-        return Ok(result);
-    }
-    let options = RunOptions { bars: false, observer: None, ..*options };
-    let effects = effects(scene, &result, &options)?;
-    let main = main_of(&result).map(|main| main.name.clone());
-    let mut spread = result;
-    for (quantity, effects) in spread.quantities.iter_mut().zip(effects) {
-        let Some(effects) = effects else { continue };
+/// The quantities of a result with their spread; one that a film beside lacks has none.
+fn spread(
+    scene: &Scene,
+    of: &RunResult,
+    found: &[Derivatives],
+    options: &RunOptions,
+) -> Result<Vec<Quantity>, NoSpread> {
+    let main = main_of(of).map(|main| main.name.clone());
+    let mut list = of.quantities.clone();
+    for quantity in &mut list {
+        let effect =
+            |(input, found): (&KeyTolerance, &Derivatives)| Some(found.of(quantity, input)? * input.half_width);
+        let Some(effects) = scene.tolerances.iter().zip(found).map(effect).collect::<Option<Vec<f64>>>() else {
+            continue;
+        };
         let mut own = spread_of(&effects, &scene.tolerances);
         if Some(&quantity.name) == main.as_ref() && own.worst_case > 0.0 {
-            let corners = corners(scene, &effects, quantity, &options)?;
-            let nonlinearity = difference(quantity, corners) / (2.0 * own.worst_case) - 1.0;
+            let corners = corners(scene, &effects, quantity, options)?;
+            let [low, high] = corners;
+            let nonlinearity = quantity.row.difference(high, low) / (2.0 * own.worst_case) - 1.0;
             own.nonlinearity = Some(nonlinearity.abs());
             own.corners = Some(corners).filter(|_| nonlinearity.abs() > LINEAR);
         }
-        quantity.sensitivity = sensitivities(quantity, &effects, &scene.tolerances);
         quantity.spread = Some(own);
     }
-    Ok(spread)
+    Ok(list)
 }
 
 /// The quantity whose corners are solved: the first one of short tables.
@@ -154,30 +105,11 @@ fn corners(scene: &Scene, effects: &[f64], quantity: &Quantity, options: &RunOpt
     let mut found = chain_of(&[low?, high?], options).into_iter();
     let mut end = || -> Result<f64, NoSpread> {
         let films = quantities(found.next(), "all keys at once")?;
-        value(&films, &quantity.name).ok_or_else(|| NoSpread::Film {
+        let found = films.iter().find(|other| other.name == quantity.name);
+        found.map(|found| found.value).ok_or_else(|| NoSpread::Film {
             key: "all keys at once".to_owned(),
             reason: format!("it has no {}", quantity.name),
         })
     };
     Ok([end()?, end()?])
-}
-
-fn sensitivities(quantity: &Quantity, effects: &[f64], inputs: &[KeyTolerance]) -> BTreeMap<String, Sensitivity> {
-    let sensitivity = |(input, effect): (&KeyTolerance, &f64)| {
-        let derivative = effect / input.half_width;
-        let has_zero_of_choice = matches!(input.dimension, Some(Dimension::Angle | Dimension::Temperature))
-            || matches!(quantity.row.unit, Unit::Degree | Unit::Radian | Unit::Celsius);
-        let is_relative = quantity.value != 0.0 && input.nominal != 0.0 && !has_zero_of_choice;
-        let unit = match input.unit.as_str() {
-            "" => quantity.unit().to_owned(),
-            unit => format!("{}/{unit}", quantity.unit()),
-        };
-        let sensitivity = Sensitivity {
-            value: derivative * input.unit_size(),
-            unit,
-            log: is_relative.then(|| derivative * input.nominal / quantity.value),
-        };
-        (input.key.clone(), sensitivity)
-    };
-    inputs.iter().zip(effects).map(sensitivity).collect()
 }

@@ -8,7 +8,7 @@ use crate::progress::ProgressLine;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{exit_code, output};
-use oilwedge_campaign::{Compare, Records, with_spread};
+use oilwedge_campaign::{Compare, Records, with_derivatives};
 use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
@@ -96,6 +96,10 @@ pub(crate) struct Solve {
     /// Solve a crankshaft cut at its bearings too, and show both.
     #[arg(long)]
     cut: bool,
+
+    /// Show how each quantity changes with each number of the scene.
+    #[arg(long)]
+    sensitivity: bool,
 
     /// Follow the orbit by maps of the film too, that of a short film and its own, and show their differences and
     /// times.
@@ -195,17 +199,15 @@ impl Solve {
                 self.run.folder().display()
             )));
         }
-        let is_spread = !scene.tolerances.is_empty() && scene.orbit.is_none();
-        let run = match is_spread && run.result.head.status == Status::Converged {
-            true => {
-                working.turns_to("the films at the ends of the tolerances");
-                let result = with_spread(&scene, run.result.clone(), &options).unwrap_or_else(|reason| {
-                    complain::warn(&[format!("the tolerances have no spread: {reason}")]);
-                    run.result.clone()
-                });
+        let inputs = if self.sensitivity { &scene.inputs } else { &scene.tolerances };
+        let run = match inputs.is_empty() || scene.orbit.is_some() || run.result.head.status != Status::Converged {
+            true => run,
+            false => {
+                working.turns_to("the films beside");
+                let (result, reasons) = with_derivatives(&scene, &run, inputs, &options);
+                complain::warn(&reasons);
                 Run { result, ..run }
             }
-            false => run,
         };
         let mut records = Records::default();
         for kind in self.compared() {
@@ -295,6 +297,7 @@ impl Solve {
             (self.all, "--all"),
             (self.plot, "--plot"),
             (self.fresh, "--fresh"),
+            (self.sensitivity, "--sensitivity"),
         ];
         let of_one = of_one.into_iter().filter(|(is_given, _)| *is_given).map(|(_, argument)| argument.to_owned());
         let compared = self.compared().map(|kind| format!("--{}", kind.name()));

@@ -81,7 +81,7 @@ pub struct FilmProblem {
 #[derive(Debug)]
 pub struct FilmSystem {
     /// Assembles on the space of the unknown.
-    pub assembler: Assembler,
+    pub assembler: Arc<Assembler>,
     /// Regions where pressure is given.
     pub supply: Supply,
     /// The next coarser mesh, to start from; none where a solve needs no start.
@@ -93,7 +93,7 @@ pub struct FilmSystem {
     /// Prolongation that is made when a film is first solved; none where multigrid does not serve.
     between: OnceLock<Option<Arc<LinearProlongation>>>,
     /// Control volumes that are made when a mass-conserving film is first solved.
-    volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
+    volumes: OnceLock<Result<Arc<ControlVolumes>, oilwedge_fem::Error>>,
     /// The analysed pattern of the LU factor of a hill, made when one is first solved.
     unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
     /// What presses on the grids of a wall, made when it first gives way.
@@ -129,7 +129,7 @@ impl FilmSystem {
         let assembler = Assembler::new(space);
         let analysis = LazyAnalysis::new(assembler.space().clone(), assembler.pattern().clone());
         Self {
-            assembler,
+            assembler: Arc::new(assembler),
             supply,
             coarser: None,
             analysis: Arc::new(analysis),
@@ -137,6 +137,23 @@ impl FilmSystem {
             between: OnceLock::new(),
             volumes: OnceLock::new(),
             unsymmetric: OnceLock::new(),
+            pressing: Mutex::default(),
+            cubic: OnceLock::new(),
+            vertices: OnceLock::new(),
+        }
+    }
+
+    /// The system of the same space with another supply in the same places, without coarser meshes.
+    pub(crate) fn with_other_supply(&self, supply: Supply) -> Self {
+        Self {
+            assembler: self.assembler.clone(),
+            supply,
+            coarser: None,
+            analysis: self.analysis.clone(),
+            worth_multigrid: self.worth_multigrid,
+            between: self.between.clone(),
+            volumes: self.volumes.clone(),
+            unsymmetric: self.unsymmetric.clone(),
             pressing: Mutex::default(),
             cubic: OnceLock::new(),
             vertices: OnceLock::new(),
@@ -190,8 +207,8 @@ impl FilmSystem {
     /// # Errors
     /// A system that does not fit in memory.
     pub fn volumes(&self) -> Result<&ControlVolumes, oilwedge_fem::Error> {
-        let volumes = self.volumes.get_or_init(|| ControlVolumes::new(self.space()));
-        volumes.as_ref().map_err(Clone::clone)
+        let volumes = self.volumes.get_or_init(|| ControlVolumes::new(self.space()).map(Arc::new));
+        volumes.as_deref().map_err(Clone::clone)
     }
 
     /// The analysed pattern of the LU factor of a hill.
@@ -279,6 +296,23 @@ impl FilmSolution {
             unknown: self.unknown.clone(),
             cavity: self.cavity.clone(),
             film_fraction: self.film_fraction.clone(),
+        }
+    }
+
+    /// The solution of a neighbouring film that the tangent of this one has led to: with its cavity.
+    pub(crate) fn beside(&self, unknown: Vec<f64>, inflow: Vec<f64>, film_fraction: Option<FilmFraction>) -> Self {
+        Self {
+            unknown,
+            inflow,
+            film_fraction,
+            cavity: self.cavity.clone(),
+            linearisation: self.linearisation.clone(),
+            gap_tangent: OnceLock::new(),
+            wrong: self.wrong.clone(),
+            history: Vec::new(),
+            seconds: self.seconds,
+            levels: 0,
+            fallbacks: Vec::new(),
         }
     }
 

@@ -45,6 +45,7 @@ pub mod angles;
 pub mod bearing;
 pub mod cavitation;
 mod chebyshev;
+mod chord;
 pub mod contact;
 mod cubic_film;
 pub mod error_bar;

@@ -1,7 +1,5 @@
 //! First-order changes of a solved film with the position of the journal, by the factors of its tangent.
 
-use std::sync::OnceLock;
-
 use oilwedge_fem::Error;
 use oilwedge_fem::complementarity::WarmStart;
 use oilwedge_fem::newton::NewtonFailure;
@@ -10,7 +8,7 @@ use crate::cavitation;
 use crate::film_law::FilmLaw;
 use crate::film_start::FilmStart;
 use crate::solve::Neighbour;
-use crate::{FilmChange, FilmProblem, FilmSolution, JournalChange, NoFilm, SolvedFilm};
+use crate::{FilmChange, FilmProblem, JournalChange, NoFilm, SolvedFilm};
 
 /// First-order change of a film at each dof: of the unknown [Pa] or, in the cavity of a film that conserves oil, of the
 /// film fraction [1].
@@ -55,19 +53,7 @@ impl SolvedFilm {
         };
         let inflow = changes.iter().fold(solution.inflow.clone(), direct);
         let through = solution.linearisation.matrix().multiply(unknown);
-        let solution = FilmSolution {
-            inflow: add(&inflow, &through),
-            unknown: add(&solution.unknown, unknown),
-            cavity: solution.cavity.clone(),
-            film_fraction: None,
-            linearisation: solution.linearisation.clone(),
-            gap_tangent: OnceLock::new(),
-            wrong: solution.wrong.clone(),
-            history: Vec::new(),
-            seconds: solution.seconds,
-            levels: 0,
-            fallbacks: Vec::new(),
-        };
+        let solution = solution.beside(add(&solution.unknown, unknown), add(&inflow, &through), None);
         Self::new(moved, system, solution)
     }
 

@@ -7,6 +7,14 @@ use crate::film_thickness::FilmContribution;
 use crate::supply::SupplyRegion;
 
 impl FilmSystem {
+    /// This system with other given pressures [Pa], for films that are not searched: it has no coarser meshes. `None`
+    /// where feeds that touch would get different pressures.
+    pub fn with_pressures(&self, pressure: &dyn Fn(&SupplyRegion) -> f64) -> Option<Self> {
+        let mut supply = self.supply.clone();
+        supply.fits(self.space(), pressure).then(|| supply.set_pressures(pressure))?;
+        Some(self.with_other_supply(supply))
+    }
+
     /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of
     /// `film_thickness`: the system is then the one that would be made anew. False, and nothing changes, where feeds
     /// that touch would get different pressures, or a film of a coarser mesh still lives.

@@ -46,8 +46,8 @@ pub struct Complaints {
     text: String,
     spans: BTreeMap<String, Range<usize>>,
     names: Vec<(String, String)>,
-    /// Tolerances of the numbers that were read, by their keys as they stand in the text.
-    pub(crate) tolerances: Vec<KeyTolerance>,
+    /// The numbers that were read and may have tolerances, by their keys as they stand in the text.
+    pub(crate) inputs: Vec<KeyTolerance>,
     list: Vec<Complaint>,
 }
 

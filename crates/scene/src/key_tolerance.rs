@@ -48,6 +48,13 @@ pub struct KeyTolerance {
 }
 
 impl KeyTolerance {
+    /// A number without a tolerance, of a key that may have one: its width is zero.
+    pub(crate) fn exact(row: &Key, (number, text): (f64, Option<&str>), dimension: Option<Dimension>) -> Option<Self> {
+        let unit = text.map_or("", |text| parts(text).1).to_owned();
+        let is_known = number.is_finite() && no_tolerance(row).is_none();
+        is_known.then(|| Self { key: String::new(), nominal: number, half_width: 0.0, unit, dimension, span: 0..0 })
+    }
+
     /// A value in SI in the unit of the key.
     pub fn in_unit(&self, value: f64) -> f64 {
         let zero = self.dimension.map_or(0.0, |dimension| dimension.zero(&self.unit));
@@ -233,13 +240,14 @@ fn no_tolerance(row: &Key) -> Option<&'static str> {
     }
 }
 
-/// The tolerances of a scene in the order of its text, with the names that axes of sweeps have; a complaint about each
-/// that has none.
+/// The numbers of a scene in the order of its text, with the names that axes of sweeps have; a complaint about each
+/// with a tolerance that has none.
 pub(crate) fn named(found: Vec<KeyTolerance>, scene: &Scene, complaints: &mut Complaints) -> Vec<KeyTolerance> {
     let mut list = Vec::with_capacity(found.len());
     for tolerance in found {
         match name(&tolerance.key, scene, complaints) {
             Some(key) => list.push(KeyTolerance { key, ..tolerance }),
+            None if tolerance.half_width == 0.0 => {}
             None => complaints.add(
                 &tolerance.key,
                 "has a tolerance, but stands in a list by whose names it cannot be told from others",
@@ -272,7 +280,7 @@ fn name(key: &str, scene: &Scene, complaints: &Complaints) -> Option<String> {
 
 /// Refuses all tolerances of a scene of a crankshaft.
 pub(crate) fn refuse_all(found: &[KeyTolerance], complaints: &mut Complaints) {
-    for tolerance in found {
+    for tolerance in found.iter().filter(|input| input.half_width > 0.0) {
         let message = "has a tolerance, but only single bearings have tolerances";
         complaints.add(&tolerance.key, message, "give one number");
     }

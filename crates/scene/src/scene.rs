@@ -134,6 +134,8 @@ pub struct Scene {
     pub sweep: Option<Plan>,
     /// Tolerances of its numbers, which are the nominal ones, in the order of the text; empty where it has none.
     pub tolerances: Vec<KeyTolerance>,
+    /// All numbers that may have tolerances, in the order of the text; without one the width is zero.
+    pub inputs: Vec<KeyTolerance>,
     /// Where it stands, or would stand: relative files count from its folder.
     pub path: PathBuf,
     /// The text that was read; empty in a case of a sweep.
@@ -246,8 +248,9 @@ impl Scene {
         let complaints = RefCell::new(Complaints::new(text));
         let mut scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
-        let tolerances = std::mem::take(&mut complaints.tolerances);
-        scene.tolerances = key_tolerance::named(tolerances, &scene, &mut complaints);
+        let inputs = std::mem::take(&mut complaints.inputs);
+        scene.inputs = key_tolerance::named(inputs, &scene, &mut complaints);
+        scene.tolerances = scene.inputs.iter().filter(|input| input.half_width > 0.0).cloned().collect();
         scene.check(&mut complaints, checks);
         for (key, path, help) in scene.files() {
             let is_named = complaints.has(&key) && !complaints.concern(&key);
@@ -351,6 +354,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
+        inputs: Vec::new(),
         tolerances: Vec::new(),
         path: path.to_owned(),
         text: String::new(),

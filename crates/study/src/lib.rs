@@ -48,6 +48,7 @@ mod row_distances;
 pub mod run;
 pub mod run_options;
 pub mod scope;
+pub mod sensitivity;
 pub mod shaft;
 pub mod solved;
 pub mod symbol;

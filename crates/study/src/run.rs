@@ -38,7 +38,7 @@ use crate::warnings::all_warnings;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 
 /// What a run found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Run {
     /// The numbers; its status shows whether there are any.
     pub result: RunResult,
@@ -48,6 +48,8 @@ pub struct Run {
     pub orbit: Option<OrbitPath>,
     /// Films of that cycle as they were asked for.
     pub frames: Vec<Frame>,
+    /// The film that was solved, for what is asked of it beside; `None` where there is none, and of orbits.
+    pub solved: Option<Solved>,
 }
 
 /// Computes the film of a scene. A film that does not exist or is not reached is a result, with its reason.
@@ -86,22 +88,22 @@ pub fn run_telling(
     });
     let answer = answer_telling(model, options, told.as_ref().map(|told| told as Tell))?;
     let mut result = without_outcome(&answer.film, &answer.levels, options);
-    let picture = match answer.outcome {
+    let (picture, solved) = match answer.outcome {
         Ok((solved, estimated)) => {
             let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
             report((&solved, estimated), options, &mut result);
-            Some(picture)
+            (Some(picture), Some(solved))
         }
         Err(reason) => {
             report_reason(&reason, options, &mut result);
-            None
+            (None, None)
         }
     };
     if let Some(limit) = answer.limit {
         result.head.end(Status::NotConverged, limit);
     }
     add_total(&mut result, "before", clock.elapsed().as_secs_f64());
-    Ok(Run { result, picture, orbit: None, frames: Vec::new() })
+    Ok(Run { result, picture, orbit: None, frames: Vec::new(), solved })
 }
 
 /// The result of a model that is `solved` on the last of some meshes, with the limit that ends it, if one does; what
@@ -142,7 +144,7 @@ fn on_orbit(
         Ok(followed) => followed,
         Err(reason) => {
             report_reason(&reason, options, &mut result);
-            return Ok(Run { result, picture: None, orbit: None, frames: Vec::new() });
+            return Ok(Run { result, picture: None, orbit: None, frames: Vec::new(), solved: None });
         }
     };
     let FollowedCycle { solved, facts, .. } = followed;
@@ -204,7 +206,7 @@ fn on_orbit(
     if let Some(limit) = limit {
         result.head.end(Status::NotConverged, limit);
     }
-    Ok(Run { result, picture: Some(picture), orbit: Some(followed.path), frames: followed.frames })
+    Ok(Run { result, picture: Some(picture), orbit: Some(followed.path), frames: followed.frames, solved: None })
 }
 
 /// Warnings about an orbit whose film conserves its oil.

@@ -24,7 +24,7 @@ fn a_short_film_has_the_exponents_of_its_closed_form() {
     let load = &result["quantities"]["load"];
     for (key, exponent) in [("oil.viscosity", 1.0), ("journal.speed", 1.0), ("bearing.clearance", -2.0)] {
         let found = number(load, &["sensitivity", key, "log"]);
-        assert!((found - exponent).abs() < 1e-3, "{key}: {found}");
+        assert!((found - exponent).abs() < 1e-8, "{key}: {found}");
     }
     let per_unit = number(load, &["sensitivity", "oil.viscosity", "value"]);
     assert!((per_unit * 0.4 / number(load, &["value"]) - 1.0).abs() < 1e-3);

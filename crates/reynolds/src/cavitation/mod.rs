@@ -16,7 +16,7 @@ use oilwedge_fem::newton::NewtonFailure;
 
 pub use jfo::FilmFraction;
 pub(crate) use jfo::{
-    Carriage, FilmSides, PointChanges, cell_volumes, check_supply, film_sides, held_volume, oil_carried,
+    Carriage, FilmSides, PointChanges, cell_volumes, check_supply, chord, film_sides, held_volume, oil_carried,
     residual_changes, spread, work,
 };
 

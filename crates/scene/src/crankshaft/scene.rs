@@ -92,8 +92,8 @@ impl ShaftScene {
         let complaints = RefCell::new(Complaints::new(text));
         let scene = read(TableReader::root(&complaints, document, catalogue::row), text, path);
         let mut complaints = complaints.into_inner();
-        let tolerances = std::mem::take(&mut complaints.tolerances);
-        key_tolerance::refuse_all(&tolerances, &mut complaints);
+        let inputs = std::mem::take(&mut complaints.inputs);
+        key_tolerance::refuse_all(&inputs, &mut complaints);
         check::check(&scene, &mut complaints);
         for (key, path, help) in scene.files() {
             let is_named = complaints.has(&key) && !complaints.concern(&key);

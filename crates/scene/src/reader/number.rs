@@ -27,8 +27,8 @@ pub(crate) struct Number<'t, 'a> {
     table: &'t mut TableReader<'a>,
     key: &'a str,
     value: Option<f64>,
-    /// Tolerance of the number, where it is written with one.
-    tolerance: Option<KeyTolerance>,
+    /// The number with its tolerance, of width zero where it is written without one; none of keys that may have none.
+    input: Option<KeyTolerance>,
     is_checked: bool,
 }
 
@@ -38,16 +38,24 @@ impl<'a> TableReader<'a> {
         let row = self.row(key);
         let is_bare = self.peek(key).is_some_and(|it| matches!(it.get_ref(), DeValue::Integer(_) | DeValue::Float(_)));
         let dimension = row.and_then(Key::dimension).filter(|_| !(is_bare && row.is_some_and(Key::is_plain)));
-        let mut tolerance = None;
+        let mut input = None;
         let value = self.take(key).map(|value| match (written_tolerance(value).zip(row), dimension) {
             (Some((written, row)), _) => {
-                tolerance = self.toleranced(key, written, row, dimension);
-                tolerance.as_ref().map_or(f64::NAN, |tolerance| tolerance.nominal)
+                input = self.toleranced(key, written, row, dimension);
+                input.as_ref().map_or(f64::NAN, |tolerance| tolerance.nominal)
             }
-            (None, Some(dimension)) => self.in_si(key, value, dimension, self.example(key)),
-            (None, None) => self.plain(key, value, &row.map(Key::written_example).unwrap_or_default()),
+            (None, dimension) => {
+                let number = match dimension {
+                    Some(dimension) => self.in_si(key, value, dimension, self.example(key)),
+                    None => self.plain(key, value, &row.map(Key::written_example).unwrap_or_default()),
+                };
+                let (span, written) = (self.peek(key).map_or(0..0, |value| value.span()), value.as_str());
+                let exact = row.and_then(|row| KeyTolerance::exact(row, (number, written), dimension));
+                input = exact.map(|input| KeyTolerance { key: self.key(key), span, ..input });
+                number
+            }
         });
-        Number { key, value, tolerance, table: self, is_checked: false }
+        Number { key, value, input, table: self, is_checked: false }
     }
 
     /// The number of a key with its tolerance; `None` where it was refused.
@@ -176,7 +184,7 @@ impl Number<'_, '_> {
         help: &str,
     ) -> Self {
         self.is_checked = true;
-        let ends = self.tolerance.as_ref().map(KeyTolerance::ends);
+        let ends = self.input.as_ref().map(KeyTolerance::ends);
         if let Some(value) = self.value.filter(|value| !value.is_nan() && !holds(*value)) {
             self.table.complain(self.key, message(value), help);
             self.value = Some(f64::NAN);
@@ -209,8 +217,8 @@ impl Number<'_, '_> {
         if !self.is_checked && self.table.bounds(self.key).are_positive() {
             return self.positive().given();
         }
-        if let Some(tolerance) = self.tolerance.filter(|_| self.value.is_some_and(|value| !value.is_nan())) {
-            self.table.complaints.borrow_mut().tolerances.push(tolerance);
+        if let Some(input) = self.input.filter(|_| self.value.is_some_and(|value| !value.is_nan())) {
+            self.table.complaints.borrow_mut().inputs.push(input);
         }
         self.value
     }

@@ -35,4 +35,8 @@ pub struct Sensitivity {
     /// Relative change of the quantity over that of the number [1]; `None` where one of them is zero, an angle or a
     /// temperature.
     pub log: Option<f64>,
+    /// True where two films solved again have shown it, false where it is exact to first order; absent in JSON where it
+    /// is false.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub is_by_films: bool,
 }

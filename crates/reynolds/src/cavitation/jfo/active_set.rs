@@ -109,6 +109,22 @@ impl<'a> ActiveSetSearch<'a> {
         Ok(Found { wrong: turned, ..self.found(SetEnd::Settled(Box::new(linearisation)))? })
     }
 
+    /// The nodes after one step from the film fraction `theta` with the `tangent` of another film, and what is left of
+    /// their balances.
+    pub(super) fn chord(
+        mut self,
+        theta: &[f64],
+        tangent: &Linearisation,
+    ) -> Result<(NodeStates, Vec<f64>), NewtonFailure> {
+        self.state.theta.copy_from_slice(theta);
+        self.impose();
+        self.carry(None);
+        let before = self.balance.residual(&self.state.p, &self.state.theta);
+        self.advance(tangent, &before)?;
+        let left = self.balance.residual(&self.state.p, &self.state.theta);
+        Ok((self.state, left))
+    }
+
     /// Searches from the film at which pseudo-time arrives.
     fn after_pseudo_time(&mut self) -> Result<SetEnd, NewtonFailure> {
         self.pseudo_time()?;
@@ -188,17 +204,8 @@ impl<'a> ActiveSetSearch<'a> {
     /// The balance of all nodes for the present cavity, which is linear.
     fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), NewtonFailure> {
         let clock = Instant::now();
-        let (film, rows) = (self.film, &self.film.rows);
-        let mut constraints = Constraints::none(self.state.p.len());
-        for dof in 0..self.state.p.len() {
-            if self.state.cavity[dof] || rows.condition[dof] != Condition::Interior {
-                self.state.p[dof] = rows.value[dof];
-            }
-            if !self.state.cavity[dof] {
-                self.state.theta[dof] = 1.0;
-                constraints.fixed[dof] = rows.condition[dof] != Condition::Interior;
-            }
-        }
+        let film = self.film;
+        let constraints = self.impose();
         self.carry(time);
         let before = self.balance.residual(&self.state.p, &self.state.theta);
         let (spare, renewed) = self.renewed.take().unzip();
@@ -214,6 +221,22 @@ impl<'a> ActiveSetSearch<'a> {
         self.seconds.factorise += (factorised - assembled).as_secs_f64();
         self.seconds.solve += factorised.elapsed().as_secs_f64();
         Ok((linearisation, residual))
+    }
+
+    /// Gives all nodes what is not unknown with the present cavity, and says which these are among the full ones.
+    fn impose(&mut self) -> Constraints {
+        let rows = &self.film.rows;
+        let mut constraints = Constraints::none(self.state.p.len());
+        for dof in 0..self.state.p.len() {
+            if self.state.cavity[dof] || rows.condition[dof] != Condition::Interior {
+                self.state.p[dof] = rows.value[dof];
+            }
+            if !self.state.cavity[dof] {
+                self.state.theta[dof] = 1.0;
+                constraints.fixed[dof] = rows.condition[dof] != Condition::Interior;
+            }
+        }
+        constraints
     }
 
     /// Adds the transport of oil with the flows through the boundary, and the leaks of the present cavity.

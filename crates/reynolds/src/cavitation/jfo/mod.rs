@@ -131,6 +131,19 @@ pub(crate) fn solve(
     })
 }
 
+/// The film of a neighbouring problem after one step with the tangent and the cavity of `film`.
+pub(crate) fn chord(
+    film: &SolvedFilm,
+    fraction: &FilmFraction,
+    (problem, system): (&FilmProblem, &FilmSystem),
+) -> Result<FilmSolution, NoFilm> {
+    let discrete = DiscreteFilm::new(problem, system, 1.0)?;
+    let search = ActiveSetSearch::new(&discrete, film.solution.as_start());
+    let (NodeStates { p, theta, .. }, left) = search.chord(&fraction.values, &film.solution.linearisation)?;
+    let inflow = discrete.rows.boundary_inflow(&left, &theta);
+    Ok(film.solution.beside(p, inflow, Some(FilmFraction { values: theta })))
+}
+
 /// Checks that oil is supplied to every part of the film.
 ///
 /// # Errors
