@@ -3,7 +3,7 @@
 
 use oilwedge_scene::Scene;
 use oilwedge_study::result::RunResult;
-use oilwedge_study::{RunOptions, run};
+use oilwedge_study::{Run, RunOptions, run};
 
 use crate::scenes::written;
 
@@ -357,11 +357,12 @@ pub fn coarse_engine() -> String {
     edited(ENGINE, &[("size = \"1.5 mm\"", "size = \"4 mm\"")])
 }
 
-/// The coarse engine bearing under a cycle with these loads in x and y [kN] at every quarter of a turn.
+/// The coarse engine bearing under a cycle with these loads in x and y [kN] at every quarter of a turn, without bars,
+/// and with two frames.
 ///
 /// # Panics
 /// If there is no such orbit.
-pub fn engine_over_cycle(loads: [[f64; 2]; 4]) -> ThermalFilm {
+pub fn engine_over_cycle(loads: [[f64; 2]; 4]) -> Run {
     let folder = tempfile::TempDir::new().expect("a folder");
     let row = |(k, [x, y]): (usize, &[f64; 2])| format!("{}, {x}, {y}\n", 90 * k);
     let rows: String = loads.iter().enumerate().map(row).collect();
@@ -370,5 +371,7 @@ pub fn engine_over_cycle(loads: [[f64; 2]; 4]) -> ThermalFilm {
     let text = edited(&coarse_engine(), &[("[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n", orbit)]);
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).expect("a file");
-    ThermalFilm::of_scene(&oilwedge_study::read(&path).unwrap_or_else(|error| panic!("{error}")))
+    let scene = oilwedge_study::read(&path).unwrap_or_else(|error| panic!("{error}"));
+    let options = RunOptions { bars: false, frames: 2, ..RunOptions::of(&scene) };
+    run(&scene, &options).unwrap_or_else(|error| panic!("{error}"))
 }

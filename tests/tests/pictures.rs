@@ -7,13 +7,14 @@ use oilwedge_report::plot::{DrawnFilm, PlotOptions, film_figures};
 use oilwedge_report::vtu::{Compression, VtuForm, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_study::film_lines::{REFORMATION, RUPTURE};
-use oilwedge_study::picture::{FilmPicture, PictureOptions, Surface};
+use oilwedge_study::picture::{FieldChoice, FilmPicture, PictureOptions, Surface};
 use oilwedge_study::quantities::MIN_FILM_ANGLE;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::repository;
-use oilwedge_tests::scenes::variant;
+use oilwedge_tests::scenes::{variant, written};
+use oilwedge_tests::thermal_films::{FERRON, edited};
 
 fn solved(name: &str, surface: Surface) -> (RunResult, FilmPicture) {
     let options = RunOptions {
@@ -219,4 +220,32 @@ fn every_picture_of_the_documentation_has_a_title_and_a_description() {
         }
     }
     assert!(pictures > 10);
+}
+
+/// A film with temperatures across it has charts of them, and a row of temperatures at each node of its file.
+#[test]
+fn temperatures_of_a_film_are_drawn_and_written() {
+    let options = RunOptions {
+        bars: false,
+        picture: PictureOptions { surface: Surface::Developed, fields: FieldChoice::All },
+        ..RunOptions::default()
+    };
+    let found = run(&written(&edited(FERRON, &[("size = \"6 mm\"", "size = \"10 mm\"")])), &options).expect("a film");
+    let (result, picture) = (found.result, found.picture.expect("a picture"));
+    let across = result.temperature_across.clone().expect("temperatures across the film");
+    let hottest = result.by_name("temperature_max").expect("the hottest point").value;
+    assert!(across.temperature.iter().any(|t| (t - hottest).abs() < 1e-9), "{hottest}: {across:?}");
+    for (eta, t) in across.eta.iter().zip(&across.temperature) {
+        assert!(across.at(*eta).is_some_and(|at| (at - t).abs() < 1e-9), "{eta}");
+    }
+    let rows = picture.at_points("temperature_layers [degC]").expect("layers");
+    let mean = picture.at_points("temperature_greatest").expect("a field").numbers();
+    let greatest = rows.numbers().chunks(7).map(|row| row.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+    assert!(greatest.zip(mean).all(|(a, b)| (a - b).abs() < 1e-9));
+    let file = to_vtu(&picture, VtuForm::usual(&picture)).expect("a file");
+    assert_eq!(from_vtu(&file).expect("the file"), picture);
+    let (_, svg) = svgs(result, &picture, 170.0).into_iter().find(|(name, _)| name == "profiles").expect("profiles");
+    for words in ["Temperature around the liner", "Across the film where it is hottest", "Temperature of the bush"] {
+        assert!(svg.contains(words), "no {words}");
+    }
 }

@@ -28,6 +28,8 @@ pub struct FilmHeat {
 /// A temperature and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HotSpot {
+    /// Cell of the network.
+    pub cell: usize,
     /// Temperature [K].
     pub temperature: f64,
     /// Angle on the bearing [rad].
@@ -50,12 +52,13 @@ impl FilmHeat {
     /// The hottest of some points across all cells.
     fn hottest_of(&self, points: std::ops::Range<usize>) -> HotSpot {
         let spot = |(cell, at): (usize, &[f64])| HotSpot {
+            cell,
             temperature: at[points.clone()].iter().copied().fold(f64::NEG_INFINITY, f64::max),
             angle: self.network.cells[cell].angle,
             along: self.network.cells[cell].along,
         };
         let spots = self.temperatures.layers.chunks_exact(self.layers.points.len()).enumerate().map(spot);
-        let coldest = HotSpot { temperature: f64::NEG_INFINITY, angle: 0.0, along: 0.0 };
+        let coldest = HotSpot { cell: 0, temperature: f64::NEG_INFINITY, angle: 0.0, along: 0.0 };
         spots.fold(coldest, |hottest, spot| if spot.temperature > hottest.temperature { spot } else { hottest })
     }
 

@@ -1,7 +1,9 @@
 //! Fields as arrays of numpy: memory is moved there, and nobody can write to it. For pictures and samples a copy is
 //! made, which lives as long as they are drawn.
 
-use numpy::{Element, IntoPyArray, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::{
+    Element, IntoPyArray, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods,
+};
 use oilwedge_study::fields::file_fields;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use pyo3::exceptions::PyValueError;
@@ -37,6 +39,7 @@ fn fields(py: Python<'_>, fields: Vec<PictureField>) -> PyResult<Bound<'_, PyDic
         let values = match field.values {
             FieldValues::Scalars(values) => array(py, values, &[])?,
             FieldValues::Vectors(values) => array(py, values.into_flattened(), &[3])?,
+            FieldValues::Rows(width, values) => array(py, values, &[width])?,
         };
         arrays.set_item(field.name, values)?;
     }
@@ -100,7 +103,10 @@ fn picture_fields(fields: &Bound<'_, PyAny>, only: Option<&str>) -> PyResult<Vec
             Ok(scalars) => FieldValues::Scalars(scalars.as_slice()?.to_vec()),
             Err(_) => {
                 let vectors: PyReadonlyArray2<'_, f64> = values.extract()?;
-                FieldValues::Vectors(rows::<f64, 3>(vectors.as_slice()?))
+                match vectors.shape()[1] {
+                    3 => FieldValues::Vectors(rows::<f64, 3>(vectors.as_slice()?)),
+                    width => FieldValues::Rows(width, vectors.as_slice()?.to_vec()),
+                }
             }
         };
         let row = file_fields().find(|row| row.name == name);

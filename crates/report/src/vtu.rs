@@ -151,6 +151,7 @@ fn array(field: &PictureField, precision: Precision) -> Array<'_> {
     let (components, numbers) = match &field.values {
         FieldValues::Scalars(values) => (1, values.as_slice()),
         FieldValues::Vectors(values) => (3, values.as_flattened()),
+        FieldValues::Rows(width, values) => (*width, values.as_slice()),
     };
     let numbers = match precision {
         Precision::Single if field.name != PRESSURE.name => ArrayNumbers::Float32(numbers),

@@ -39,7 +39,8 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
     })
 }
 
-/// The arrays with a number or a vector for each of `count` places, with the units that `text`, the file, has for them.
+/// The arrays with a number, a vector or a row for each of `count` places, with the units that `text`, the file, has for
+/// them.
 fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureField> {
     let field = |attribute| match attribute {
         Attribute::DataArray(array) => {
@@ -48,6 +49,9 @@ fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureFi
                 numbers if numbers == count => FieldValues::Scalars(values),
                 numbers if numbers == 3 * count => {
                     FieldValues::Vectors(values.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect())
+                }
+                numbers if numbers > 0 && numbers % count.max(1) == 0 => {
+                    FieldValues::Rows(numbers / count.max(1), values)
                 }
                 _ => return None,
             };

@@ -119,6 +119,15 @@ pub static GREATEST_TEMPERATURE: FieldRow = FieldRow {
     what: "greatest temperature across the film, walls included",
     interpolation: Interpolation::Linear,
 };
+/// Temperatures across the film.
+pub static LAYER_TEMPERATURES: FieldRow = FieldRow {
+    name: "temperature_layers [degC]",
+    label: "temperature across the film",
+    symbol: "T_l",
+    unit: "degC",
+    what: "row of the temperatures at the points across the film, from the bush to the journal",
+    interpolation: Interpolation::Linear,
+};
 /// Pressure of contact.
 pub static CONTACT_PRESSURE: FieldRow = FieldRow {
     name: "contact_pressure",
@@ -200,7 +209,8 @@ pub static FIELDS: [&FieldRow; 12] = [
 ];
 
 /// The fields of `film.vtu` that are not drawn.
-static UNDRAWN: [&FieldRow; 5] = [&ANGLE, &AXIAL_PLACE, &VOLUME_FLOW, &JOURNAL_STRESS, &BEARING_STRESS];
+static UNDRAWN: [&FieldRow; 6] =
+    [&ANGLE, &AXIAL_PLACE, &VOLUME_FLOW, &JOURNAL_STRESS, &BEARING_STRESS, &LAYER_TEMPERATURES];
 
 /// All fields of `film.vtu`.
 pub fn file_fields() -> impl Iterator<Item = &'static FieldRow> {

@@ -104,7 +104,6 @@ impl Measured {
         }
         if let Some(greatest) = by.greatest {
             self.extremes.greatest = greatest;
-            self.extremes.viscosity = problem.viscosity_at(greatest);
         }
     }
 }

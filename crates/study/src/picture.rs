@@ -11,8 +11,8 @@ use oilwedge_reynolds::quantities::turbulence::reynolds_numbers;
 
 use crate::fields::{
     ANGLE, AXIAL_PLACE, BEARING_STRESS, BUSH_TEMPERATURE, CONTACT_PRESSURE, DEFLECTION, ERROR_INDICATOR, FILM_FRACTION,
-    FILM_THICKNESS, FieldRow, GREATEST_TEMPERATURE, JOURNAL_STRESS, JOURNAL_TEMPERATURE, PRESSURE, REYNOLDS_NUMBER,
-    TEMPERATURE, VISCOSITY, VOLUME_FLOW,
+    FILM_THICKNESS, FieldRow, GREATEST_TEMPERATURE, JOURNAL_STRESS, JOURNAL_TEMPERATURE, LAYER_TEMPERATURES, PRESSURE,
+    REYNOLDS_NUMBER, TEMPERATURE, VISCOSITY, VOLUME_FLOW,
 };
 use crate::film::Film;
 use crate::film_lines::film_lines;
@@ -50,13 +50,15 @@ pub enum FieldValues {
     Scalars(Vec<f64>),
     /// One vector each, in the directions of the points.
     Vectors(Vec<[f64; 3]>),
+    /// A row of so many numbers each, one row after the other.
+    Rows(usize, Vec<f64>),
 }
 
 impl FieldValues {
     /// All numbers, those of a vector one after the other.
     pub fn numbers(&self) -> &[f64] {
         match self {
-            Self::Scalars(values) => values,
+            Self::Scalars(values) | Self::Rows(_, values) => values,
             Self::Vectors(values) => values.as_flattened(),
         }
     }
@@ -66,6 +68,7 @@ impl FieldValues {
         match self {
             Self::Scalars(values) => values.len(),
             Self::Vectors(values) => values.len(),
+            Self::Rows(width, values) => values.len() / width,
         }
     }
 
@@ -103,7 +106,7 @@ pub enum Surface {
 /// Which fields a picture has.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum FieldChoice {
-    /// All but flow and shear stresses.
+    /// All but flow, shear stresses and temperatures of layers.
     #[default]
     Usual,
     /// All.
@@ -143,6 +146,7 @@ pub fn picture(
     let mut point_data = pointwise(solved, &nodes);
     if let Some(heat) = &film.heat {
         point_data.extend(temperatures(film, heat, &nodes));
+        point_data.extend((fields == FieldChoice::All).then(|| layers(heat, &nodes)));
     }
     point_data.extend(places(film, &nodes, surface));
     if fields == FieldChoice::All {
@@ -206,6 +210,14 @@ fn temperatures(film: &Film, heat: &FilmHeat, nodes: &Nodes) -> [PictureField; 4
     }
     let rows = [&TEMPERATURE, &GREATEST_TEMPERATURE, &BUSH_TEMPERATURE, &JOURNAL_TEMPERATURE];
     [0, 1, 2, 3].map(|k| scalars(rows[k], nodes.dofs.iter().map(|&dof| at_dofs[dof][k]).collect()))
+}
+
+/// Temperatures [degrees C] at the points across the film of each node.
+fn layers(heat: &FilmHeat, nodes: &Nodes) -> PictureField {
+    let points = heat.layers.points.len();
+    let at = |&dof: &usize| heat.at_dofs[dof * points..][..points].iter().map(|t| t - ZERO_CELSIUS);
+    let values = nodes.dofs.iter().flat_map(at).collect();
+    PictureField::of(&LAYER_TEMPERATURES, FieldValues::Rows(points, values))
 }
 
 /// Where each node is on the liner. On a closed ring the angle jumps at one line, in the plane nowhere.

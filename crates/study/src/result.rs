@@ -21,7 +21,7 @@ pub use head::ResultHead;
 pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
 pub use tail::ResultTail;
-pub use temperature::{SECONDS_KEY, TemperaturePoint, TemperatureReport};
+pub use temperature::{SECONDS_KEY, TemperatureAcross, TemperaturePoint, TemperatureReport};
 
 use crate::effects::Effects;
 use crate::no_answer::NoAnswer;
@@ -207,6 +207,9 @@ pub struct RunResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat")]
     pub temperature: Option<TemperatureReport>,
+    /// The temperature across the film where it is hottest; absent in JSON where the film has one temperature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature_across: Option<TemperatureAcross>,
     /// What the bearing is judged by, and what is usual; absent in JSON where the scene sets no limit and nothing is
     /// usual.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -28,7 +28,7 @@ use crate::refinement::{Tell, answer_telling};
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
     Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearRoute, LinearSolverFacts, MeshFacts,
-    RESULT_FORMAT, ResultHead, ResultTail, RunResult, SECONDS_KEY, Status, TemperatureReport,
+    RESULT_FORMAT, ResultHead, ResultTail, RunResult, SECONDS_KEY, Status, TemperatureAcross, TemperatureReport,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
@@ -325,6 +325,8 @@ fn report((solved, estimated): (&Solved, Estimated), options: &RunOptions, resul
         energy: None,
     };
     result.dynamics = DynamicsReport::of(&solved.film, &estimated.measured);
+    let length = solved.film.problem.bearing.length;
+    result.temperature_across = solved.film.heat.as_ref().map(|heat| TemperatureAcross::hottest(heat, length));
     let clock = Instant::now();
     result.temperature = temperature_report(solved, &estimated.quantities, options);
     if let Some(report) = &mut result.temperature {

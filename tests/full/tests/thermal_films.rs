@@ -17,7 +17,7 @@ fn films_are_those_of_two_other_codes() {
 #[test]
 fn under_a_load_that_stands_still_the_temperatures_are_those_of_a_film_at_rest() {
     let rest = ThermalFilm::of(&coarse_engine());
-    let cycle = engine_over_cycle([[0.0, -5.0]; 4]);
+    let cycle = ThermalFilm(engine_over_cycle([[0.0, -5.0]; 4]).result);
     for name in ["temperature_max", "temperature_journal", "temperature_bush_max", "feed_temperature.groove"] {
         let [rest, cycle] = [&rest, &cycle].map(|film| film.value(name));
         assert!((rest - cycle).abs() < 0.1, "{name}: {cycle} for {rest}");

@@ -246,6 +246,6 @@ impl<'a> Unrolled<'a> {
 pub(crate) fn drawn_fields(fields: &[PictureField]) -> impl Iterator<Item = (&'static FieldRow, &Vec<f64>)> {
     fields.iter().filter_map(|it| match &it.values {
         FieldValues::Scalars(values) => Some((field(&it.name)?, values)),
-        FieldValues::Vectors(_) => None,
+        FieldValues::Vectors(_) | FieldValues::Rows(..) => None,
     })
 }

@@ -1,16 +1,14 @@
-//! Profiles around the liner and along its axis, both through the greatest pressure; and the temperatures of walls and
-//! oil around the liner, through the hottest place.
+//! Profiles around the liner and along its axis, both through the greatest pressure; and the temperatures through the
+//! hottest place.
 
 use oilwedge_drawing::{
-    BLUE, Chart, Colour, Figure, GREEN, Label, ORANGE, Scale, Series, VERMILION, charts_figure, least_and_greatest,
+    BLUE, Chart, Figure, GREEN, Label, Scale, Series, VERMILION, charts_figure, least_and_greatest,
 };
-use oilwedge_study::fields::{
-    BUSH_TEMPERATURE, FILM_FRACTION, FILM_THICKNESS, FieldRow, GREATEST_TEMPERATURE, JOURNAL_TEMPERATURE, PRESSURE,
-    TEMPERATURE,
-};
+use oilwedge_study::fields::{FILM_FRACTION, FILM_THICKNESS, FieldRow, PRESSURE};
 
 use super::field_map::peak;
 use super::film::DrawnFilm;
+use super::hottest::temperature_charts;
 use super::sample::Finder;
 use crate::readable::{axis_label, readable_unit_of};
 
@@ -75,30 +73,7 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
         chart(&FILM_THICKNESS, Line::Around, VERMILION),
         chart(&FILM_FRACTION, Line::Around, GREEN),
     ];
-    let charts: Vec<Chart> = charts.into_iter().flatten().chain(temperatures(film, &finder, &angles)).collect();
+    let charts: Vec<Chart> = charts.into_iter().flatten().chain(temperature_charts(film, &finder, &angles)).collect();
     let columns = if width > 120.0 { 2 } else { 1 };
     Some(charts_figure(&film.result.head.title, &charts, columns, width))
-}
-
-/// The temperatures of bush, oil and journal at angles [rad] around the liner, through the hottest place; `None` of a
-/// film that has one temperature.
-fn temperatures(film: &DrawnFilm, finder: &Finder, angles: &[f64]) -> Option<Chart> {
-    let [_, z] = peak(&film.cells, film.values(GREATEST_TEMPERATURE.name)?)?;
-    let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius(), z]).collect();
-    let series = |(name, row, colour): (&str, &FieldRow, Colour)| {
-        let values = finder.values(row, &points)?;
-        let at = |(angle, value): (&f64, f64)| [angle.to_degrees(), value];
-        Some(Series::line(name, colour, angles.iter().zip(values).map(at).collect()))
-    };
-    let title = format!("Temperature around the liner at z = {:.1} mm", (1e4 * z).round() / 10.0 + 0.0);
-    let unit = Label::plain("temperature, \u{b0}C");
-    let mut chart = Chart::new(&title, Label::plain("angle on the liner"), unit);
-    chart.x.1 = Scale::Degrees;
-    let rows = [
-        ("bush", &BUSH_TEMPERATURE, VERMILION),
-        ("oil, mean across the film", &TEMPERATURE, ORANGE),
-        ("journal", &JOURNAL_TEMPERATURE, BLUE),
-    ];
-    chart.series = rows.into_iter().filter_map(series).collect();
-    Some(chart)
 }

@@ -18,7 +18,7 @@ const SMALL: f64 = 1e-6;
 /// Power of shear per area [W/m2] where the film has the pressure `p` [Pa].
 pub(super) fn shear(problem: &FilmProblem, film: &FilmPoint, p: f64) -> f64 {
     let [x, z] = film.velocity;
-    problem.factors().shear(film) * problem.viscosity_at(p) * (x * x + z * z) / film.thickness
+    film.shear_viscosity * problem.lubricant.pressure_law.viscosity_ratio(p) * (x * x + z * z) / film.thickness
 }
 
 /// What the rules of integration for the two degrees differ by in the power of shear [W] of the `cubic` film: summed

@@ -6,7 +6,7 @@
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | p_max, p_min | Pa | `greatest`, `least` |
-//! | mu_max | Pa s | `viscosity` |
+//! | mu_max | Pa s | [`Extremes::viscosity`] |
 //!
 //! **Source.** Definition. **Range.** Beside the cavity of a mass-conserving film p_max is that of the nodes. Pressure
 //! grows with the unknown, so their extremes lie together.
@@ -15,7 +15,8 @@
 use oilwedge_fem::Field;
 
 use super::summit::{Summit, summit};
-use crate::SolvedFilm;
+use crate::film_law::FilmLaw;
+use crate::{FilmProblem, SolvedFilm};
 
 /// Greatest and least pressure and the greatest viscosity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,8 +29,15 @@ pub struct Extremes {
     pub least: f64,
     /// Triangle that it lies in; none where it is that of a cavity.
     pub least_in: Option<usize>,
-    /// Viscosity [Pa s] at the greatest pressure.
-    pub viscosity: f64,
+    /// Viscosity [Pa s] of the oil at the place of the greatest pressure, but without pressure.
+    unpressed: f64,
+}
+
+impl Extremes {
+    /// Viscosity [Pa s] at a pressure [Pa] at the place of the greatest one.
+    pub fn viscosity(&self, problem: &FilmProblem, pressure: f64) -> f64 {
+        self.unpressed * problem.lubricant.pressure_law.viscosity_ratio(pressure)
+    }
 }
 
 /// Extremes of the pressure. Pressure grows with the unknown, so they are those of the unknown.
@@ -37,13 +45,9 @@ pub fn extremes(film: &SolvedFilm) -> Extremes {
     let top = film.greatest_unknown();
     let greatest = film.problem.pressure_at(top.value);
     let (least, least_in) = least(film);
-    Extremes {
-        greatest,
-        summit: summit(film, &top, least),
-        least,
-        least_in,
-        viscosity: film.problem.viscosity_at(greatest),
-    }
+    let summit = summit(film, &top, least);
+    let unpressed = FilmLaw::new(&film.problem, 1.0).film_and_flows(top.triangle, &[summit.position]).0[0].viscosity;
+    Extremes { greatest, summit, least, least_in, unpressed }
 }
 
 /// Least pressure [Pa]: that of the cavity where there is one, and never below it; else also the triangle.

@@ -120,6 +120,8 @@ impl OrbitSeries<'_> {
         model: &HeatFieldModel,
         options: &RunOptions,
     ) -> Result<FollowedCycle, NoAnswer> {
+        // The films of the cycle show the temperatures that they have.
+        let film = &Film { heat: Some(Arc::new(heat.clone())), ..film.clone() };
         let mut orbit = self.followed(film, options)?;
         let network = network_of(orbit.end, orbit.network.take())?;
         let viscosity = |temperature: f64| self.film.viscosity_at(temperature);
@@ -127,6 +129,7 @@ impl OrbitSeries<'_> {
             heat.balanced_on(&model.surroundings, network.clone(), &viscosity).map_err(|reason| none(reason.into()))?;
         orbit.solved.film.heat = Some(Arc::new(heat));
         orbit.quantities.extend(of_heat(&orbit, &orbit.solved.film));
+        orbit.path.quantities.iter_mut().for_each(|numbers| settle(numbers, &orbit.quantities));
         if options.bars {
             let open = self.open(&orbit, (film, network), model);
             orbit.are_bars_ended |= open.is_none() && self.watch.deadline.is_over();
@@ -197,6 +200,16 @@ fn of_heat(orbit: &FollowedCycle, film: &Film) -> Vec<Quantity> {
         power.value = heat.heating();
     }
     numbers
+}
+
+/// Gives the numbers of a film of the cycle the temperatures that balance its mean heat; its own are what it makes of
+/// heat.
+fn settle(numbers: &mut [Quantity], of_cycle: &[Quantity]) {
+    for number in numbers.iter_mut().filter(|number| is_of_heat(number) && number.row != &HEAT_POWER) {
+        if let Some(found) = of_cycle.iter().find(|other| other.name == number.name) {
+            number.value = found.value;
+        }
+    }
 }
 
 /// Adds to each bar what is left open of the number; temperatures have no other one. No number has a bar where that is

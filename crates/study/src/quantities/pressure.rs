@@ -22,12 +22,12 @@ rows! {
 
     /// `mu_max = mu(p_max)`
     VISCOSITY_MAX = "viscosity_max", "mu_max", PascalSecond, "viscosity at the greatest pressure":
-        One(|film| Some(film.measured.extremes.viscosity)),
+        One(|film| Some(film.measured.extremes.viscosity(film.problem, film.measured.extremes.greatest))),
         ErrorRule::Of("viscosities at the ends of the bar of p_max", viscosity);
 }
 
 fn viscosity(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
     let (bar, greatest) = (estimate.greatest_pressure(), at.view.measured.extremes.greatest);
-    let off = |p: f64| (at.view.problem.viscosity_at(p) - at.value).abs();
+    let off = |p: f64| (at.view.measured.extremes.viscosity(at.view.problem, p) - at.value).abs();
     bar.is_finite().then(|| Bar::of(off(greatest + bar).max(off(greatest - bar))))
 }

@@ -1,5 +1,9 @@
-//! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross.
+//! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross; and the temperature
+//! across a film at its hottest place.
 
+use oilwedge_bearing::film_heat::FilmHeat;
+use oilwedge_heat::Layers;
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use serde::{Deserialize, Serialize};
 
 use super::Criterion;
@@ -69,5 +73,39 @@ mod tests {
         let point = serde_json::to_value(TemperaturePoint::default()).expect("numbers");
         let rows = [&FRICTION_POWER, &HEAT_CARRIED, &HEAT_HOUSING, &ECCENTRICITY];
         assert!(rows.iter().all(|row| point[row.name] == 0.0), "{point}");
+    }
+}
+
+/// Temperatures from the bush to the journal, at the points between which they are one polynomial.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct TemperatureAcross {
+    /// Angle of the place [deg].
+    pub angle: f64,
+    /// Place along the axis, zero midway between the ends [m].
+    pub z: f64,
+    /// Distance of each point from the bush over the film thickness [1].
+    pub eta: Vec<f64>,
+    /// Temperature at each point [degrees C].
+    pub temperature: Vec<f64>,
+}
+
+impl TemperatureAcross {
+    /// The temperatures across the film where it is hottest, in a bearing of this length [m].
+    pub fn hottest(heat: &FilmHeat, length: f64) -> Self {
+        let spot = heat.hottest();
+        let across = heat.temperatures.of_cell(&heat.layers, spot.cell);
+        Self {
+            angle: spot.angle.to_degrees().rem_euclid(360.0),
+            z: spot.along * length,
+            eta: heat.layers.points.clone(),
+            temperature: across.iter().map(|t| t - ZERO_CELSIUS).collect(),
+        }
+    }
+
+    /// The temperature [degrees C] at a distance eta from the bush; none of points that are not those of a film.
+    pub fn at(&self, eta: f64) -> Option<f64> {
+        let layers = Layers::new(self.temperature.len().checked_sub(1)?)?;
+        Some(layers.at(&self.temperature, eta))
     }
 }
