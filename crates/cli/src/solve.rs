@@ -148,6 +148,7 @@ Examples:
   oilwedge solve bearing.toml --cost
   oilwedge solve bearing.toml --standard
   oilwedge solve bearing.toml --theories
+  oilwedge solve bearing.toml --sensitivity
   oilwedge solve big_end.toml --mobility
   oilwedge solve big_end.toml --frames 72
   oilwedge solve engine.toml --cut --report

@@ -1,12 +1,12 @@
-//! What matters among the tolerances of a scene, for people.
+//! What matters among the tolerances of a scene, and how numbers change with those of the scene, for people.
 
 use oilwedge_campaign::main_of;
-use oilwedge_study::quantities::{FILM_THICKNESS_MIN, Quantity, QuantitySpread};
-use oilwedge_study::result::RunResult;
+use oilwedge_study::quantities::{FILM_THICKNESS_MIN, Quantity, QuantitySpread, Sensitivity};
+use oilwedge_study::result::{RunResult, headlines};
 
 use crate::digits::significant;
 use crate::readable::readable_unit;
-use crate::sheet::{Sheet, number_as, text};
+use crate::sheet::{Cell, Sheet, none, number_as, text};
 
 /// Most keys that are shown.
 const SHOWN: usize = 5;
@@ -48,6 +48,45 @@ pub(crate) fn spread_sheet(result: &RunResult) -> Option<Sheet> {
         notes,
         ..Sheet::default()
     })
+}
+
+/// How the main numbers of a film change with each number of its scene; `None` where no more was asked than for its
+/// tolerances.
+pub(crate) fn sensitivity_sheet(result: &RunResult) -> Option<Sheet> {
+    let main = main_of(result)?;
+    let spread = main.spread.as_ref().map_or(0, |spread| spread.shares.len());
+    if main.sensitivity.len() <= spread {
+        return None;
+    }
+    let moves = |quantity: &&&Quantity| quantity.sensitivity.values().any(|it| it.value != 0.0);
+    let all = headlines(&result.quantities, |quantity| quantity.row, &result.effects);
+    let shown: Vec<&&Quantity> = all.iter().filter(moves).take(SHOWN).collect();
+    let name = |quantity: &Quantity| quantity.name.replace(['_', '.'], " ");
+    let rows = main.sensitivity.keys().map(|key| {
+        let cells = shown.iter().map(|quantity| quantity.sensitivity.get(key).map_or_else(none, cell));
+        std::iter::once(text(key.as_str())).chain(cells).collect()
+    });
+    let mut notes =
+        vec!["numbers without a unit are exponents: by how many per cent 1 % more of the key changes it".to_owned()];
+    if main.sensitivity.values().any(|it| it.is_by_films) {
+        notes.push("* by two films solved again: the mesh moves with the key, so that digits are lost".to_owned());
+    }
+    Some(Sheet {
+        title: "What changes with each number of the scene".to_owned(),
+        header: std::iter::once("key".to_owned()).chain(shown.iter().map(|quantity| name(quantity))).collect(),
+        rows: rows.collect(),
+        notes,
+        ..Sheet::default()
+    })
+}
+
+/// An exponent or, where there is none, a derivative with its unit.
+fn cell(sensitivity: &Sensitivity) -> Cell {
+    let Sensitivity { value, unit, log, is_by_films } = sensitivity;
+    let (number, unit) = log.map_or((*value, unit.as_str()), |log| (log, ""));
+    let (sign, star) = (if number > 0.0 { "+" } else { "" }, if *is_by_films { " *" } else { "" });
+    let told = if number == 0.0 { "0".to_owned() } else { significant(number, DIGITS) };
+    number_as(number, format!("{sign}{told} {unit}").trim_end().to_owned() + star)
 }
 
 /// Whether the effects add up at the worst corners of a quantity, in words.

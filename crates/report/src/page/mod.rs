@@ -49,6 +49,7 @@ use crate::orbit_course::OrbitCourse;
 use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sheet::Sheet;
 use crate::sketch::words;
+use crate::spread_sheet::{sensitivity_sheet, spread_sheet};
 use crate::sweep::{SWEEP_FORMAT, SweepResult};
 use crate::tables::mesh;
 use coarser::coarser;
@@ -325,11 +326,13 @@ fn drawn(figures: &[(String, Figure)]) -> Vec<PageFigure> {
     figures.par_iter().map(each).collect()
 }
 
-/// What is compared with the film; times stand among the other times.
+/// What matters among tolerances, how numbers change, and what is compared with the film; times stand among the other
+/// times.
 fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
     let mut all = comparisons(records, result);
     all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
-    all.iter().filter_map(|it| sheet(it).if_any()).collect()
+    let beside = [spread_sheet(result), sensitivity_sheet(result)].into_iter().flatten();
+    beside.chain(all.iter().filter_map(|it| sheet(it).if_any())).collect()
 }
 
 /// The command that gives these results again, for the scene in a file of that name.

@@ -11,7 +11,8 @@ use crate::balances;
 use crate::comparison::sheet;
 use crate::digits::significant;
 use crate::readable::readable_unit;
-use crate::spread_sheet::spread_sheet;
+use crate::sheet::Sheet;
+use crate::spread_sheet::{sensitivity_sheet, spread_sheet};
 use oilwedge_campaign::{Records, comparisons};
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
@@ -43,7 +44,7 @@ pub fn run_report(result: &RunResult, shown: ShownQuantities, records: &Records,
     let mut parts = tables(result, shown);
     parts.extend(temperature::balance(result, shown));
     parts.extend(judged(result));
-    parts.extend(spread_sheet(result).map(|sheet| sheet.terminal()));
+    parts.extend([spread_sheet(result), sensitivity_sheet(result)].iter().flatten().map(Sheet::terminal));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(comparisons(records, result).iter().map(|it| sheet(it).terminal()));
