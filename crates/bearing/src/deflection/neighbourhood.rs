@@ -7,7 +7,7 @@ use oilwedge_fem::newton::NewtonFailure;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, NoFilm, SolvedFilm};
 
 use super::close::WallResidual;
-use super::tangent::{EXACT, Follower, contact_points};
+use super::tangent::{EXACT, Follower};
 
 /// The neighbourhood of a solved film: films of problems that differ a little, each by one back-substitution.
 pub struct Neighbourhood<'a> {
@@ -25,14 +25,14 @@ impl<'a> Neighbourhood<'a> {
         Ok(Self { film, follower: Follower::of(film)? })
     }
 
-    /// By which coefficients [m] the wall of a neighbouring `problem` follows to first order from the deflection that
-    /// the problem has, its journal held; none of a rigid wall.
+    /// By which coefficients [m] the wall of a neighbouring film follows to first order from the deflection that the
+    /// film has, its journal held; none of a rigid wall.
     ///
     /// # Errors
     /// [`NoFilm`]: the linear systems could not be solved.
     pub fn followed(&self, film: &SolvedFilm) -> Result<Vec<f64>, NoFilm> {
         let Some(follower) = &self.follower else { return Ok(Vec::new()) };
-        let left = WallResidual::of(film, contact_points(&film.problem, &film.system)).wall;
+        let left = WallResidual::of_film(film).wall;
         Ok(follower.of_wall(&left, EXACT).map_err(NewtonFailure::from)?.deflection)
     }
 
