@@ -19,9 +19,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::coordinates::moved;
-use oilwedge_bearing::deflection::Neighbourhood;
+use oilwedge_bearing::{Coordinates, Neighbourhood};
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Gap, NoFilm, SolvedFilm};
@@ -209,27 +208,14 @@ impl<'a> FilmTangent<'a> {
         let wider = model.mesh.bearing.clearance / base.bearing.clearance;
         let place = moved([x, y, z_x, z_y], wider, self.coordinates.at(&base.journal));
         let position = match model.placed {
-            Placed::Load { .. } => Position {
-                tilt: if self.coordinates.order == 4 {
-                    [2, 3].map(|k| place[k] / self.coordinates.arm)
-                } else {
-                    model.tilt
-                },
-                ..Position::of(&self.coordinates.placed(&base.journal, place), model.mesh.bearing.clearance)
-            },
+            Placed::Load { .. } => model.position_at(&self.coordinates, place),
             Placed::Given { .. } | Placed::Cycle => Position::start(model),
         };
         let found = self.solved.film.oil.temperature.filter(|_| model.sockets.thermal.is_some());
         let oil = model.oil_at(found.map(|temperature| temperature + kelvin));
         let mut film = self.solved.film.beside(model, &FilmState { position, oil }).ok_or(NoTangent::Mesh)?;
-        if let Some((deflection, known)) = film.problem.deflection().zip(base.deflection()) {
-            if deflection.coefficients.len() != known.coefficients.len() {
-                return Err(NoTangent::Mesh);
-            }
-            let bent = deflection.with(known.coefficients.to_vec()).with_more(&at.wall);
-            film.problem = film.problem.deflected(Some(&bent));
-        }
-        let solved = self.neighbourhood.film(film.problem.clone(), &film.system)?;
+        let solved = self.neighbourhood.film(film.problem.clone(), &film.system, &at.wall)?.ok_or(NoTangent::Mesh)?;
+        film.problem = solved.problem.clone();
         Ok((film, solved))
     }
 
