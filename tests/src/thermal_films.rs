@@ -357,8 +357,8 @@ pub fn coarse_engine() -> String {
     edited(ENGINE, &[("size = \"1.5 mm\"", "size = \"4 mm\"")])
 }
 
-/// The coarse engine bearing under a cycle with these loads in x and y [kN] at every quarter of a turn, without bars,
-/// and with two frames.
+/// The coarse engine bearing under a cycle with these loads in x and y [kN] at every quarter of a turn, and two frames
+/// of it; bars are not estimated.
 ///
 /// # Panics
 /// If there is no such orbit.

@@ -122,16 +122,13 @@ fn films_solved_again_on_the_mesh_have_the_derivatives_of_the_tangent() {
         }
     }
     apart.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let at = |share: f64| &apart[(share * (apart.len() - 1) as f64) as usize];
     // Side flows beside a cavity that makes oil jump a little: points of a rule lie on either side of its edge.
-    assert!(
-        apart.len() > 250 && at(0.5).0 < 1e-5 && at(0.95).0 < 2e-3 && at(1.0).0 < 2e-2,
-        "{} {:?} {:?} {:?}",
-        apart.len(),
-        at(0.5),
-        at(0.95),
-        at(1.0)
-    );
+    let (jump, smooth): (Vec<_>, Vec<_>) = apart.into_iter().partition(|(_, told)| told.contains("side_flow"));
+    let at = |share: f64| &smooth[(share * (smooth.len() - 1) as f64) as usize];
+    let worst = jump.last().expect("flows");
+    assert!(smooth.len() > 250 && at(0.5).0 < 1e-5 && at(0.95).0 < 1e-3, "{:?} {:?}", at(0.5), at(0.95));
+    assert!(at(1.0).0 < 5e-3 && worst.0 < 2e-2, "{:?} {worst:?}", at(1.0));
+    println!("{} {:?} {:?} {:?} {worst:?}", smooth.len(), at(0.5), at(0.95), at(1.0));
 }
 
 /// Exponents of mass, time and clearance in a number. A clearance that is wider by a factor, and a viscosity by its

@@ -3,7 +3,7 @@
 use oilwedge_reynolds::JournalState;
 use oilwedge_reynolds::quantities::load::Resultant;
 
-use crate::coordinates::{Coordinates, Vector};
+use crate::coordinates::{Coordinates, Vector, moved};
 
 /// Force on the journal, and what tilts it where its tilt is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,18 +33,26 @@ impl JournalLoad {
 }
 
 impl JournalLoad {
+    /// The load, and what tilts the journal where it is parallel to the bearing, in coordinates with this `arm` [m] of
+    /// moments [N].
+    pub(crate) fn asked(&self, arm: f64) -> Vector {
+        let tilting = self.tilting.map_or([0.0; 2], |tilting| {
+            [0, 1].map(|d| (tilting.moment[d] + tilting.stiffness * tilting.support[d]) / arm)
+        });
+        [self.force[0], self.force[1], tilting[0], tilting[1]]
+    }
+
+    /// Stiffness [N/m] of the support in these coordinates.
+    pub(crate) fn support_stiffness(&self, arm: f64) -> f64 {
+        self.tilting.map_or(0.0, |tilting| tilting.stiffness / (arm * arm))
+    }
+
     /// What a film carries at a place of the journal, and its support there, less this load [N]: nothing where the
     /// journal is in balance.
     pub fn excess(&self, coordinates: &Coordinates, journal: &JournalState, carried: &Resultant) -> Vector {
-        let (film, at, arm) = (coordinates.forces(carried), coordinates.at(journal), coordinates.arm);
-        let tilting = |d: usize| {
-            let by = |tilting: Tilting| {
-                let support = tilting.stiffness * (tilting.support[d] - at[2 + d] / arm);
-                film[2 + d] - (tilting.moment[d] + support) / arm
-            };
-            self.tilting.map_or(0.0, by)
-        };
-        [film[0] - self.force[0], film[1] - self.force[1], tilting(0), tilting(1)]
+        let [_, _, z_x, z_y] = coordinates.at(journal);
+        let support = [0.0, 0.0, z_x, z_y].map(|slope| self.support_stiffness(coordinates.arm) * slope);
+        moved(moved(coordinates.forces(carried), 1.0, support), -1.0, self.asked(coordinates.arm))
     }
 
     /// This load with further forces in coordinates whose slopes are multiplied by `arm` [m].

@@ -301,16 +301,12 @@ impl<'a> Search<'a> {
 
     /// The load, and what tilts the journal where it is parallel to the bearing [N].
     pub(crate) fn asked(&self) -> Vector {
-        let tilting = self.load.tilting.map_or([0.0; 2], |tilting| {
-            [0, 1].map(|d| (tilting.moment[d] + tilting.stiffness * tilting.support[d]) / self.coordinates.arm)
-        });
-        [self.load.force[0], self.load.force[1], tilting[0], tilting[1]]
+        self.load.asked(self.coordinates.arm)
     }
 
     /// Stiffness of the support in the coordinates of the search [N/m].
     pub(crate) fn support_stiffness(&self) -> f64 {
-        let arm = self.coordinates.arm;
-        self.load.tilting.map_or(0.0, |tilting| tilting.stiffness / (arm * arm))
+        self.load.support_stiffness(self.coordinates.arm)
     }
 
     /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small

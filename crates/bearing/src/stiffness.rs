@@ -110,14 +110,14 @@ fn cramer(a: &[Vector; 4], b: [f64; 2]) -> [f64; 2] {
     [(a[1][1] * b[0] - a[0][1] * b[1]) / determinant, (a[0][0] * b[1] - a[1][0] * b[0]) / determinant]
 }
 
-/// Solves four equations by elimination with row pivots.
-fn eliminate(mut a: [Vector; 4], mut b: Vector) -> Vector {
-    for k in 0..4 {
-        let pivot = (k..4).fold(k, |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best });
+/// Solves a few equations by elimination with row pivots; not finite where they are singular.
+pub fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
+    for k in 0..N {
+        let pivot = (k..N).fold(k, |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best });
         a.swap(k, pivot);
         b.swap(k, pivot);
         let (upper, above) = (a[k], b[k]);
-        for row in k + 1..4 {
+        for row in k + 1..N {
             let factor = a[row][k] / upper[k];
             for (entry, upper) in a[row].iter_mut().zip(upper) {
                 *entry -= factor * upper;
@@ -125,9 +125,9 @@ fn eliminate(mut a: [Vector; 4], mut b: Vector) -> Vector {
             b[row] -= factor * above;
         }
     }
-    let mut x = [0.0; 4];
-    for k in (0..4).rev() {
-        let known: f64 = (k + 1..4).map(|j| a[k][j] * x[j]).sum();
+    let mut x = [0.0; N];
+    for k in (0..N).rev() {
+        let known: f64 = (k + 1..N).map(|j| a[k][j] * x[j]).sum();
         x[k] = (b[k] - known) / a[k][k];
     }
     x

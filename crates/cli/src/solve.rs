@@ -201,15 +201,17 @@ impl Solve {
             )));
         }
         let inputs = if self.sensitivity { &scene.inputs } else { &scene.tolerances };
-        let run = match inputs.is_empty() || scene.orbit.is_some() || run.result.head.status != Status::Converged {
+        let mut run = match inputs.is_empty() || scene.orbit.is_some() || run.result.head.status != Status::Converged {
             true => run,
             false => {
-                working.turns_to("the films beside");
+                working.turns_to("how numbers change with those of the scene");
                 let (result, reasons) = with_derivatives(&scene, &run, inputs, &options);
                 complain::warn(&reasons);
                 Run { result, ..run }
             }
         };
+        // Its factors are large.
+        run.solved = None;
         let mut records = Records::default();
         for kind in self.compared() {
             working.turns_to(kind.task());
@@ -339,6 +341,12 @@ impl Solve {
         if let Some((_, argument)) = of_shaft.iter().find(|(is_given, _)| *is_given) {
             return Err(Failure::Message(format!(
                 "{argument}: the scene {} is that of one bearing; leave it out, or give the scene of a crankshaft",
+                self.run.scene.display()
+            )));
+        }
+        if self.sensitivity && model.scope.orbit.is_some() {
+            return Err(Failure::Message(format!(
+                "--sensitivity: the scene {} has an [orbit], whose numbers have no derivatives; leave out --sensitivity, or give keys tolerances and draw them by oilwedge sweep --draws",
                 self.run.scene.display()
             )));
         }

@@ -20,6 +20,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::moved;
+use oilwedge_bearing::stiffness::eliminate;
 use oilwedge_bearing::{Coordinates, Neighbourhood};
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
@@ -169,14 +170,16 @@ impl<'a> FilmTangent<'a> {
 
     /// How the unknowns follow a number that upsets their balance so, and how the wall follows both.
     fn followed(&self, by_number: MovedUnknowns) -> MovedUnknowns {
-        let mut followed = MovedUnknowns { around: AroundFilm::default(), wall: by_number.wall };
-        let rows = self.unknown.iter().map(|&row| {
-            let entries = self.columns.iter().map(|column| column.around[row]);
-            entries.chain([-by_number.around[row]]).collect()
-        });
-        for (column, (&k, part)) in self.columns.iter().zip(self.unknown.iter().zip(solve(rows.collect()))) {
-            followed.around[k] = part;
-            followed.add_wall(part, &column.wall);
+        // What is given stays.
+        let mut rows = [0, 1, 2, 3, 4].map(|row| [0, 1, 2, 3, 4].map(|k| if k == row { 1.0 } else { 0.0 }));
+        let mut wanted = AroundFilm::default();
+        for &row in &self.unknown {
+            wanted[row] = -by_number.around[row];
+            self.unknown.iter().zip(&self.columns).for_each(|(&k, column)| rows[row][k] = column.around[row]);
+        }
+        let mut followed = MovedUnknowns { around: eliminate(rows, wanted), wall: by_number.wall };
+        for (&k, column) in self.unknown.iter().zip(&self.columns) {
+            followed.add_wall(followed.around[k], &column.wall);
         }
         followed
     }
@@ -230,24 +233,4 @@ impl<'a> FilmTangent<'a> {
         }
         Ok(measured(&View::new(&film, &film.problem, &numbers)))
     }
-}
-
-/// Solves a few equations, each a row of coefficients with the right side at its end, by elimination with row pivots.
-fn solve(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
-    let n = rows.len();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|&a, &b| rows[a][k].abs().total_cmp(&rows[b][k].abs())).unwrap_or(k);
-        rows.swap(k, pivot);
-        let upper = rows[k].clone();
-        for row in &mut rows[k + 1..] {
-            let factor = row[k] / upper[k];
-            row.iter_mut().zip(&upper).for_each(|(entry, above)| *entry -= factor * above);
-        }
-    }
-    let mut x = vec![0.0; n];
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| rows[k][j] * x[j]).sum();
-        x[k] = (rows[k][n] - known) / rows[k][k];
-    }
-    x
 }

@@ -1,5 +1,5 @@
-//! Random bearings with temperatures across their films: any eccentricity, speed and direction of the load, with holes
-//! and grooves, some of them nearly dry; the same on every run.
+//! Random bearings with temperatures across their films, which are alike on every run: any eccentricity, speed and
+//! direction of the load, with holes and grooves, some of them nearly dry.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;

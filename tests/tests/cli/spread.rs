@@ -67,3 +67,10 @@ fn a_scene_without_tolerances_has_no_spread() {
     let told = bench.run(&["solve", "scene.toml", "--json", "--bars", "none"]);
     assert!(!told.stdout.contains("spread") && !told.stdout.contains("sensitivity"), "{}", told.stdout);
 }
+
+#[test]
+fn orbits_have_no_sensitivities() {
+    let bench = Bench::new();
+    bench.write("orbit.toml", edited("27_big_end_orbit", &[]));
+    bench.refuses(&["solve", "orbit.toml", "--sensitivity"], &["--sensitivity", "orbit.toml", "[orbit]"]);
+}
