@@ -1,6 +1,7 @@
 //! `solve` of a scene with tolerances: the spread of its quantities.
 
 use oilwedge_tests::bench::{Bench, edited, object};
+use oilwedge_tests::program::repository;
 use serde_json::Value;
 
 const SIZE: &str = "\n[mesh]\nsize = \"12 mm\"\n";
@@ -71,6 +72,7 @@ fn a_scene_without_tolerances_has_no_spread() {
 #[test]
 fn orbits_have_no_sensitivities() {
     let bench = Bench::new();
-    bench.write("orbit.toml", edited("27_big_end_orbit", &[]));
-    bench.refuses(&["solve", "orbit.toml", "--sensitivity"], &["--sensitivity", "orbit.toml", "[orbit]"]);
+    let scene = repository().join("scenes/27_big_end_orbit.toml");
+    let path = scene.to_str().expect("a path");
+    bench.refuses(&["solve", path, "--sensitivity"], &["--sensitivity", "27_big_end_orbit.toml", "[orbit]"]);
 }
