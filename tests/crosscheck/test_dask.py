@@ -13,6 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import cloudpickle
+import dask
 import numpy as np
 import oilwedge as ow
 import oilwedge.dask
@@ -45,7 +46,9 @@ def wanted():
 
 @pytest.fixture(scope="module")
 def client():
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    # A cluster gives up workers that are not there again in time; a busy machine takes longer than its 15 s.
+    patient = dask.config.set({"distributed.deploy.lost-worker-timeout": "5 minutes"})
+    with patient, LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
         # A part may end one worker less than it may by itself, for each is started anew.
         cluster.scheduler.allowed_failures = 1
         yield client
