@@ -70,6 +70,7 @@ const SCENES: [(&str, &[&str]); 38] = [
     ("37_tolerances", &[]),
     ("38_thermal_turbine", &[]),
     ("39_turbine_turbulent", &[HEATED]),
+    ("40_design", &[]),
 ];
 
 /// Scenes that are solved on one thread too: a linear film, one that breaks, a balance of heat, a tangent, a wall.
