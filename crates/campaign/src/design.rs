@@ -1,7 +1,7 @@
 //! A design: the numbers of free keys that make a quantity least or greatest while the criteria of the scene are met.
 //!
-//! Every point of the search is a solved film of a sweep's chain, so that the mesh of the one before stays as long as it
-//! suits; its gradients come from [`crate::sensitivity`]. Criteria are constraints, relative to their limits; with
+//! Every point of the search is a solved film of a sweep's chain, so that the mesh of the one before stays as long as
+//! it suits; its gradients come from [`crate::sensitivity`]. Criteria are constraints, relative to their limits; with
 //! `spread` each is worse by the root of the squares of the effects of the tolerances there, whose own gradient is left
 //! out. The search is that of `quadratic.rs`. The optimum is solved by itself at the end, with error bars, on a mesh of
 //! its own. Verified by `tests/tests/design.rs`: Rayleigh's step, and a short film.
@@ -9,7 +9,7 @@
 mod quadratic;
 mod record;
 
-use oilwedge_scene::{Design, FreeKey, KeyTolerance, Scene, SceneError, Sense};
+use oilwedge_scene::{Design, DesignSense, FreeKey, KeyTolerance, Scene, SceneError};
 use oilwedge_study::column::Column;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::{Criterion, Status};
@@ -21,7 +21,7 @@ use oilwedge_study::{CHECKS, CompileError, compile, parse};
 use crate::sensitivity::{Derivatives, derivatives};
 use crate::spread::with_derivatives;
 use crate::sweep::{CaseOutcome, CaseStatus, Walker};
-use quadratic::{Optimum, Sample, SearchEnd, least};
+use quadratic::{DescentEnd, Optimum, Valued, least};
 pub use record::{ChosenKey, Constraint, DesignEnd, DesignPoint, DesignRecord, ListedChoice};
 
 /// Most films of one search, those for gradients apart.
@@ -66,10 +66,10 @@ pub struct Designed {
 /// [`NoDesign`]: no combination has a film to begin with, or the optimum is no scene.
 pub fn design(scene: &Scene, asked: &Design, options: &RunOptions) -> Result<Designed, NoDesign> {
     let beside = RunOptions { bars: false, observer: None, ..*options };
-    let mut best: Option<Found> = None;
+    let mut best: Option<BestChoice> = None;
     let (mut choices, mut reason) = (Vec::new(), String::new());
     for (values, scene) in scene.combinations(&CHECKS)? {
-        let mut search = Search::new(&scene, asked, &beside);
+        let mut search = DesignSearch::new(&scene, asked, &beside);
         let found = search.run();
         let record = found.as_ref().map(|optimum| search.record(optimum));
         choices.push(ListedChoice {
@@ -80,14 +80,14 @@ pub fn design(scene: &Scene, asked: &Design, options: &RunOptions) -> Result<Des
         match record {
             None => reason = search.reason,
             Some(record) => {
-                let found = Found { record, scene: scene.clone(), free: search.free };
+                let found = BestChoice { record, scene: scene.clone(), free: search.free };
                 if best.as_ref().is_none_or(|best| found.is_better(best, asked.sense)) {
                     best = Some(found);
                 }
             }
         }
     }
-    let Found { mut record, scene, free } = best.ok_or(NoDesign::NoStart(reason))?;
+    let BestChoice { mut record, scene, free } = best.ok_or(NoDesign::NoStart(reason))?;
     let values: Vec<(&KeyTolerance, f64)> =
         free.iter().zip(&record.keys).map(|(free, key)| (&free.input, si(&free.input, key.optimum))).collect();
     let scene = parse(&scene.text_with(&values), &scene.path)?;
@@ -106,24 +106,24 @@ pub fn design(scene: &Scene, asked: &Design, options: &RunOptions) -> Result<Des
 }
 
 /// The optimum of one combination of listed values.
-struct Found {
+struct BestChoice {
     record: DesignRecord,
     scene: Scene,
     free: Vec<FreeKey>,
 }
 
-impl Found {
-    fn is_better(&self, other: &Self, sense: Sense) -> bool {
+impl BestChoice {
+    fn is_better(&self, other: &Self, sense: DesignSense) -> bool {
         let [own, before] = [self, other].map(|found| signed(sense, found.record.value));
         (self.record.is_met, -own) > (other.record.is_met, -before)
     }
 }
 
 /// The objective as it is made least.
-fn signed(sense: Sense, value: f64) -> f64 {
+fn signed(sense: DesignSense, value: f64) -> f64 {
     match sense {
-        Sense::Minimise => value,
-        Sense::Maximise => -value,
+        DesignSense::Minimise => value,
+        DesignSense::Maximise => -value,
     }
 }
 
@@ -133,7 +133,7 @@ fn si(input: &KeyTolerance, value: f64) -> f64 {
 }
 
 /// The search for one combination of listed values.
-struct Search<'a> {
+struct DesignSearch<'a> {
     scene: &'a Scene,
     asked: &'a Design,
     options: &'a RunOptions,
@@ -150,13 +150,13 @@ struct Search<'a> {
 }
 
 /// A solved point: its quantities, criteria, and how they change.
-struct Solved {
+struct SolvedPoint {
     found: CaseOutcome,
     inputs: Vec<KeyTolerance>,
     slopes: Vec<Derivatives>,
 }
 
-impl Solved {
+impl SolvedPoint {
     /// The derivative of a quantity by each of the first `count` inputs over their `widths`; `None` where one has none.
     fn gradient(&self, quantity: &Quantity, widths: &[f64]) -> Option<Vec<f64>> {
         let slopes = self.slopes.iter().zip(&self.inputs).zip(widths);
@@ -181,7 +181,7 @@ fn met_by(criterion: &Criterion) -> (f64, f64, f64) {
     (sign * (criterion.value - limit) / scale, limit, sign / scale)
 }
 
-impl<'a> Search<'a> {
+impl<'a> DesignSearch<'a> {
     fn new(scene: &'a Scene, asked: &'a Design, options: &'a RunOptions) -> Self {
         let column = Column::wanted(&asked.objective, &Scope::of(scene));
         Self {
@@ -216,7 +216,7 @@ impl<'a> Search<'a> {
         self.free.iter().zip(at).map(number).collect()
     }
 
-    fn sample(&mut self, at: &[f64]) -> Option<Sample> {
+    fn sample(&mut self, at: &[f64]) -> Option<Valued> {
         let numbers = self.numbers(at);
         let own = self.free.iter().zip(&numbers).map(|(free, number)| free.input.in_unit(*number)).collect();
         let mut point = DesignPoint { keys: own, ..DesignPoint::default() };
@@ -233,7 +233,7 @@ impl<'a> Search<'a> {
     }
 
     /// The film with these numbers, and how it changes with them.
-    fn solved(&mut self, numbers: &[f64]) -> Result<Solved, String> {
+    fn solved(&mut self, numbers: &[f64]) -> Result<SolvedPoint, String> {
         let values: Vec<_> = self.free.iter().map(|free| &free.input).zip(numbers.iter().copied()).collect();
         let scene = parse(&self.scene.text_with(&values), &self.scene.path).map_err(|error| error.to_string())?;
         let is_free = |input: &&KeyTolerance| self.free.iter().any(|free| free.input.key == input.key);
@@ -254,10 +254,10 @@ impl<'a> Search<'a> {
         let slopes = slopes.unwrap_or_else(|| derivatives(&scene, None, &inputs, self.options));
         let slopes = slopes.into_iter().collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
         self.gradient_films += slopes.iter().map(Derivatives::films).sum::<usize>();
-        Ok(Solved { found, inputs, slopes })
+        Ok(SolvedPoint { found, inputs, slopes })
     }
 
-    fn sample_of(&mut self, solved: &Solved, point: &mut DesignPoint) -> Result<Sample, String> {
+    fn sample_of(&mut self, solved: &SolvedPoint, point: &mut DesignPoint) -> Result<Valued, String> {
         let widths = self.widths();
         let quantities = &solved.found.quantities;
         let lacking = |name: &str| format!("{name} has no derivative by all free keys; choose another quantity");
@@ -298,7 +298,7 @@ impl<'a> Search<'a> {
         if !self.path.iter().all(is_same) {
             return Err("other criteria count there than at the start".to_owned());
         }
-        Ok(Sample {
+        Ok(Valued {
             objective: signed(self.asked.sense, objective.value) / scale,
             gradient: gradient.into_iter().map(|slope| signed(self.asked.sense, slope) / scale).collect(),
             constraints,
@@ -339,12 +339,12 @@ impl<'a> Search<'a> {
             value: point.objective.unwrap_or(f64::NAN),
             is_met,
             end: match optimum.end {
-                SearchEnd::Optimum => DesignEnd::Optimum,
-                SearchEnd::Infeasible => DesignEnd::Infeasible,
-                SearchEnd::NoValue => DesignEnd::NoFilm,
-                SearchEnd::Limit => DesignEnd::Limit,
+                DescentEnd::Optimum => DesignEnd::Optimum,
+                DescentEnd::Infeasible => DesignEnd::Infeasible,
+                DescentEnd::NoValue => DesignEnd::NoFilm,
+                DescentEnd::Limit => DesignEnd::Limit,
             },
-            reason: (optimum.end == SearchEnd::NoValue).then(|| self.reason.clone()),
+            reason: (optimum.end == DescentEnd::NoValue).then(|| self.reason.clone()),
             keys: self.free.iter().zip(optimum.at.iter().zip(&own)).map(key).collect(),
             constraints: point.constraints.iter().zip(&optimum.multipliers).map(constraint).collect(),
             films: self.path.len(),

@@ -1,4 +1,5 @@
-//! `[design]`: numbers that `oilwedge design` may choose, and what they shall make least or greatest. Nothing else reads it.
+//! `[design]`: numbers that `oilwedge design` may choose, and what they shall make least or greatest. No other command
+//! uses it.
 
 use std::ops::Range;
 use std::path::Path;
@@ -38,14 +39,14 @@ const DIGITS: usize = 15;
 
 /// What a design makes of its objective.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sense {
+pub enum DesignSense {
     /// Least.
     Minimise,
     /// Greatest.
     Maximise,
 }
 
-impl Sense {
+impl DesignSense {
     /// Name of the key.
     pub fn name(self) -> &'static str {
         match self {
@@ -65,7 +66,7 @@ pub struct Design {
     /// The quantity that is made least or greatest.
     pub objective: WantedColumn,
     /// Which of both.
-    pub sense: Sense,
+    pub sense: DesignSense,
     /// Whether the tolerances count in the criteria.
     pub spread: bool,
 }
@@ -88,7 +89,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Design> {
         axes
     });
     let spread = table.switch("spread").unwrap_or(false);
-    let senses = [Sense::Minimise, Sense::Maximise];
+    let senses = [DesignSense::Minimise, DesignSense::Maximise];
     let named = senses.map(|sense| {
         let text = table.text_if_given(sense.name())?;
         let span = table.written(sense.name())?.span();
@@ -176,15 +177,11 @@ pub(crate) fn complaints_at_bounds(scene: &Scene, text: &str, checks: &[Check]) 
     let Some(design) = &scene.design else { return Vec::new() };
     let mut found = Vec::new();
     for (free, axis) in scene.free_keys().iter().zip(&design.free) {
-        let named = |it: Complaint, index: usize| Complaint {
-            key: format!("design.free.{}", axis.name),
-            message: format!("with {}, {it}", axis.told(index)),
-            span: Some(axis.span.clone()),
-            ..it
-        };
-        let refused = free.bounds.iter().enumerate().filter_map(|(index, bound)| {
+        let refused = free.bounds.iter().filter_map(|bound| {
             let faults = of_values(text, &scene.path, &[(&free.input, *bound)], checks).err()?;
-            Some(named(faults.into_iter().next()?, index))
+            let first = faults.into_iter().next()?;
+            let key = format!("design.free.{}", axis.name);
+            Some(Complaint { key, span: Some(axis.span.clone()), ..first })
         });
         found.extend(refused.take(1));
     }

@@ -67,7 +67,7 @@ pub use contact::{ContactModel, ContactTable};
 pub use crank::{CrankDrive, CrankTable, Gas, ThrowTable};
 pub use crankshaft::*;
 pub use criteria::Criteria;
-pub use design::{Design, FreeKey, Sense, no_design};
+pub use design::{Design, DesignSense, FreeKey, no_design};
 pub use dynamics::DynamicsTable;
 pub use ends::Ends;
 pub use error::SceneError;

@@ -6,8 +6,8 @@
 //! g d + d B d / 2 + rho sum t,      c_i + a_i d + t_i >= 0,   t >= 0,   0 <= y + d <= 1,   |d| <= radius
 //! ```
 //! where B is the Hessian of the Lagrangian by damped updates, and t is what no step within the radius repairs. A step
-//! is taken where the merit `f + rho sum max(0, -c)` falls as much as a part of what the model expects; else the radius
-//! shrinks. Where there is no value at the end of a step, it is halved.
+//! is taken where the merit `f + nu sum max(0, -c)`, nu twice the greatest multiplier, falls as much as a part of what
+//! the model expects; else the radius shrinks. Where there is no value at the end of a step, it is halved.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -22,8 +22,10 @@
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus};
 
-/// Price of a constraint that is not met; greater than what any constraint costs.
+/// Price of what no step repairs; greater than what any constraint costs.
 const PENALTY: f64 = 100.0;
+/// Price of a constraint in the merit, over what it costs.
+const DEARER: f64 = 2.0;
 /// Part of the box that the first step may cross, and the most that a step may.
 const RADIUS: [f64; 2] = [0.2, 0.5];
 /// Part of the decrease expected that is enough.
@@ -41,7 +43,7 @@ const DAMPED: f64 = 0.2;
 
 /// Values and gradients at a point.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Sample {
+pub(super) struct Valued {
     /// What is made least.
     pub(super) objective: f64,
     /// What must not be below zero.
@@ -52,9 +54,9 @@ pub(super) struct Sample {
     pub(super) gradients: Vec<Vec<f64>>,
 }
 
-impl Sample {
-    fn merit(&self) -> f64 {
-        self.objective + PENALTY * self.violation()
+impl Valued {
+    fn merit(&self, price: f64) -> f64 {
+        self.objective + price * self.violation()
     }
 
     fn violation(&self) -> f64 {
@@ -70,7 +72,7 @@ impl Sample {
 
 /// How a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum SearchEnd {
+pub(super) enum DescentEnd {
     /// At an optimum.
     Optimum,
     /// Where no step meets all constraints.
@@ -89,29 +91,31 @@ pub(super) struct Optimum {
     /// Cost of each constraint: objective per unit of it.
     pub(super) multipliers: Vec<f64>,
     /// How it ended.
-    pub(super) end: SearchEnd,
+    pub(super) end: DescentEnd,
 }
 
 /// The place near `start` in the unit box where the objective is least, after at most `most` points; `None` where there
 /// is no value at the start.
-pub(super) fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -> Option<Sample>) -> Option<Optimum> {
+pub(super) fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -> Option<Valued>) -> Option<Optimum> {
     let mut at = start.to_vec();
     let mut here = sample(&at)?;
     let mut hessian = Hessian::unit(at.len());
     let mut radius = RADIUS[0];
     let mut multipliers = vec![0.0; here.constraints.len()];
-    let mut end = SearchEnd::Limit;
-    let mut is_missing = false;
+    let mut end = DescentEnd::Limit;
+    let (mut is_missing, mut price) = (false, 0.0);
     for _ in 1..most {
         let Some(step) = hessian.step(&here, &at, radius) else { break };
         multipliers.clone_from(&step.multipliers);
+        price = f64::max(0.5 * price, DEARER * multipliers.iter().copied().fold(0.0, f64::max));
+        let expected = step.gain + price * step.repaired;
         let length = step.by.iter().fold(0.0, |most: f64, d| most.max(d.abs()));
-        let is_small = length < CLOSE[0] || step.expected < ROUND_OFF || radius < CLOSE[1];
+        let is_small = length < CLOSE[0] || expected < ROUND_OFF || radius < CLOSE[1];
         if is_small {
             end = match (is_missing, here.violation() > MET) {
-                (true, _) if radius < CLOSE[1] => SearchEnd::NoValue,
-                (_, true) => SearchEnd::Infeasible,
-                _ => SearchEnd::Optimum,
+                (true, _) if radius < CLOSE[1] => DescentEnd::NoValue,
+                (_, true) => DescentEnd::Infeasible,
+                _ => DescentEnd::Optimum,
             };
             break;
         }
@@ -123,7 +127,7 @@ pub(super) fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -
         };
         let [before, after] = [&here, &other].map(|sample| sample.slope(&step.multipliers));
         hessian.update(&step.by, &after.iter().zip(&before).map(|(a, b)| a - b).collect::<Vec<_>>());
-        let part = (here.merit() - other.merit()) / step.expected;
+        let part = (here.merit(price) - other.merit(price)) / expected;
         if part > ENOUGH {
             is_missing = false;
             if part > GOOD && length > 0.9 * radius {
@@ -137,10 +141,11 @@ pub(super) fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -
     Some(Optimum { at, multipliers, end })
 }
 
-/// A step, and what it is expected to gain.
+/// A step, and how much less objective and violation are expected to be after it.
 struct Step {
     by: Vec<f64>,
-    expected: f64,
+    gain: f64,
+    repaired: f64,
     multipliers: Vec<f64>,
 }
 
@@ -160,7 +165,7 @@ impl Hessian {
     }
 
     /// The step that the quadratic problem has; `None` where it cannot be solved.
-    fn step(&self, here: &Sample, at: &[f64], radius: f64) -> Option<Step> {
+    fn step(&self, here: &Valued, at: &[f64], radius: f64) -> Option<Step> {
         let (n, m) = (at.len(), here.constraints.len());
         let upper = (0..n).flat_map(|j| (0..=j).map(move |i| (i, j)));
         let (places, values): (Vec<_>, Vec<f64>) = upper.map(|(i, j)| ((i, j), self.rows[i][j])).unzip();
@@ -202,8 +207,12 @@ impl Hessian {
         let left: f64 = (here.constraints.iter().zip(&here.gradients))
             .map(|(value, gradient)| f64::max(0.0, -value - product(gradient, &by)))
             .sum();
-        let model = product(&here.gradient, &by) + 0.5 * product(&self.times(&by), &by) + PENALTY * left;
-        Some(Step { expected: PENALTY * here.violation() - model, multipliers: solution.z[..m].to_vec(), by })
+        Some(Step {
+            gain: -product(&here.gradient, &by) - 0.5 * product(&self.times(&by), &by),
+            repaired: here.violation() - left,
+            multipliers: solution.z[..m].to_vec(),
+            by,
+        })
     }
 
     /// Takes in how the slope of the Lagrangian has changed with a step.
@@ -245,7 +254,7 @@ mod tests {
         let found = least(&[0.1, 0.8], 80, &mut |at| {
             asked += 1;
             let [x, y] = [2.0 * at[0], 2.0 * at[1]];
-            Some(Sample {
+            Some(Valued {
                 objective: (1.0 - x).powi(2) + 10.0 * (y - x * x).powi(2),
                 gradient: vec![2.0 * (-2.0 * (1.0 - x) - 40.0 * x * (y - x * x)), 40.0 * (y - x * x)],
                 constraints: Vec::new(),
@@ -253,7 +262,7 @@ mod tests {
             })
         });
         let found = found.expect("a start");
-        assert_eq!(found.end, SearchEnd::Optimum);
+        assert_eq!(found.end, DescentEnd::Optimum);
         assert!(found.at.iter().all(|x| (x - 0.5).abs() < 1e-4) && asked < 50, "{found:?} {asked}");
     }
 
@@ -261,7 +270,7 @@ mod tests {
     #[test]
     fn a_constraint_is_met_and_has_its_cost() {
         let sample = |at: &[f64]| {
-            (at[0] < 0.9).then(|| Sample {
+            (at[0] < 0.9).then(|| Valued {
                 objective: at[0] + at[1],
                 gradient: vec![1.0, 1.0],
                 constraints: vec![at[0] * at[1] - 0.25],
@@ -270,7 +279,7 @@ mod tests {
         };
         let found = least(&[0.8, 0.9], 60, &mut |at| sample(at)).expect("a start");
         assert!(found.at.iter().all(|x| (x - 0.5).abs() < 1e-4), "{found:?}");
-        assert!(found.end == SearchEnd::Optimum && (found.multipliers[0] - 2.0).abs() < 1e-2, "{found:?}");
+        assert!(found.end == DescentEnd::Optimum && (found.multipliers[0] - 2.0).abs() < 1e-2, "{found:?}");
         assert!(least(&[0.95, 0.9], 60, &mut |at| sample(at)).is_none());
     }
 }

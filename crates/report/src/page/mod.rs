@@ -327,8 +327,8 @@ fn drawn(figures: &[(String, Figure)]) -> Vec<PageFigure> {
     figures.par_iter().map(each).collect()
 }
 
-/// A design, what matters among tolerances, how numbers change, and what is compared with the film; times stand among the other
-/// times.
+/// A design, what matters among tolerances, how numbers change, and what is compared with the film; times stand among
+/// the other times.
 fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
     let mut all = comparisons(records, result);
     all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
