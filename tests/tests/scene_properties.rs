@@ -69,8 +69,8 @@ fn finite(scene: &Scene) -> bool {
     if let Viscosity::ByTemperature(TemperatureLawTable::Grade(name)) = &mut scene.oil.viscosity {
         name.clear();
     }
-    // A tolerance of a feed has the name of its group.
-    scene.tolerances.iter_mut().for_each(|tolerance| tolerance.key.clear());
+    // A number of a feed has the name of its group.
+    scene.tolerances.iter_mut().chain(&mut scene.inputs).for_each(|input| input.key.clear());
     // Words that the user chose may be any.
     scene.text.clear();
     let told = format!("{scene:?}");

@@ -1,4 +1,5 @@
-//! Derivatives of quantities by numbers of a scene: by the tangent, against dimensional analysis and films solved again.
+//! Derivatives of quantities by numbers of a scene, found by the tangent, against dimensional analysis and films solved
+//! again.
 
 use std::path::Path;
 

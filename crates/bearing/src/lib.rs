@@ -74,7 +74,7 @@ pub use prediction::{OperatingPoint, Predicted, Visited, predicted};
 pub use processor::pool;
 pub use search_options::{Carrier, InitialGuess, Purpose, SearchOptions};
 pub use stiffness::Stiffness;
-pub use tangent::WallByPlace;
+pub use tangent::{Neighbourhood, WallByPlace};
 pub use thermal_balance::{Balanced, Housing, NoThermalBalance, ThermalBalance, ThermalFlows};
 pub use warming::{FoundWarmth, Heated};
 pub use work::Work;

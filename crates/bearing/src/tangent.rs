@@ -1,12 +1,14 @@
-//! The tangent of a trial: how its forces, and a wall that gives way, change with the coordinates of the journal.
+//! The tangent of a trial, how its forces, and a wall that gives way, change with the coordinates of the journal; and
+//! films beside a solved one along its tangent.
 
 use std::sync::Arc;
 
+use oilwedge_fem::Error;
 use oilwedge_fem::newton::NewtonFailure;
-use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::{FilmProblem, FilmSystem, NoFilm, SolvedFilm};
 
 use crate::coordinates::{Vector, unit};
-use crate::deflection::{Carried, carried_touching, contact_on_wall};
+use crate::deflection::{Carried, EXACT, Follower, WallResidual, carried_touching, contact_on_wall};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 
@@ -57,5 +59,52 @@ impl Search<'_> {
         })?;
         let wall = followed.into_iter().map(|change| change.deflection);
         Ok(Tangent { stiffness, wall: WallByPlace(wall.collect()) })
+    }
+}
+
+/// The neighbourhood of a solved film: films of problems that differ a little, each by one back-substitution.
+pub struct Neighbourhood<'a> {
+    film: &'a SolvedFilm,
+    /// None where the wall is rigid.
+    follower: Option<Follower<'a>>,
+}
+
+impl<'a> Neighbourhood<'a> {
+    /// The neighbourhood of a film.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub fn of(film: &'a SolvedFilm) -> Result<Self, Error> {
+        Ok(Self { film, follower: Follower::of(film)? })
+    }
+
+    /// The film of a neighbouring `problem`, its wall bent as that of the film at hand and by these coefficients [m]
+    /// more; none where its wall has another number of them.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the linear system could not be solved.
+    pub fn film(
+        &self,
+        problem: FilmProblem,
+        system: &Arc<FilmSystem>,
+        more: &[f64],
+    ) -> Result<Option<SolvedFilm>, NoFilm> {
+        let bent = match problem.deflection().zip(self.film.problem.deflection()) {
+            Some((wall, known)) if wall.coefficients.len() != known.coefficients.len() => return Ok(None),
+            Some((wall, known)) => Some(wall.with(known.coefficients.to_vec()).with_more(more)),
+            None => None,
+        };
+        self.film.chord(problem.deflected(bent.as_ref()), system).map(Some)
+    }
+
+    /// By which coefficients [m] the wall of a neighbouring film follows to first order from the deflection that the
+    /// film has, its journal held; none of a rigid wall.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the linear systems could not be solved.
+    pub fn followed(&self, film: &SolvedFilm) -> Result<Vec<f64>, NoFilm> {
+        let Some(follower) = &self.follower else { return Ok(Vec::new()) };
+        let left = WallResidual::of_film(film).wall;
+        Ok(follower.of_wall(&left, EXACT).map_err(NewtonFailure::from)?.deflection)
     }
 }

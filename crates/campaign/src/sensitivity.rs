@@ -1,9 +1,9 @@
-//! Derivatives of the quantities of a film by the numbers of its scene: by the tangent of the film or, where that does not
-//! reach, by two films solved again.
+//! Derivatives of the quantities of a film by the numbers of its scene: by the tangent of the film or, where that does
+//! not reach, by two films solved again.
 //!
 //! The tangent ([`oilwedge_study::sensitivity`]) serves all that leaves the mesh as it is. Two films serve the rest: a
-//! number that moves the mesh, and temperatures across the film. They lie at both ends of a tolerance or, where there is
-//! none, a hundredth of the number apart from it, and are those of a sweep without error bars.
+//! number that moves the mesh, and temperatures across the film. They lie at both ends of a tolerance or, where there
+//! is none, at a small distance from the number, and are those of a sweep without error bars.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -151,7 +151,7 @@ fn by_films(scene: &Scene, inputs: &[&KeyTolerance], options: &RunOptions) -> Ve
         let slope = |high: &Quantity| Slope::between(&low, high, 2.0 * distance(input));
         Ok(Derivatives { by_name: high.iter().filter_map(slope).collect(), is_by_films: true })
     };
-    inputs.iter().zip(ends).map(|pair| difference(pair)).collect()
+    inputs.iter().zip(ends).map(&mut difference).collect()
 }
 
 /// The quantities of a film that was found.

@@ -39,8 +39,8 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
     })
 }
 
-/// The arrays with a number, a vector or a row for each of `count` places, with the units that `text`, the file, has for
-/// them.
+/// The arrays with a number, a vector or a row for each of `count` places, with the units that `text`, the file, has
+/// for them.
 fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureField> {
     let field = |attribute| match attribute {
         Attribute::DataArray(array) => {

@@ -1,5 +1,5 @@
-//! The film of a neighbouring problem by one step of the chord method: with the tangent and the cavity of a film that is
-//! solved.
+//! The film of a neighbouring problem by one step of the chord method: with the tangent and the cavity of a film that
+//! is solved.
 //!
 //! ```text
 //! u' = u - K^-1 R'(u)
@@ -7,18 +7,19 @@
 //!
 //! R' is the residual of the neighbouring problem, u and K are unknown and tangent of the film at hand. The step costs
 //! one residual and one back-substitution, and is exact to first order in whatever differs: oil, speed, clearance,
-//! pressures given, place and wall. The difference of two films on both sides of the one at hand gives derivatives whose
-//! error falls with the square of their distance.
+//! given pressures, place and wall. The difference of two films on both sides of the one at hand gives derivatives
+//! whose error falls with the square of their distance.
 //!
 //! **Source.** Kelley, Iterative Methods for Linear and Nonlinear Equations (1995), 5.4. **Range.** The cavity stays:
 //! where it changes its nodes there are kinks of the discrete film. **Verified by** `tests/tests/sensitivity.rs`.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use oilwedge_fem::newton::NewtonFailure;
 
+use crate::cavitation::{self, FilmFraction};
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSystem, NoFilm, SolvedFilm, cavitation};
+use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm, SolvedFilm};
 
 impl SolvedFilm {
     /// The film of a neighbouring `problem`, on a `system` of the same unknowns, after one step from this one.
@@ -60,5 +61,24 @@ impl SolvedFilm {
         let through = solution.linearisation.matrix().multiply(&step);
         let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect();
         Ok((sum(&start, &step), sum(&before, &through)))
+    }
+}
+
+impl FilmSolution {
+    /// The solution of a neighbouring film that the tangent of this one has led to: with its cavity.
+    pub(crate) fn beside(&self, unknown: Vec<f64>, inflow: Vec<f64>, film_fraction: Option<FilmFraction>) -> Self {
+        Self {
+            unknown,
+            inflow,
+            film_fraction,
+            cavity: self.cavity.clone(),
+            linearisation: self.linearisation.clone(),
+            gap_tangent: OnceLock::new(),
+            wrong: self.wrong.clone(),
+            history: Vec::new(),
+            seconds: self.seconds,
+            levels: 0,
+            fallbacks: Vec::new(),
+        }
     }
 }

@@ -89,15 +89,15 @@ pub struct FilmSystem {
     /// The analysed pattern of the Cholesky factor.
     pub(crate) analysis: Arc<LazyAnalysis>,
     /// Unknowns from which on multigrid is worth while.
-    worth_multigrid: usize,
+    pub(crate) worth_multigrid: usize,
     /// Prolongation that is made when a film is first solved; none where multigrid does not serve.
-    between: OnceLock<Option<Arc<LinearProlongation>>>,
+    pub(crate) between: OnceLock<Option<Arc<LinearProlongation>>>,
     /// Control volumes that are made when a mass-conserving film is first solved.
-    volumes: OnceLock<Result<Arc<ControlVolumes>, oilwedge_fem::Error>>,
+    pub(crate) volumes: OnceLock<Result<Arc<ControlVolumes>, oilwedge_fem::Error>>,
     /// The analysed pattern of the LU factor of a hill, made when one is first solved.
-    unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
+    pub(crate) unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
     /// What presses on the grids of a wall, made when it first gives way.
-    pressing: Mutex<Vec<Arc<Pressing>>>,
+    pub(crate) pressing: Mutex<Vec<Arc<Pressing>>>,
     /// Cubic elements, made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
     /// System of the vertices alone, made when the error of a mass-conserving film is first judged.
@@ -137,23 +137,6 @@ impl FilmSystem {
             between: OnceLock::new(),
             volumes: OnceLock::new(),
             unsymmetric: OnceLock::new(),
-            pressing: Mutex::default(),
-            cubic: OnceLock::new(),
-            vertices: OnceLock::new(),
-        }
-    }
-
-    /// The system of the same space with another supply in the same places, without coarser meshes.
-    pub(crate) fn with_other_supply(&self, supply: Supply) -> Self {
-        Self {
-            assembler: self.assembler.clone(),
-            supply,
-            coarser: None,
-            analysis: self.analysis.clone(),
-            worth_multigrid: self.worth_multigrid,
-            between: self.between.clone(),
-            volumes: self.volumes.clone(),
-            unsymmetric: self.unsymmetric.clone(),
             pressing: Mutex::default(),
             cubic: OnceLock::new(),
             vertices: OnceLock::new(),
@@ -296,23 +279,6 @@ impl FilmSolution {
             unknown: self.unknown.clone(),
             cavity: self.cavity.clone(),
             film_fraction: self.film_fraction.clone(),
-        }
-    }
-
-    /// The solution of a neighbouring film that the tangent of this one has led to: with its cavity.
-    pub(crate) fn beside(&self, unknown: Vec<f64>, inflow: Vec<f64>, film_fraction: Option<FilmFraction>) -> Self {
-        Self {
-            unknown,
-            inflow,
-            film_fraction,
-            cavity: self.cavity.clone(),
-            linearisation: self.linearisation.clone(),
-            gap_tangent: OnceLock::new(),
-            wrong: self.wrong.clone(),
-            history: Vec::new(),
-            seconds: self.seconds,
-            levels: 0,
-            fallbacks: Vec::new(),
         }
     }
 

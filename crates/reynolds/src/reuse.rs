@@ -1,6 +1,6 @@
 //! A system for another operating point: given pressures and film thickness change; mesh, numbering and analysis stay.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::FilmSystem;
 use crate::film_thickness::FilmContribution;
@@ -12,7 +12,19 @@ impl FilmSystem {
     pub fn with_pressures(&self, pressure: &dyn Fn(&SupplyRegion) -> f64) -> Option<Self> {
         let mut supply = self.supply.clone();
         supply.fits(self.space(), pressure).then(|| supply.set_pressures(pressure))?;
-        Some(self.with_other_supply(supply))
+        Some(Self {
+            assembler: self.assembler.clone(),
+            supply,
+            coarser: None,
+            analysis: self.analysis.clone(),
+            worth_multigrid: self.worth_multigrid,
+            between: self.between.clone(),
+            volumes: self.volumes.clone(),
+            unsymmetric: self.unsymmetric.clone(),
+            pressing: Mutex::default(),
+            cubic: OnceLock::new(),
+            vertices: OnceLock::new(),
+        })
     }
 
     /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of

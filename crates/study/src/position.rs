@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use oilwedge_bearing::{OperatingPoint, Visited, first_contact, first_position, predicted};
+use oilwedge_bearing::{Coordinates, OperatingPoint, Vector, Visited, first_contact, first_position, predicted};
 use oilwedge_reynolds::{Bearing, Cavitation, JournalState};
 use oilwedge_scene::PositionTable as Placed;
 
@@ -138,6 +138,12 @@ impl Model {
     /// The state in which a computation begins.
     pub fn start(&self) -> FilmState {
         self.state_at(Position::start(self))
+    }
+
+    /// The position of a journal at these coordinates; a tilt that is given stays.
+    pub(crate) fn position_at(&self, coordinates: &Coordinates, place: Vector) -> Position {
+        let parallel = JournalState { tilt: self.tilt, ..JournalState::default() };
+        Position::of(&coordinates.placed(&parallel, place), self.mesh.bearing.clearance)
     }
 
     /// The state with the journal at `position`.

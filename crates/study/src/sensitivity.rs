@@ -4,12 +4,13 @@
 //! they must balance, `G(y, x) = 0`, excess of forces and surplus of heat, a number x of the scene moves them by
 //!
 //! ```text
-//! dy/dx = -(dG/dy)^-1 dG/dx        dQ/dx = (Q(y + s dy/dx, x + s) - Q(y - s dy/dx, x - s))/(2 s)
+//! dy/dx = -(dG/dy)^-1 dG/dx
+//! dQ/dx = (Q(y + s dy/dx, x + s) - Q(y - s dy/dx, x - s))/(2 s)
 //! ```
 //!
 //! Each film is one back-substitution with the factor of the solved one ([`SolvedFilm::chord`]), under a wall that
-//! follows; a number costs four of them, and two measurements. Offset and slope are kept over the clearance where that is the number, so that a thin film stays
-//! what it is. Temperatures across the film are not in the tangent.
+//! follows; a number costs four of them, and two measurements. Offset and slope are kept over the clearance where that
+//! is the number, so that a thin film stays what it is. Temperatures across the film are not in the tangent.
 //!
 //! **Source.** The implicit function theorem. **Verified by** `tests/tests/sensitivity.rs`: closed forms, dimensional
 //! analysis, and films solved again.
@@ -18,9 +19,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::coordinates::moved;
-use oilwedge_bearing::deflection::Neighbourhood;
+use oilwedge_bearing::{Coordinates, Neighbourhood};
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Gap, NoFilm, SolvedFilm};
@@ -47,14 +47,14 @@ const MOST: usize = 5;
 const STEPWISE: [&Row; 2] = [&CAVITY_SHARE, &FRICTION_CAVITY_POWER];
 
 /// What is found around a film: coordinates of the journal [m] and the temperature [K]; or what balances them [N, W].
-type Around = [f64; MOST];
+type AroundFilm = [f64; MOST];
 
 /// A number of a film, and how it changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slope {
     /// The number, in the unit of its quantity.
     pub value: f64,
-    /// Its derivative, per SI unit of what changes it.
+    /// The derivative, per SI unit of what changes the number.
     pub derivative: f64,
 }
 
@@ -80,16 +80,16 @@ pub enum NoTangent {
 
 /// How far the unknowns around a film and the coefficients of its wall [m] have moved.
 #[derive(Debug, Clone, Default)]
-struct Moved {
-    around: Around,
+struct MovedUnknowns {
+    around: AroundFilm,
     wall: Vec<f64>,
 }
 
-impl Moved {
+impl MovedUnknowns {
     /// The difference of two moves over `width`.
     fn slope([low, high]: [&Self; 2], width: f64) -> Self {
         let slope = |(low, high): (&f64, &f64)| (high - low) / width;
-        let mut around = Around::default();
+        let mut around = AroundFilm::default();
         (around.iter_mut().zip(low.around.iter().zip(&high.around))).for_each(|(slot, pair)| *slot = slope(pair));
         Self { around, wall: low.wall.iter().zip(&high.wall).map(slope).collect() }
     }
@@ -109,10 +109,10 @@ pub struct FilmTangent<'a> {
     solved: &'a Solved,
     neighbourhood: Neighbourhood<'a>,
     coordinates: Coordinates,
-    /// Which of [`Around`] are unknown.
+    /// Which of [`AroundFilm`] are unknown.
     unknown: Vec<usize>,
     /// `dG/dy` of each of them, and how the wall follows it.
-    columns: Vec<Moved>,
+    columns: Vec<MovedUnknowns>,
 }
 
 impl<'a> FilmTangent<'a> {
@@ -122,7 +122,7 @@ impl<'a> FilmTangent<'a> {
     /// [`NoFilm`]: a linear system could not be solved.
     pub fn of(solved: &'a Solved) -> Result<Option<Self>, NoTangent> {
         let film = &solved.film;
-        if film.model.sockets.heat_field.is_some() {
+        if film.problem.viscosity_across.is_some() {
             return Ok(None);
         }
         let free = solved.balance.filter(|_| film.load().is_some()).map(|balance| balance.coordinates);
@@ -141,16 +141,16 @@ impl<'a> FilmTangent<'a> {
         let shift = OF_FILM * thinnest.max(LEAST_FILM * film.problem.bearing.clearance);
         for &k in &tangent.unknown {
             let step = if k == MOST - 1 { KELVIN } else { shift };
-            let mut around = Around::default();
+            let mut around = AroundFilm::default();
             around[k] = step;
             let [low, high] = [-1.0, 1.0].map(|sign| tangent.left(&film.model, around.map(|x| sign * x)));
-            tangent.columns.push(Moved::slope([&low?, &high?], 2.0 * step));
+            tangent.columns.push(MovedUnknowns::slope([&low?, &high?], 2.0 * step));
         }
         Ok(Some(tangent))
     }
 
-    /// The derivatives of all quantities but those that change stepwise, by name, by a number of the scene that makes these two models where it is so
-    /// much more than that of the film.
+    /// The derivatives of all quantities but those that change stepwise, by name, by a number of the scene that makes
+    /// these two models where it is so much more than that of the film.
     ///
     /// # Errors
     /// [`NoTangent`]: the mesh would move with that number, or a linear system could not be solved.
@@ -159,8 +159,8 @@ impl<'a> FilmTangent<'a> {
         [low, high]: [(&Arc<Model>, f64); 2],
     ) -> Result<HashMap<Cow<'static, str>, Slope>, NoTangent> {
         let width = high.1 - low.1;
-        let [below, above] = [low, high].map(|(model, _)| self.left(model, Around::default()));
-        let followed = self.followed(Moved::slope([&below?, &above?], width));
+        let [below, above] = [low, high].map(|(model, _)| self.left(model, AroundFilm::default()));
+        let followed = self.followed(MovedUnknowns::slope([&below?, &above?], width));
         let [below, above] = [low, high].map(|(model, more)| self.quantities(model, &followed.times(more)));
         let (below, above) = (below?, above?);
         let smooth = above.iter().filter(|quantity| !STEPWISE.contains(&quantity.row));
@@ -168,8 +168,8 @@ impl<'a> FilmTangent<'a> {
     }
 
     /// How the unknowns follow a number that upsets their balance so, and how the wall follows both.
-    fn followed(&self, by_number: Moved) -> Moved {
-        let mut followed = Moved { around: Around::default(), wall: by_number.wall };
+    fn followed(&self, by_number: MovedUnknowns) -> MovedUnknowns {
+        let mut followed = MovedUnknowns { around: AroundFilm::default(), wall: by_number.wall };
         let rows = self.unknown.iter().map(|&row| {
             let entries = self.columns.iter().map(|column| column.around[row]);
             entries.chain([-by_number.around[row]]).collect()
@@ -183,8 +183,8 @@ impl<'a> FilmTangent<'a> {
 
     /// What a film of a model leaves of the balances where the unknowns have moved and the wall has followed, and how
     /// it has.
-    fn left(&self, model: &Arc<Model>, around: Around) -> Result<Moved, NoTangent> {
-        let mut at = Moved { around, wall: Vec::new() };
+    fn left(&self, model: &Arc<Model>, around: AroundFilm) -> Result<MovedUnknowns, NoTangent> {
+        let mut at = MovedUnknowns { around, wall: Vec::new() };
         let (mut film, mut solved) = self.film(model, &at)?;
         at.wall = self.neighbourhood.followed(&solved)?;
         if !at.wall.is_empty() {
@@ -198,42 +198,29 @@ impl<'a> FilmTangent<'a> {
             Some(thermal.balance.surplus(temperature, &thermal_flows_of(&thermal, &solved)))
         };
         let [x, y, z_x, z_y] = excess;
-        Ok(Moved { around: [x, y, z_x, z_y, surplus().unwrap_or(0.0)], wall: at.wall })
+        Ok(MovedUnknowns { around: [x, y, z_x, z_y, surplus().unwrap_or(0.0)], wall: at.wall })
     }
 
     /// The film of a model where unknowns and wall have moved from those of the solved film.
-    fn film(&self, model: &Arc<Model>, at: &Moved) -> Result<(Film, SolvedFilm), NoTangent> {
+    fn film(&self, model: &Arc<Model>, at: &MovedUnknowns) -> Result<(Film, SolvedFilm), NoTangent> {
         let base = &self.solved.primary.problem;
         let [x, y, z_x, z_y, kelvin] = at.around;
         let wider = model.mesh.bearing.clearance / base.bearing.clearance;
         let place = moved([x, y, z_x, z_y], wider, self.coordinates.at(&base.journal));
         let position = match model.placed {
-            Placed::Load { .. } => Position {
-                tilt: if self.coordinates.order == 4 {
-                    [2, 3].map(|k| place[k] / self.coordinates.arm)
-                } else {
-                    model.tilt
-                },
-                ..Position::of(&self.coordinates.placed(&base.journal, place), model.mesh.bearing.clearance)
-            },
+            Placed::Load { .. } => model.position_at(&self.coordinates, place),
             Placed::Given { .. } | Placed::Cycle => Position::start(model),
         };
         let found = self.solved.film.oil.temperature.filter(|_| model.sockets.thermal.is_some());
         let oil = model.oil_at(found.map(|temperature| temperature + kelvin));
         let mut film = self.solved.film.beside(model, &FilmState { position, oil }).ok_or(NoTangent::Mesh)?;
-        if let Some((deflection, known)) = film.problem.deflection().zip(base.deflection()) {
-            if deflection.coefficients.len() != known.coefficients.len() {
-                return Err(NoTangent::Mesh);
-            }
-            let bent = deflection.with(known.coefficients.to_vec()).with_more(&at.wall);
-            film.problem = film.problem.deflected(Some(&bent));
-        }
-        let solved = self.neighbourhood.film(film.problem.clone(), &film.system)?;
+        let solved = self.neighbourhood.film(film.problem.clone(), &film.system, &at.wall)?.ok_or(NoTangent::Mesh)?;
+        film.problem = solved.problem.clone();
         Ok((film, solved))
     }
 
     /// The quantities of such a film.
-    fn quantities(&self, model: &Arc<Model>, at: &Moved) -> Result<Vec<Quantity>, NoTangent> {
+    fn quantities(&self, model: &Arc<Model>, at: &MovedUnknowns) -> Result<Vec<Quantity>, NoTangent> {
         let (film, solved) = self.film(model, at)?;
         let mut numbers = measure(&solved);
         if film.model.sockets.dynamics.is_some() {

@@ -24,6 +24,7 @@ pub mod quantities_page;
 pub mod random_orbits;
 pub mod random_page;
 pub mod random_shafts;
+pub mod random_thermal;
 pub mod random_tilted;
 pub mod random_walls;
 pub mod scene_page;

@@ -5,10 +5,12 @@ mod commands;
 use std::error::Error;
 use std::process::ExitCode;
 
-use commands::{accuracy, compare, crates, house, orbits, performance, prices, shafts, stability, tilted, validation};
+use commands::{
+    accuracy, compare, crates, house, orbits, performance, prices, shafts, stability, thermal, tilted, validation,
+};
 
 /// What each command is for; the head of its file in `src/commands` tells its arguments.
-const COMMANDS: [(&str, &str); 11] = [
+const COMMANDS: [(&str, &str); 12] = [
     ("accuracy", "how often error bars hold: docs/validation/accuracy.md"),
     ("compare", "what differs between two programs: scenes, engines, random bearings"),
     ("crates", "the drawing of docs/architecture.md: docs/images/crates.svg"),
@@ -18,6 +20,7 @@ const COMMANDS: [(&str, &str); 11] = [
     ("prices", "what the next digit costs: docs/validation/prices.md"),
     ("shafts", "random shafts over their cycles"),
     ("stability", "hard cases and the map of stability: docs/validation/stability.md"),
+    ("thermal", "random bearings with temperatures across their films"),
     ("tilted", "random tilted and elastic bearings: docs/validation/random_bearings.md"),
     ("validation", "computed tables and figures of the other pages"),
 ];
@@ -37,6 +40,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         "prices" => prices::run(arguments)?,
         "shafts" => shafts::run(arguments),
         "stability" => stability::run()?,
+        "thermal" => thermal::run(arguments),
         "tilted" => tilted::run(arguments)?,
         "validation" => validation::run(arguments)?,
         _ => return Ok(usage()),

@@ -27,6 +27,7 @@ mod pages;
 mod parts;
 mod performance;
 mod random_shafts;
+mod random_thermal;
 mod random_tilted;
 mod reference;
 #[cfg(unix)]

@@ -94,6 +94,11 @@ fn closed(search: &Search, first: Trial, enough: f64, damping: Damping) -> Resul
 }
 
 impl WallResidual {
+    /// By the pressure of a film.
+    pub(crate) fn of_film(film: &SolvedFilm) -> Self {
+        Self::of(film, contact_points(&film.problem, &film.system))
+    }
+
     /// By the pressure of a film with these points of contact.
     pub(crate) fn of(film: &SolvedFilm, contact: Option<Arc<ContactPoints>>) -> Self {
         let SolvedFilm { problem, system, solution } = film;

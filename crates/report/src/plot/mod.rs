@@ -2,9 +2,9 @@
 //!
 //! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`,
 //! `section.rs` (across the bearing), `sample.rs`, `profiles.rs` and `hottest.rs`, `sweep.rs`, `files.rs` (which
-//! pictures there are); `convergence.rs` and `error_map.rs` (errors, and the adaptive mesh), `temperature.rs` (two curves
-//! that cross), `load.rs` (the load over a cycle), `orbit.rs`, `shaft.rs` (a crankshaft to scale), `shaft_line.rs`
-//! (bent), `shaft_cycle.rs` (all its bearings).
+//! pictures there are); `convergence.rs` and `error_map.rs` (errors, and the adaptive mesh), `temperature.rs` (two
+//! curves that cross), `load.rs` (the load over a cycle), `orbit.rs`, `shaft.rs` (a crankshaft to scale),
+//! `shaft_line.rs` (bent), `shaft_cycle.rs` (all its bearings).
 
 mod bore;
 mod convergence;

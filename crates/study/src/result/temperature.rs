@@ -1,5 +1,5 @@
-//! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross; and the temperature
-//! across a film at its hottest place.
+//! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross; and the
+//! temperature across a film at its hottest place.
 
 use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_heat::Layers;

@@ -9,5 +9,6 @@ pub(crate) mod performance;
 pub(crate) mod prices;
 pub(crate) mod shafts;
 pub(crate) mod stability;
+pub(crate) mod thermal;
 pub(crate) mod tilted;
 pub(crate) mod validation;
