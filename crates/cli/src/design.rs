@@ -85,7 +85,7 @@ impl DesignCommand {
         let picture = run.picture.map(|picture| to_vtu(&picture, VtuForm::usual(&picture))).transpose()?;
         let folder = self.run.folder();
         let _writing = interrupt::writing();
-        let beside = ResultCompanions { picture: picture.as_deref(), orbit: None };
+        let beside = ResultCompanions { picture: picture.as_deref(), ..ResultCompanions::default() };
         let mut files = write_results(&folder, &run.result, &records, beside)?;
         let own = [(DESIGN_FILE, csv.as_bytes()), (OPTIMUM_FILE, optimum.text.as_bytes())];
         replace(&folder, &own.map(|(name, content)| (OsStr::new(name), Some(content))))?;

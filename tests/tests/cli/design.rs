@@ -57,7 +57,11 @@ fn wrong_tables_are_refused_with_a_way_out() {
         ("[\"30 um\", \"45 um\"]", "[\"45 um\", \"30 um\"]", "has its bounds reversed: 45 um is not below 30 um"),
         ("[\"30 um\", \"45 um\"]", "[\"30 um\"]", "has no two bounds"),
         ("[\"30 um\", \"45 um\"]", "[\"40 um\", \"45 um\"]", "starts from 37.5 um, which lies outside"),
-        ("[\"30 um\", \"45 um\"]", "[\"-30 um\", \"45 um\"]", "with bearing.clearance = -30 um, bearing.clearance: is not positive"),
+        (
+            "[\"30 um\", \"45 um\"]",
+            "[\"-30 um\", \"45 um\"]",
+            "with bearing.clearance = -30 um, bearing.clearance: is not positive",
+        ),
         ("[\"30 um\", \"45 um\"]", "[\"30 bar\", \"45 bar\"]", "\"bar\" is a unit of pressure"),
         ("\"load\"", "\"lod\"", "design.maximise: \"lod\" is no quantity"),
         ("maximise = \"load\"", "", "design: has no objective"),
