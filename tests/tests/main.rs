@@ -10,6 +10,7 @@ mod convergence;
 mod crosscheck;
 mod defaults;
 mod dependencies;
+mod design;
 mod difficult_films;
 mod duty_cycle;
 mod dynamics;

@@ -6,6 +6,7 @@ mod compare;
 mod comparison;
 pub mod convergence;
 mod cost;
+pub mod design;
 mod mobility;
 pub mod records;
 mod sensitivity;

@@ -6,6 +6,7 @@ use oilwedge_study::result::{Status, in_order};
 use serde::{Deserialize, Serialize};
 
 use crate::comparison::QuantityPair;
+use crate::design::DesignRecord;
 
 /// The records in the result file; what was not asked for is absent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -23,6 +24,9 @@ pub struct Records {
     /// The orbits by maps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mobility: Option<Vec<MapRecord>>,
+    /// What a design has found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub design: Option<DesignRecord>,
     /// Why maps lead to no orbit; not in JSON.
     #[serde(skip)]
     pub missing_maps: Vec<String>,

@@ -11,9 +11,9 @@ use std::collections::HashMap;
 use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{KeyTolerance, Scene, SceneError};
 use oilwedge_study::quantities::{Quantity, Sensitivity, Unit};
-use oilwedge_study::run::Run;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::sensitivity::{FilmTangent, NoTangent, Slope};
+use oilwedge_study::solved::Solved;
 use oilwedge_study::{CHECKS, compile};
 
 use crate::sweep::{CaseOutcome, chain_of};
@@ -56,6 +56,11 @@ pub(crate) struct Derivatives {
 }
 
 impl Derivatives {
+    /// Films that were solved beside for them.
+    pub(crate) fn films(&self) -> usize {
+        if self.is_by_films { 2 } else { 0 }
+    }
+
     /// How a quantity changes with a unit of a number; none where a film beside lacks it, zero where that is rounding.
     pub(crate) fn of(&self, quantity: &Quantity, input: &KeyTolerance) -> Option<f64> {
         let Slope { value, derivative } = *self.by_name.get(&quantity.name)?;
@@ -99,14 +104,14 @@ fn distance(input: &KeyTolerance) -> f64 {
     if input.half_width > 0.0 { input.half_width } else { OF_FILMS * step(input) }
 }
 
-/// The derivatives of the quantities of a `run` by each of some numbers of its scene.
+/// The derivatives of the quantities of a film that is `solved` by each of some numbers of its scene.
 pub(crate) fn derivatives(
     scene: &Scene,
-    run: &Run,
+    solved: Option<&Solved>,
     inputs: &[KeyTolerance],
     options: &RunOptions,
 ) -> Vec<Result<Derivatives, NoSpread>> {
-    let tangent = run.solved.as_ref().and_then(|solved| FilmTangent::of(solved).ok().flatten());
+    let tangent = solved.and_then(|solved| FilmTangent::of(solved).ok().flatten());
     let by_tangent = |input: &KeyTolerance| by_tangent(tangent.as_ref()?, scene, input).map(Ok);
     let mut found: Vec<Option<_>> = inputs.iter().map(by_tangent).collect();
     let left: Vec<usize> = (0..inputs.len()).filter(|&k| found[k].is_none()).collect();

@@ -32,7 +32,7 @@ pub fn with_derivatives(
 ) -> (RunResult, Vec<String>) {
     let (mut result, options) = (run.result.clone(), RunOptions { bars: false, observer: None, ..*options });
     let (mut reasons, mut of_tolerances) = (Vec::new(), Vec::new());
-    for (input, found) in inputs.iter().zip(derivatives(scene, run, inputs, &options)) {
+    for (input, found) in inputs.iter().zip(derivatives(scene, run.solved.as_ref(), inputs, &options)) {
         match found {
             Ok(found) => {
                 add(&mut result.quantities, input, &found);

@@ -46,6 +46,7 @@ fn facts(found: &CheckReport) -> String {
     lines.extend(tolerance(&found.tolerance));
     lines.extend(key_tolerances(&found.key_tolerances));
     lines.extend(sweep(&found.sweep));
+    lines.extend((!found.design.is_empty()).then(|| format!("design    {}", printable(&found.design.join("; ")))));
     lines.extend(found.cost.map(|cost| {
         let factor = significant(8e-6 * cost.factor_entries as f64, 3);
         format!("cost      {} unknown pressures, {factor} MB for the factorised matrix", cost.unknowns)
@@ -109,6 +110,7 @@ mod tests {
                 unit: "um".into(),
             }],
             sweep: vec![("speed [rpm]".into(), 5), ("eccentricity".into(), 18)],
+            design: Vec::new(),
             liner: Vec::new(),
             sketch: String::new(),
             quality: Default::default(),

@@ -11,6 +11,7 @@ mod check_report;
 mod complain;
 mod converge;
 mod crankshaft;
+mod design;
 mod diff;
 mod explain;
 mod interrupt;
@@ -59,6 +60,7 @@ Examples:
   oilwedge mesh bearing.toml -o liner.msh          mesh its liner, to a gmsh file
   oilwedge converge bearing.toml                   the cost of accuracy, in unknowns and seconds
   oilwedge sweep bearing.toml                      solve all cases of its [sweep], to a table
+  oilwedge design bearing.toml                     the numbers of its [design] that serve best
   oilwedge load big_end.toml                       the load over a cycle, and its polar diagrams
   oilwedge characteristics bearing.toml            force and moment for each motion by itself
   oilwedge report out/bearing --open               one page about results, in the browser
@@ -83,6 +85,8 @@ enum Verb {
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
     Sweep(sweep::SweepCommand),
+    /// Find the numbers of a scene that make a quantity least or greatest, by its [design] and [criteria].
+    Design(design::DesignCommand),
     /// Print and draw the load of a scene over a cycle.
     Load(load::LoadCommand),
     /// Solve the film of each motion of the journal by itself: its sixteen characteristics, and their sum beside the
@@ -118,6 +122,7 @@ fn main() -> ExitCode {
         Verb::Mesh(mesh) => mesh.run(),
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
+        Verb::Design(design) => design.run(),
         Verb::Load(load) => load.run(),
         Verb::Characteristics(characteristics) => characteristics.run(),
         Verb::Plot(plot) => plot.run(),

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::path::Path;
 
 use oilwedge_mesh::{Mesh, developed, gmsh};
-use oilwedge_scene::Scene;
+use oilwedge_scene::{Design, Scene};
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
@@ -56,6 +56,9 @@ pub struct CheckReport {
     /// The axes of the sweep and their numbers of values; empty without one.
     #[serde(serialize_with = "in_order::serialize")]
     pub sweep: Vec<(String, usize)>,
+    /// What a design chooses, a line each; absent in JSON without one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub design: Vec<String>,
     /// The liner in words, a line each; empty where a mesh was checked.
     pub liner: Vec<String>,
     /// The unrolled liner drawn in letters; empty where a mesh was checked.
@@ -118,6 +121,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     report.title = Some(scene.title.clone());
     report.sweep =
         (scene.sweep.iter()).flat_map(|plan| &plan.axes).map(|axis| (axis.heading(), axis.values.len())).collect();
+    report.design = scene.design.as_ref().map_or_else(Vec::new, chosen);
     report.effects = Some(Effects::of(&model.effects));
     report.warnings.extend(huge(mesh).map(|size| {
         format!("the liner is {size}, larger than any bearing: are bearing.diameter and bearing.length in millimetres, as in diameter = \"60 mm\"?")
@@ -131,6 +135,17 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         orbit_seconds: expected_seconds(&film),
     });
     Ok(report)
+}
+
+/// What a design chooses, in words.
+fn chosen(design: &Design) -> Vec<String> {
+    let free = design.free.iter().map(|axis| format!("{} from {} to {}", axis.path, axis.told(0), axis.told(1)));
+    let listed = design.choices.iter().map(|axis| {
+        let values: Vec<String> = (0..axis.values.len()).map(|index| axis.told(index)).collect();
+        format!("{} of {}", axis.path, values.join(", "))
+    });
+    let objective = format!("{} {}", design.sense.name(), design.objective.name);
+    std::iter::once(objective).chain(free).chain(listed).collect()
 }
 
 /// Reads a mesh file by itself, its lengths in metres; the liner is the one its nodes lie on.
@@ -220,6 +235,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
         tolerance: Vec::new(),
         key_tolerances: Vec::new(),
         sweep: Vec::new(),
+        design: Vec::new(),
         liner: Vec::new(),
         sketch: String::new(),
         cost: None,

@@ -10,6 +10,7 @@ pub mod check;
 pub mod comparison;
 pub mod convergence;
 mod criteria;
+pub mod design_sheet;
 pub mod difference;
 pub mod digits;
 mod error;

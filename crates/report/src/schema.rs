@@ -144,6 +144,7 @@ fn table(path: &str) -> Value {
     let required: Vec<_> = children(path).filter(|(key, _)| key.is_required()).map(|(_, name)| name).collect();
     match path {
         "sweep" => return sweep(),
+        "design.free" | "design.choose" => return named_axes(Map::new()),
         "mesh.tolerance" => return tolerances(),
         _ => (),
     }
@@ -259,8 +260,14 @@ fn swept_tables() -> impl Iterator<Item = &'static str> {
     SWEPT.iter().copied().chain(of_shaft)
 }
 
-/// Axes by the names of keys: short, in quotes with their tables, or below their tables.
+/// The axes of a sweep, and the columns of its table.
 fn sweep() -> Value {
+    let columns = children("sweep").filter(|(key, _)| key.path == "sweep.columns");
+    named_axes(columns.map(|(key, name)| (name.to_owned(), of_key(key))).collect())
+}
+
+/// Axes by the names of keys: short, in quotes with their tables, or below their tables; and `more`.
+fn named_axes(more: Map<String, Value>) -> Value {
     let to = |path: &str| json!({ "$ref": format!("#/definitions/{path}") });
     let mut properties: Map<_, _> = SHORT_NAMES.iter().map(|(name, path)| ((*name).to_owned(), to(path))).collect();
     let mut patterns = Map::new();
@@ -273,11 +280,7 @@ fn sweep() -> Value {
     for table in swept_tables() {
         properties.insert(table.to_owned(), axes(table));
     }
-    properties.extend(
-        children("sweep")
-            .filter(|(key, _)| key.path == "sweep.columns")
-            .map(|(key, name)| (name.to_owned(), of_key(key))),
-    );
+    properties.extend(more);
     table_of(properties, patterns)
 }
 

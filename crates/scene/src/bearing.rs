@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
 use crate::wording::{degrees, millimetres};
-use crate::{Complaints, Scene};
+use crate::{Complaints, Feed, Scene};
 
 keys! {
     "bearing" = Table; "", "required", "",
@@ -197,12 +197,17 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
                 "give bearing.film_start = \"180 deg\" (the angle of the widest film is common), or an arc",
             );
             refuse_if(
-                !scene.feeds.is_empty(),
+                !scene.feeds.iter().all(|feed| spans_length(feed, bearing)),
                 "there is a feed: around a hole or a groove the pressure changes along the axis",
-                "remove theory, or remove the feed",
+                "remove theory, or remove the feed; a groove as wide as the bearing is long may stay",
             );
         }
     }
+}
+
+/// Whether a feed is the same all along the axis.
+fn spans_length(feed: &Feed, bearing: &BearingTable) -> bool {
+    feed.groove.is_some_and(|groove| groove.width == bearing.length && groove.z == 0.0 && groove.corner == 0.0)
 }
 
 #[cfg(test)]

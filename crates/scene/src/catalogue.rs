@@ -48,6 +48,7 @@ static TABLES: &[&[Key]] = &[
     crate::dynamics::KEYS,
     crate::cap::KEYS,
     crate::sweep::KEYS,
+    crate::design::KEYS,
     crate::crankshaft::KEYS,
     crate::crankshaft::piece::KEYS,
     crate::crankshaft::bearing::KEYS,

@@ -19,8 +19,8 @@ use crate::{
     OrbitTable, Roughness, SceneError, ShaftScene, Support, Tolerance, Turbulence,
 };
 use crate::{
-    bearing, bore, cap, cavitation, crank, criteria, dynamics, ends, feed, heat, journal, key_tolerance, limits, load,
-    mesh, oil, orbit, roughness, shaft, support, turbulence,
+    bearing, bore, cap, cavitation, crank, criteria, design, dynamics, ends, feed, heat, journal, key_tolerance,
+    limits, load, mesh, oil, orbit, roughness, shaft, support, turbulence,
 };
 
 /// The largest scene file that is read [bytes].
@@ -75,6 +75,7 @@ const CHECKS: &[Check] = &[
     roughness::check,
     turbulence::check,
     crate::liner::check,
+    design::check,
 ];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
@@ -132,6 +133,8 @@ pub struct Scene {
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
+    /// What `oilwedge design` chooses; nothing else reads it.
+    pub design: Option<crate::Design>,
     /// Tolerances of its numbers, which are the nominal ones, in the order of the text; empty where it has none.
     pub tolerances: Vec<KeyTolerance>,
     /// All numbers that may have tolerances, in the order of the text; without one the width is zero.
@@ -221,9 +224,13 @@ impl Scene {
             return Err(SceneError::Crankshaft { path: path.to_path_buf() });
         }
         let read = Self::of_document(document.get_ref(), text, path, no_file, checks);
-        let at_ends = read.and_then(|scene| match key_tolerance::complaints_at_ends(&scene, text, checks) {
-            none if none.is_empty() => Ok(scene),
-            complaints => Err(complaints),
+        let at_ends = read.and_then(|scene| {
+            let ends = key_tolerance::complaints_at_ends(&scene, text, checks);
+            let bounds = design::complaints_at_bounds(&scene, text, checks);
+            match [ends, bounds].concat() {
+                none if none.is_empty() => Ok(scene),
+                complaints => Err(complaints),
+            }
         });
         match at_ends {
             Ok(scene) => Ok(Self {
@@ -354,6 +361,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
+        design: root.table_if_given("design").and_then(design::read),
         inputs: Vec::new(),
         tolerances: Vec::new(),
         path: path.to_owned(),

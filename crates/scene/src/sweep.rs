@@ -19,4 +19,4 @@ pub use plan::Plan;
 pub(crate) use plan::of_values;
 pub use read::MOST_CASES;
 
-pub(crate) use read::{KEYS, OF_BEARING, OF_SHAFT, plan};
+pub(crate) use read::{KEYS, OF_BEARING, OF_SHAFT, plan, read_table};

@@ -111,30 +111,66 @@ impl Limited<'_> {
     }
 }
 
+/// What a criterion compares: words, unit and its size, and the rows of the number, of which a film has one.
+struct Judged {
+    what: &'static str,
+    unit: &'static str,
+    /// Size of this unit over that of the number.
+    scale: f64,
+    rows: &'static [&'static Row],
+}
+
+macro_rules! judged {
+    ($($name:ident = $what:literal, $unit:literal, $scale:literal, [$($row:ident),+];)+) => {
+        $(static $name: Judged = Judged { what: $what, unit: $unit, scale: $scale, rows: &[$(&$row),+] };)+
+        /// Everything that the criteria of a scene compare.
+        static JUDGED: &[&Judged] = &[$(&$name),+];
+    };
+}
+
+judged! {
+    LEAST_FILM = "least film", "um", 1e6, [FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN];
+    MIDDLE_FILM = "least film at mid-length", "um", 1e6, [MIDDLE_FILM_MIN, CYCLE_MIDDLE_FILM_MIN];
+    END_DEVIATION = "deviation of the film at the ends", "um", 1e6, [DEVIATION, CYCLE_DEVIATION];
+    EQUIVALENT = "equivalent film", "um", 1e6, [EQUIVALENT_FILM, CYCLE_EQUIVALENT_FILM];
+    PRESSURE = "greatest pressure", "bar", 1e-5, [PRESSURE_MAX, CYCLE_PRESSURE_MAX];
+    TEMPERATURE = "temperature of the film", "degC", 1.0, [TEMPERATURE_MAX, TEMPERATURE_EFFECTIVE, CYCLE_TEMPERATURE];
+    OUTLET = "temperature of the oil that leaves", "degC", 1.0, [TEMPERATURE_OUTLET, CYCLE_TEMPERATURE_OUTLET];
+    CONTACT = "share of contact in the load", "", 1.0, [CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX];
+    DECREMENT = "logarithmic decrement of the rotor", "", 1.0, [LOGARITHMIC_DECREMENT];
+}
+
+impl Criterion {
+    /// The quantity that this criterion compares, and the size of its unit over that of the quantity; `None` where it
+    /// compares what is given.
+    pub fn compared<'q>(&self, quantities: &'q [Quantity]) -> Option<(&'q Quantity, f64)> {
+        let judged = JUDGED.iter().find(|judged| judged.what == self.what)?;
+        let of_row = |row: &&'static Row| quantities.iter().find(|quantity| quantity.row == *row);
+        judged.rows.iter().find_map(of_row).map(|quantity| (quantity, judged.scale))
+    }
+}
+
 /// What the scene judges the bearing by, and what is usual where its heat `is_balanced`.
 fn criteria(asked: &Criteria, is_balanced: bool, compared: &Compared) -> Vec<Criterion> {
-    let of = |what, unit, scale, value| Limited { what, unit, scale, value };
-    let length = |what, rows: [&Row; 2]| of(what, "um", 1e6, compared.value(&rows));
     let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
     let usual = |value: f64| is_balanced.then_some(value);
-    let outlet = compared.value(&[&TEMPERATURE_OUTLET, &CYCLE_TEMPERATURE_OUTLET]);
-    let pressure = compared.value(&[&PRESSURE_MAX, &CYCLE_PRESSURE_MAX]);
-    let contact = compared.value(&[&CONTACT_SHARE, &CYCLE_CONTACT_SHARE_MAX]);
-    let decrement = compared.value(&[&LOGARITHMIC_DECREMENT]);
+    let of = |judged: &Judged| {
+        let value = match judged.unit {
+            "degC" if judged.rows != OUTLET.rows => compared.temperature(),
+            _ => compared.value(judged.rows),
+        };
+        Limited { what: judged.what, unit: judged.unit, scale: judged.scale, value }
+    };
     let all = [
-        length("least film", [&FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN])
-            .at_least(asked.film_min, usual(USUAL_FILM)),
-        length("least film at mid-length", [&MIDDLE_FILM_MIN, &CYCLE_MIDDLE_FILM_MIN])
-            .at_least(asked.middle_film_min, None),
-        length("deviation of the film at the ends", [&DEVIATION, &CYCLE_DEVIATION]).at_most(asked.deviation_max, None),
-        length("equivalent film", [&EQUIVALENT_FILM, &CYCLE_EQUIVALENT_FILM]).at_least(asked.equivalent_film_min, None),
-        of("greatest pressure", "bar", 1e-5, pressure).at_most(asked.pressure_max, None),
-        of("temperature of the film", "degC", 1.0, compared.temperature())
-            .at_most(asked.temperature_max.map(celsius), usual(USUAL_TEMPERATURE)),
-        of("temperature of the oil that leaves", "degC", 1.0, outlet)
-            .at_most(asked.outlet_max.map(celsius), usual(USUAL_OUTLET)),
-        of("share of contact in the load", "", 1.0, contact).at_most(asked.contact_share_max, None),
-        of("logarithmic decrement of the rotor", "", 1.0, decrement).at_least(asked.decrement_min, None),
+        of(&LEAST_FILM).at_least(asked.film_min, usual(USUAL_FILM)),
+        of(&MIDDLE_FILM).at_least(asked.middle_film_min, None),
+        of(&END_DEVIATION).at_most(asked.deviation_max, None),
+        of(&EQUIVALENT).at_least(asked.equivalent_film_min, None),
+        of(&PRESSURE).at_most(asked.pressure_max, None),
+        of(&TEMPERATURE).at_most(asked.temperature_max.map(celsius), usual(USUAL_TEMPERATURE)),
+        of(&OUTLET).at_most(asked.outlet_max.map(celsius), usual(USUAL_OUTLET)),
+        of(&CONTACT).at_most(asked.contact_share_max, None),
+        of(&DECREMENT).at_least(asked.decrement_min, None),
     ];
     all.into_iter().flatten().collect()
 }

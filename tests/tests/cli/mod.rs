@@ -4,6 +4,7 @@ mod characteristics;
 mod complaints;
 mod converge;
 mod cost;
+mod design;
 mod drawing;
 mod files;
 mod first_minutes;

@@ -32,7 +32,7 @@ use chain::chains;
 pub use forecast::Forecast;
 use forecast::{SAMPLED, samples_first};
 pub use part::Part;
-use walk::Walker;
+pub(crate) use walk::Walker;
 pub use walk::{CaseOutcome, CaseStatus};
 
 /// What happens in a sweep.

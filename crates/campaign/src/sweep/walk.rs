@@ -141,7 +141,7 @@ struct PreviousFilm {
 }
 
 /// Walks along chains.
-pub(super) struct Walker<'a> {
+pub(crate) struct Walker<'a> {
     options: &'a RunOptions,
     /// Deadline of the case that is computed.
     deadline: Deadline,
@@ -152,12 +152,12 @@ pub(super) struct Walker<'a> {
 }
 
 impl<'a> Walker<'a> {
-    pub(super) fn new(options: &'a RunOptions) -> Self {
+    pub(crate) fn new(options: &'a RunOptions) -> Self {
         Self { options, deadline: Deadline::default(), held: None, visited: Vec::new(), bearings: Vec::new() }
     }
 
     /// Forgets all that a new chain must not know: a mesh that no position has shaped may stay.
-    pub(super) fn begin(&mut self) {
+    pub(crate) fn begin(&mut self) {
         self.visited.clear();
         self.bearings.clear();
         self.held = self.held.take().filter(|held| !held.film.model.mesh.is_graded());
@@ -168,6 +168,11 @@ impl<'a> Walker<'a> {
 
     /// Computes the next case of the chain; `coordinate` is its value on the axis along which the chain runs.
     pub(super) fn case(&mut self, scene: &Scene, coordinate: f64) -> CaseOutcome {
+        self.case_asked(scene, coordinate, &mut |_| ())
+    }
+
+    /// Computes the next case of the chain, and hands on its film if it is one of a mesh that the chain keeps.
+    pub(crate) fn case_asked(&mut self, scene: &Scene, coordinate: f64, film: &mut dyn FnMut(&Solved)) -> CaseOutcome {
         let clock = Instant::now();
         self.deadline = self.options.deadline();
         let found = compile(scene).and_then(|model| match model.targets.is_some() && self.options.bars {
@@ -175,7 +180,7 @@ impl<'a> Walker<'a> {
                 run_telling(&model, self.options, None).map(|run| CaseOutcome::of_run(run.result))
             }
             true => self.refined(&model),
-            false => self.walked(&model, coordinate),
+            false => self.walked(&model, coordinate, film),
         });
         let mut found =
             found.unwrap_or_else(|error| CaseOutcome::without(CaseStatus::BadScene, error.to_string(), None));
@@ -213,7 +218,12 @@ impl<'a> Walker<'a> {
     }
 
     /// Solves a case on the mesh of its chain, from the case before if there is one.
-    fn walked(&mut self, model: &Arc<Model>, coordinate: f64) -> Result<CaseOutcome, CompileError> {
+    fn walked(
+        &mut self,
+        model: &Arc<Model>,
+        coordinate: f64,
+        told: &mut dyn FnMut(&Solved),
+    ) -> Result<CaseOutcome, CompileError> {
         let (graded_for, outcome) = match self.following(model, coordinate)? {
             Some((graded_for, solved)) => (graded_for, Ok(solved)),
             None => {
@@ -227,6 +237,7 @@ impl<'a> Walker<'a> {
                 let estimated = estimate_errors(&solved);
                 let limit = ended(&solved, self.options);
                 let found = CaseOutcome::of((&solved, estimated), limit.as_ref(), self.options);
+                told(&solved);
                 let Solved { film, primary, .. } = solved;
                 (found, film, limit.is_none().then_some(primary.solution))
             }

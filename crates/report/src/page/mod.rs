@@ -45,6 +45,7 @@ use crate::Error;
 use crate::balances;
 use crate::comparison::sheet;
 use crate::criteria::criteria_sheet;
+use crate::design_sheet::design_sheets;
 use crate::orbit_course::OrbitCourse;
 use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sheet::Sheet;
@@ -326,13 +327,13 @@ fn drawn(figures: &[(String, Figure)]) -> Vec<PageFigure> {
     figures.par_iter().map(each).collect()
 }
 
-/// What matters among tolerances, how numbers change, and what is compared with the film; times stand among the other
-/// times.
+/// A design, what matters among tolerances, how numbers change, and what is compared with the film; times stand among
+/// the other times.
 fn compared(records: &Records, result: &RunResult) -> Vec<Sheet> {
     let mut all = comparisons(records, result);
     all.iter_mut().flat_map(|it| &mut it.alternatives).for_each(|it| it.seconds = None);
     let beside = [spread_sheet(result), sensitivity_sheet(result)].into_iter().flatten();
-    beside.chain(all.iter().filter_map(|it| sheet(it).if_any())).collect()
+    design_sheets(records).into_iter().chain(beside).chain(all.iter().filter_map(|it| sheet(it).if_any())).collect()
 }
 
 /// The command that gives these results again, for the scene in a file of that name.

@@ -9,6 +9,7 @@ use super::temperature;
 use super::verdict::verdict;
 use crate::balances;
 use crate::comparison::sheet;
+use crate::design_sheet::design_sheets;
 use crate::digits::significant;
 use crate::readable::readable_unit;
 use crate::sheet::Sheet;
@@ -47,6 +48,7 @@ pub fn run_report(result: &RunResult, shown: ShownQuantities, records: &Records,
     parts.extend([spread_sheet(result), sensitivity_sheet(result)].iter().flatten().map(Sheet::terminal));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
+    parts.extend(design_sheets(records).iter().map(|sheet| sheet.terminal()));
     parts.extend(comparisons(records, result).iter().map(|it| sheet(it).terminal()));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {

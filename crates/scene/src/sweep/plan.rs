@@ -171,6 +171,7 @@ impl Plan {
         let (mut document, _) = DeTable::parse_recoverable(&self.text);
         let document = document.get_mut();
         document.remove("sweep");
+        document.remove("design");
         let draw = indices.last().copied().unwrap_or_default();
         let drawn = self.draws.as_ref().map_or_else(Vec::new, |draws| draws.axes(draw));
         let swept = self.axes.iter().zip(indices.iter().copied()).filter(|(axis, _)| axis.path != DRAW);

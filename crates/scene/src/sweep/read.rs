@@ -74,7 +74,7 @@ pub(super) fn read(mut table: TableReader<'_>, swept: &Swept) -> (Vec<SweepAxis>
 }
 
 /// Reads a table of axes whose names begin with `prefix`.
-fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mut Vec<SweepAxis>) {
+pub(crate) fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mut Vec<SweepAxis>) {
     for key in table.keys() {
         let name = format!("{prefix}{key}");
         if name == column::KEY {

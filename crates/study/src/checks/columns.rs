@@ -4,10 +4,16 @@ use oilwedge_scene::sweep::{Plan, WantedColumn};
 use oilwedge_scene::{Complaint, Complaints, Scene, SceneError};
 
 use crate::column::{Column, Fault};
+use crate::scope::Scope;
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     for (key, _, (message, help)) in scene.sweep.iter().flat_map(|plan| faults(plan, std::slice::from_ref(scene))) {
         complaints.add(&key, message, help);
+    }
+    if let Some(design) = &scene.design
+        && let Err((message, help)) = Column::wanted(&design.objective, &Scope::of(scene))
+    {
+        complaints.add(&format!("design.{}", design.sense.name()), message, help);
     }
 }
 
