@@ -55,6 +55,30 @@ def test_the_table_is_that_of_the_program(tmp_path, shell):
     assert [line for line in shell.table().splitlines() if not line.startswith("time ")] == lines
 
 
+def test_spread_and_sensitivities_are_those_of_the_program(tmp_path):
+    scene = ow.Scene.read(SCENES / "37_tolerances.toml") | {"mesh.size": "5 mm"}
+    (tmp_path / "scene.toml").write_text(scene.text)
+    wanted = solved(tmp_path / "scene.toml", tmp_path, "--bars", "none")["quantities"]["film_thickness_min"]
+    result = ow.solve(scene, bars=False)
+    least = result.spread.loc["film_thickness_min"]
+    assert least["rss"] == wanted["spread"]["rss"] and least["worst_case"] == wanted["spread"]["worst_case"]
+    assert least["oil.viscosity"] == wanted["spread"]["shares"]["oil.viscosity"]
+    found = result.sensitivity("h_min")
+    assert list(found.columns) == ["value", "unit", "log", "is_by_films"] and found.index.name == "key"
+    for key, it in wanted["sensitivity"].items():
+        assert found.loc[key, "value"] == it["value"] and found.loc[key, "unit"] == it["unit"]
+    assert "eccentricity" in result.plot("tolerances").svg
+    drawn = SCENES / "09_drawn_ring.toml"
+    ring = ow.solve(drawn, bars=False, sensitivity=True)
+    assert ring.sensitivity("load").loc["oil.viscosity", "log"] == pytest.approx(1, abs=1e-8)
+    with pytest.raises(ow.OilwedgeError, match="no key of the scene has a tolerance"):
+        _ = ring.spread
+    with pytest.raises(ow.OilwedgeError, match="sensitivity=True"):
+        ow.solve(drawn, bars=False).sensitivity("load")
+    with pytest.raises(ValueError, match="with tolerances only"):
+        ow.solve(SCENES / "27_big_end_orbit.toml", sensitivity=True)
+
+
 def test_a_quantity_knows_what_it_is(shell):
     load = shell["load"]
     assert load.symbol == "W" and load.unit == "N"

@@ -9,6 +9,7 @@ use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{KeyTolerance, Scene};
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::{CHECKS, RunOptions, run};
+use oilwedge_tests::program::repository;
 
 /// Films of each kind: what follows the tables of bearing and oil.
 const FILMS: [(&str, &str); 7] = [
@@ -174,4 +175,16 @@ fn derivatives_keep_dimensions() {
             }
         }
     }
+}
+
+/// A number without a film beside leaves the films of the others to them.
+#[test]
+fn each_number_has_the_reason_of_its_own_films() {
+    let scene = oilwedge_study::read(&repository().join("scenes/01_plain_ring.toml")).expect("a scene");
+    let found = run(&scene, &options()).expect("a run");
+    let named = |key: &str| scene.inputs.iter().find(|input| input.key == key).expect("a key").clone();
+    let inputs = [named("bearing.diameter"), named("bearing.length")];
+    let (_, reasons) = with_derivatives(&scene, &found, &inputs, &options());
+    assert!(reasons[0].contains("bearing.diameter") && reasons[0].contains("the circumference"), "{reasons:?}");
+    assert!(reasons[1].contains("bearing.length") && !reasons[1].contains("the circumference"), "{reasons:?}");
 }

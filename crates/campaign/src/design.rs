@@ -2,9 +2,9 @@
 //!
 //! Every point of the search is a solved film of a sweep's chain, so that the mesh of the one before stays as long as
 //! it suits; its gradients come from [`crate::sensitivity`]. Criteria are constraints, relative to their limits; with
-//! `spread` each is worse by the root of the squares of the effects of the tolerances there, whose own gradient is left
-//! out. The search is that of `quadratic.rs`. The optimum is solved by itself at the end, with error bars, on a mesh of
-//! its own. Verified by `tests/tests/design.rs`: Rayleigh's step, and a short film.
+//! `spread` each is worse by the sum of the effects of the tolerances there, whose own gradient is left out. The search
+//! is that of `quadratic.rs`. The optimum is solved by itself at the end, with error bars, on a mesh of its own.
+//! Verified by `tests/tests/design.rs`: Rayleigh's step, and a short film.
 
 mod quadratic;
 mod record;
@@ -92,10 +92,7 @@ pub fn design(scene: &Scene, asked: &Design, options: &RunOptions) -> Result<Des
         free.iter().zip(&record.keys).map(|(free, key)| (&free.input, si(&free.input, key.optimum))).collect();
     let scene = parse(&scene.text_with(&values), &scene.path)?;
     let run = run_telling(&compile(&scene)?, options, None)?;
-    let (result, notes) = match scene.tolerances.is_empty() || run.result.head.status != Status::Converged {
-        true => (run.result.clone(), Vec::new()),
-        false => with_derivatives(&scene, &run, &scene.tolerances, options),
-    };
+    let (result, notes) = with_derivatives(&scene, &run, scene.differentiated(false), options);
     record.solved = result.by_name(&record.objective).map(|quantity| quantity.value);
     record.error = result.by_name(&record.objective).and_then(Quantity::error);
     if !asked.choices.is_empty() {
@@ -163,11 +160,11 @@ impl SolvedPoint {
         slopes.map(|((slopes, input), width)| Some(slopes.of(quantity, input)? * width)).collect()
     }
 
-    /// Root of the squares of the effects of those inputs that are tolerances, behind the first `count`.
+    /// Sum of the effects of those inputs that are tolerances, behind the first `count`: the worst case.
     fn spread(&self, quantity: &Quantity, count: usize) -> f64 {
         let tolerances = self.slopes.iter().zip(&self.inputs).skip(count);
         let effects = tolerances.map(|(slopes, input)| slopes.of(quantity, input).unwrap_or(0.0) * input.half_width);
-        effects.map(|effect| effect * effect).sum::<f64>().sqrt()
+        effects.map(f64::abs).sum()
     }
 }
 
@@ -343,6 +340,7 @@ impl<'a> DesignSearch<'a> {
                 DescentEnd::Infeasible => DesignEnd::Infeasible,
                 DescentEnd::NoValue => DesignEnd::NoFilm,
                 DescentEnd::Limit => DesignEnd::Limit,
+                DescentEnd::NoStep => DesignEnd::NoStep,
             },
             reason: (optimum.end == DescentEnd::NoValue).then(|| self.reason.clone()),
             keys: self.free.iter().zip(optimum.at.iter().zip(&own)).map(key).collect(),

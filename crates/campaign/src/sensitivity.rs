@@ -149,8 +149,10 @@ fn by_films(scene: &Scene, inputs: &[&KeyTolerance], options: &RunOptions) -> Ve
     let mut found = chain_of(&scenes, options).into_iter().skip(1);
     let mut difference = |(input, ends): (&&KeyTolerance, Result<[Scene; 2], SceneError>)| {
         ends?;
-        let mut end = || quantities(found.next(), &input.key);
-        let [low, high] = [end()?, end()?];
+        // Both belong to this number, also where one of them was not found.
+        let both = [found.next(), found.next()];
+        let [low, high] = both.map(|film| quantities(film, &input.key));
+        let (low, high) = (low?, high?);
         let slope = |high: &Quantity| Slope::between(&low, high, 2.0 * distance(input));
         Ok(Derivatives { by_name: high.iter().filter_map(slope).collect(), is_by_films: true })
     };
@@ -158,7 +160,7 @@ fn by_films(scene: &Scene, inputs: &[&KeyTolerance], options: &RunOptions) -> Ve
 }
 
 /// The quantities of a film that was found.
-pub(crate) fn quantities(found: Option<CaseOutcome>, key: &str) -> Result<Vec<Quantity>, NoSpread> {
+fn quantities(found: Option<CaseOutcome>, key: &str) -> Result<Vec<Quantity>, NoSpread> {
     match found {
         Some(found) if !found.quantities.is_empty() => Ok(found.quantities),
         other => Err(NoSpread::Film {

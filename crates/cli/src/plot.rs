@@ -40,8 +40,8 @@ pub(crate) struct Plot {
     #[arg(value_name = "DIR")]
     beside: Option<PathBuf>,
 
-    /// What to draw: fields of film.vtu, mesh, section, profiles, heat; of a sweep its quantities [default: all that
-    /// say something].
+    /// What to draw: fields of film.vtu, mesh, section, profiles, heat, tolerances; of a sweep its quantities [default:
+    /// all that say something].
     #[arg(long = "field", value_name = "NAME", value_delimiter = ',')]
     fields: Vec<String>,
 

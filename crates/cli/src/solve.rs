@@ -97,7 +97,8 @@ pub(crate) struct Solve {
     #[arg(long)]
     cut: bool,
 
-    /// Show how each quantity changes with each number of the scene.
+    /// Show how each quantity changes with each number of the scene; of a cycle with those that have tolerances, two
+    /// cycles each.
     #[arg(long)]
     sensitivity: bool,
 
@@ -191,7 +192,7 @@ impl Solve {
         let working = ProgressLine::of(Self::task(&scene));
         let observed = RunOptions { observer: Some(working.observer()), ..options };
         let model = compile(&scene).map_err(Failure::of(path))?;
-        self.check_compared(&model)?;
+        self.check_compared(&scene, &model)?;
         let keep = |result| interrupt::keep(LatestAnswer { result, orbit: None });
         let run = run_telling(&model, &observed, Some(&keep)).map_err(Failure::of(path))?;
         if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
@@ -200,18 +201,14 @@ impl Solve {
                 self.run.folder().display()
             )));
         }
-        let inputs = if self.sensitivity { &scene.inputs } else { &scene.tolerances };
-        let mut run = match inputs.is_empty() || scene.orbit.is_some() || run.result.head.status != Status::Converged {
-            true => run,
-            false => {
-                working.turns_to("how numbers change with those of the scene");
-                let (result, reasons) = with_derivatives(&scene, &run, inputs, &options);
-                complain::warn(&reasons);
-                Run { result, ..run }
-            }
-        };
+        let inputs = scene.differentiated(self.sensitivity);
+        if !inputs.is_empty() {
+            working.turns_to("how numbers change with those of the scene");
+        }
+        let (result, reasons) = with_derivatives(&scene, &run, inputs, &options);
+        complain::warn(&reasons);
         // Its factors are large.
-        run.solved = None;
+        let run = Run { result, solved: None, ..run };
         let mut records = Records::default();
         for kind in self.compared() {
             working.turns_to(kind.task());
@@ -336,7 +333,7 @@ impl Solve {
     }
 
     /// Refuses what cannot stand beside the film of this scene.
-    fn check_compared(&self, model: &Model) -> Result<(), Failure> {
+    fn check_compared(&self, scene: &Scene, model: &Model) -> Result<(), Failure> {
         let of_shaft = [(self.counterweights, "--counterweights"), (self.cut, "--cut")];
         if let Some((_, argument)) = of_shaft.iter().find(|(is_given, _)| *is_given) {
             return Err(Failure::Message(format!(
@@ -344,9 +341,9 @@ impl Solve {
                 self.run.scene.display()
             )));
         }
-        if self.sensitivity && model.scope.orbit.is_some() {
+        if self.sensitivity && scene.differentiated(true).is_empty() {
             return Err(Failure::Message(format!(
-                "--sensitivity: the scene {} has an [orbit], whose numbers have no derivatives; leave out --sensitivity, or give keys tolerances and draw them by oilwedge sweep --draws",
+                "--sensitivity: a cycle is differentiated by numbers with tolerances only, and the scene {} has none; give some, as clearance = \"30 um +- 3 um\"",
                 self.run.scene.display()
             )));
         }

@@ -48,6 +48,8 @@ pub struct Axis {
     pub scale: Scale,
     /// What the values are, with their unit.
     pub name: Label,
+    /// What stands at the values 0, 1, 2 ... instead of round numbers; none: those.
+    pub rows: Vec<Label>,
 }
 
 /// The least and the greatest of finite values.
@@ -62,7 +64,13 @@ fn bounds(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 impl Axis {
     /// A linear axis from `low` to `high`.
     pub fn between(low: f64, high: f64, scale: Scale, name: Label) -> Self {
-        Self { low, high, scale, name }
+        Self { low, high, scale, name, rows: Vec::new() }
+    }
+
+    /// An axis with a row for each of these names, the first one lowest.
+    pub fn of_rows(rows: &[Label]) -> Self {
+        let high = rows.len() as f64 - 0.5;
+        Self { rows: rows.to_vec(), ..Self::between(-0.5, high, Scale::Linear, Label::default()) }
     }
 
     /// The axis on which all values find room; a logarithmic one takes the positive values.
@@ -76,7 +84,7 @@ impl Axis {
                 [low - 0.5 * missing - ROOM_DECADES, high + 0.5 * missing + ROOM_DECADES]
             }
         };
-        Self { low, high, scale, name }
+        Self::between(low, high, scale, name)
     }
 
     /// Length of the axis, in its values or in decades.
@@ -102,6 +110,9 @@ impl Axis {
 
     /// Round values on the axis, `most` steps at most, and their numbers.
     pub fn ticks(&self, most: f64) -> Vec<(f64, Label)> {
+        if !self.rows.is_empty() {
+            return (0..).map(f64::from).zip(self.rows.iter().cloned()).collect();
+        }
         match self.scale {
             Scale::Linear => {
                 let step = linear_steps(self.extent(), most);

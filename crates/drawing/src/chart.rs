@@ -81,6 +81,17 @@ pub struct Note {
     pub colour: Colour,
 }
 
+/// A filled rectangle behind the curves, between two values of each axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilledBlock {
+    /// Both ends across.
+    pub across: [f64; 2],
+    /// Both ends upwards, the lower one first.
+    pub upwards: [f64; 2],
+    /// The colour that fills it.
+    pub colour: Colour,
+}
+
 /// What kind of picture a chart is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChartKind {
@@ -99,6 +110,10 @@ pub struct Chart {
     pub x: (Label, Scale),
     /// Name and scale of the axis upwards.
     pub y: (Label, Scale),
+    /// Names of the values 0, 1, 2 ... of the axis upwards, where it has rows instead of numbers.
+    pub rows: Vec<Label>,
+    /// Filled rectangles.
+    pub blocks: Vec<FilledBlock>,
     /// What kind of picture it is.
     pub kind: ChartKind,
     /// Bands drawn behind the curves.
@@ -116,6 +131,8 @@ impl Chart {
             title: Label::plain(title),
             x: (x, Scale::Linear),
             y: (y, Scale::Linear),
+            rows: Vec::new(),
+            blocks: Vec::new(),
             kind: ChartKind::Curves,
             bands: Vec::new(),
             series: Vec::new(),
@@ -139,12 +156,16 @@ impl Chart {
             .iter()
             .flat_map(ends)
             .chain(notes.filter(|_| self.kind == ChartKind::Drawing))
+            .chain(self.blocks.iter().flat_map(|block| if axis == 0 { block.across } else { block.upwards }))
             .collect::<Vec<_>>()
             .into_iter()
     }
 
     /// The axis on which all points find room.
     pub fn axis(&self, axis: usize) -> Axis {
+        if axis == 1 && !self.rows.is_empty() {
+            return Axis::of_rows(&self.rows);
+        }
         let (name, scale) = if axis == 0 { &self.x } else { &self.y };
         Axis::around(self.values(axis), *scale, name.clone())
     }
@@ -177,6 +198,7 @@ impl Chart {
             self.bands.iter().for_each(|band| draw_note_of(figure, &frame, band));
         }
         figure.clipped(with_room(frame.inner), |figure| {
+            self.blocks.iter().for_each(|block| draw_block(figure, &frame, block));
             self.series.iter().for_each(|series| draw_series(figure, &frame, series));
         });
         for note in &self.notes {
@@ -199,6 +221,12 @@ fn draw_band(figure: &mut Figure, frame: &PlotFrame, band: &Band) {
         let [left, _, width, _] = frame.inner;
         figure.rectangle([left, high, width, low - high], GRID);
     }
+}
+
+fn draw_block(figure: &mut Figure, frame: &PlotFrame, block: &FilledBlock) {
+    let [one, other] = [0, 1].map(|end| frame.at([block.across[end], block.upwards[end]]));
+    let (left, width) = (one[0].min(other[0]), (other[0] - one[0]).abs());
+    figure.rectangle([left, other[1], width, one[1] - other[1]], block.colour);
 }
 
 /// What a band means, where it has room for that.

@@ -31,7 +31,7 @@ mod wires;
 
 pub use axis::{Axis, Scale, least_and_greatest, linear_steps, number};
 pub use cells::{CELL_HEIGHT, CellGrid, ColouredCell};
-pub use chart::{Band, Chart, ChartKind, Note, Series, charts_figure};
+pub use chart::{Band, Chart, ChartKind, FilledBlock, Note, Series, charts_figure};
 pub use colour::{BLACK, BLUE, Colour, GREEN, GREY, GRID, INK, ORANGE, PURPLE, SERIES, SKY, VERMILION, WHITE, YELLOW};
 pub use colour_map::ColourMap;
 pub use contour::draw_bands;

@@ -1,10 +1,11 @@
 //! One scene to its result.
 
-use oilwedge_campaign::{Compare, Records};
+use oilwedge_campaign::{Compare, Records, with_derivatives};
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::result_json;
 use oilwedge_study::orbit::no_map;
 use oilwedge_study::picture::{FieldChoice, FilmPicture, PictureOptions, Surface};
+use oilwedge_study::run::Run;
 use oilwedge_study::{Interrupt, RunOptions};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -27,6 +28,8 @@ pub(crate) struct RunRequest {
     max_unknowns: usize,
     /// Whether the film is drawn unrolled.
     unrolled: bool,
+    /// Whether all numbers of the scene have their derivatives, not those with tolerances alone.
+    sensitivity: bool,
     /// Threads; one for each core where no number is given.
     pub(crate) threads: Option<usize>,
 }
@@ -47,8 +50,10 @@ impl RunRequest {
     }
 }
 
-/// What Python is given: numbers, film, path of the journal.
-type SolveReturn<'py> = (Numbers, Option<Bound<'py, PyDict>>, Option<Bound<'py, PyBytes>>);
+/// What Python is given: numbers, film, path of the journal; and why some derivatives are not there.
+type SolveReturn<'py> = ((Numbers, Option<Bound<'py, PyDict>>, Option<Bound<'py, PyBytes>>), Vec<String>);
+/// What it is made of.
+type SolvedParts = (Numbers, Option<FilmPicture>, Option<Vec<u8>>, Vec<String>);
 
 /// Solves a scene.
 #[pyfunction]
@@ -69,16 +74,23 @@ pub(crate) fn solve<'py>(
                 Compare::Mobility.name()
             )));
         }
+        if asked.sensitivity && own.differentiated(true).is_empty() {
+            return Err(PythonFailure::Argument(
+                "sensitivity=True: a cycle is differentiated by numbers with tolerances only, and the scene has none; give some, as \"30 um +- 3 um\"".to_owned(),
+            ));
+        }
         let run = oilwedge_study::run_telling(&model, &options, None).map_err(PythonFailure::of(&path))?;
+        let (result, reasons) = with_derivatives(&own, &run, own.differentiated(asked.sensitivity), &options);
+        let run = Run { result, solved: None, ..run };
         let mut records = Records::default();
         for kind in Compare::ALL.into_iter().filter(|kind| add_ons.iter().any(|name| name == kind.name())) {
             kind.solve((&own, &model), &options, &run, &mut records).map_err(PythonFailure::of(&path))?;
         }
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let json = result_json(&run.result, &records)?;
-        Ok((Numbers::of_run(json, run.result, records), run.picture, orbit))
+        Ok((Numbers::of_run(json, run.result, records), run.picture, orbit, reasons))
     });
-    let (numbers, picture, orbit): (Numbers, Option<FilmPicture>, Option<Vec<u8>>) = found?;
+    let (numbers, picture, orbit, reasons): SolvedParts = found?;
     let film = picture.map(|picture| moved(py, picture)).transpose()?;
-    Ok((numbers, film, orbit.map(|table| PyBytes::new(py, &table))))
+    Ok(((numbers, film, orbit.map(|table| PyBytes::new(py, &table))), reasons))
 }

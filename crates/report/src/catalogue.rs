@@ -37,13 +37,13 @@ static WORDS: [(&str, &[&str]); 8] = [
 static BESIDE_VALUES: [(&str, &str, &str); 2] = [
     (
         "spread",
-        "how far a quantity is spread by the tolerances of the scene: half of the difference between films at both ends of each",
-        "worst_case: the sum of all effects; rss: the root of the sum of their squares; shares: the part of each key in that sum; nonlinearity: how far the worst corners miss the sum; corners: the values there where that is more than 0.2",
+        "how far a quantity is spread by the tolerances of the scene; the effect of a tolerance is its half width times the derivative",
+        "worst_case: the sum of all effects; rss: the root of the sum of their squares; shares: the part of each key in that sum of squares; nonlinearity: how far films at the worst corners miss the sum of the effects, of the main numbers; corners: the values there where that is more than 0.2",
     ),
     (
         "sensitivity",
-        "the derivative of a quantity by the number of a key that has a tolerance",
-        "value: in units of quantity and key; log: the relative change over that of the number",
+        "the derivative of a quantity by the number of a key that has a tolerance, of all keys with `solve --sensitivity`",
+        "value: in units of quantity and key; log: the relative change over that of the number; is_by_films: by two films solved again, which is less exact",
     ),
 ];
 

@@ -2,8 +2,11 @@
 
 use oilwedge_study::result::{Criterion, Reserve, Verdict};
 
-use crate::digits::{quantity_value, unresolved};
+use crate::digits::{quantity_value, significant, unresolved};
 use crate::sheet::{Cell, DIGITS, Sheet, WHOLE_LINE, bar_in_words, none, number_as, numeral, sized, text};
+
+/// Digits of the ends of a spread.
+const SPREAD_DIGITS: usize = 3;
 
 /// What a bearing is judged by, and what is usual; nothing where the scene sets no limits and nothing is usual.
 pub(crate) fn criteria_sheet(criteria: &[Criterion]) -> Option<Sheet> {
@@ -11,8 +14,13 @@ pub(crate) fn criteria_sheet(criteria: &[Criterion]) -> Option<Sheet> {
         Some(_) => "design criteria",
         None => "usual values, which nobody set as limits",
     };
-    Sheet::new(title, ["criterion", "verdict", "here", "error bar", "limit"], criteria.iter().map(row).collect())
-        .if_any()
+    let has_spread = criteria.iter().any(|criterion| criterion.spread.is_some());
+    let mut header = vec!["criterion", "verdict", "here", "error bar"];
+    header.extend(has_spread.then_some("within tolerances"));
+    header.push("limit");
+    let rows = criteria.iter().map(|criterion| row(criterion, has_spread)).collect();
+    let header = header.into_iter().map(str::to_owned).collect();
+    Sheet { title: title.to_owned(), header, rows, ..Sheet::default() }.if_any()
 }
 
 /// The worst verdict of a bearing as a cell of a table.
@@ -30,7 +38,7 @@ pub(crate) fn kind(verdict: Option<Verdict>) -> &'static str {
     }
 }
 
-fn row(criterion: &Criterion) -> Vec<Cell> {
+fn row(criterion: &Criterion, has_spread: bool) -> Vec<Cell> {
     let unit = if criterion.unit == "1" { "" } else { &criterion.unit };
     let is_unresolved = criterion.reserve == Some(Reserve::NotResolved);
     let value = match is_unresolved {
@@ -54,11 +62,18 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
         (false, Verdict::Pass) => "usual",
         (_, verdict) => verdict.name(),
     };
-    vec![
+    let within = |[low, high]: [f64; 2]| {
+        let [low, high] = [low, high].map(|value| significant(value, SPREAD_DIGITS));
+        numeral(format!("{low} to {high} {unit}").trim_end())
+    };
+    let spread = || criterion.spread.as_ref().map_or_else(none, |spread| within(spread.range));
+    let mut cells = vec![
         text(criterion.what.as_str()),
         Cell { kind: kind(criterion.decides.then_some(criterion.verdict)), ..text(word) },
         number_as(criterion.value, format!("{value} {unit}").trim_end()),
         numeral(bar.trim_end()),
-        Cell { kind: WHOLE_LINE, ..text(format!("{usual}{limit}")) },
-    ]
+    ];
+    cells.extend(has_spread.then(spread));
+    cells.push(Cell { kind: WHOLE_LINE, ..text(format!("{usual}{limit}")) });
+    cells
 }

@@ -69,6 +69,9 @@ fn keys(found: &DesignRecord) -> Sheet {
         DesignEnd::Limit => {
             format!("the search ended at {name} {} after the most films, before an optimum", told(found.value))
         }
+        DesignEnd::NoStep => {
+            format!("the search ended at {name} {}, where no further step could be computed", told(found.value))
+        }
     }];
     let apart = found.solved.filter(|solved| is_apart(found, *solved) && told(*solved) != told(found.value));
     notes.extend(apart.map(|solved| {

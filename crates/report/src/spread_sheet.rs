@@ -40,7 +40,7 @@ pub(crate) fn spread_sheet(result: &RunResult) -> Option<Sheet> {
         told(own.rss),
         told(own.worst_case)
     )];
-    notes.extend(main_of(result).and_then(linearity));
+    notes.extend(linearity(result));
     Some(Sheet {
         title: "What matters among the tolerances".to_owned(),
         header: vec!["key".to_owned(), "share, %".to_owned(), heading.trim_end_matches(", ").to_owned()],
@@ -89,18 +89,27 @@ fn cell(sensitivity: &Sensitivity) -> Cell {
     number_as(number, format!("{sign}{told} {unit}").trim_end().to_owned() + star)
 }
 
-/// Whether the effects add up at the worst corners of a quantity, in words.
-fn linearity(quantity: &Quantity) -> Option<String> {
-    let QuantitySpread { nonlinearity, corners, .. } = quantity.spread.as_ref()?;
-    let (name, percent) = (quantity.name.replace(['_', '.'], " "), significant(100.0 * (*nonlinearity)?, 2));
-    Some(match corners {
-        None => format!("at its worst corners {name} is linear to {percent} %"),
-        Some([low, high]) => {
-            let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
-            let [low, high] = [low, high].map(|value| significant(value / size, DIGITS));
-            format!(
-                "{name} is not linear: at its worst corners it is {low} and {high} {unit}, {percent} % from the sum"
-            )
-        }
-    })
+/// Whether the effects add up at the worst corners of the main numbers, in sentences.
+fn linearity(result: &RunResult) -> Vec<String> {
+    let departure = |it: &Quantity| Some((it.name.replace(['_', '.'], " "), it.spread.as_ref()?.nonlinearity?));
+    let all = result.quantities.iter().filter(|it| it.spread.as_ref().is_some_and(|own| own.corners.is_none()));
+    let worst = all.filter_map(departure).max_by(|a, b| a.1.total_cmp(&b.1));
+    let linear = worst.map(|(name, departure)| {
+        let percent = significant(100.0 * departure, 2);
+        format!(
+            "at their worst corners the main numbers are linear to {percent} %, that of {name}, but for those below"
+        )
+    });
+    let bent = result.quantities.iter().filter_map(|quantity| {
+        let QuantitySpread { corners, nonlinearity, .. } = quantity.spread.as_ref()?;
+        let ([low, high], percent) = ((*corners)?, significant(100.0 * (*nonlinearity)?, 2));
+        let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
+        let [low, high] = [low, high].map(|value| significant(value / size, DIGITS));
+        let name = quantity.name.replace(['_', '.'], " ");
+        let told = format!("{low} to {high} {unit}");
+        Some(format!("{name} is not linear: its worst corners are {}, {percent} % from the sum", told.trim_end()))
+    });
+    let bent: Vec<String> = bent.collect();
+    let linear = linear.map(|told| if bent.is_empty() { told.replace(", but for those below", "") } else { told });
+    linear.into_iter().chain(bent).collect()
 }

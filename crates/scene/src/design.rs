@@ -27,7 +27,7 @@ keys! {
     "design.maximise" = Text; "load", "required unless `minimise`", "a quantity of the scene",
         "quantity that shall be greatest";
     "design.spread" = Switch; "true", "`false`", "",
-        "whether the criteria must be met by their numbers less the spread of the tolerances, the root of the squares of their effects";
+        "whether the criteria must be met within all tolerances: by their numbers less the worst case of their spread";
 }
 
 /// Most combinations of listed values.

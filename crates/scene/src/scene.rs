@@ -157,6 +157,16 @@ impl Scene {
         Self::of_text(&text_of(path)?, path, mesh::no_file, checks)
     }
 
+    /// Numbers by which quantities are differentiated: those with tolerances, and with `all` every one. A number of a
+    /// cycle needs two cycles more: those with tolerances have them where `all` asks for that, the others never.
+    pub fn differentiated(&self, all: bool) -> &[KeyTolerance] {
+        match (self.orbit.is_some(), all) {
+            (true, false) => &[],
+            (false, true) => &self.inputs,
+            _ => &self.tolerances,
+        }
+    }
+
     /// Reads the scene `text`; a relative mesh file counts from the folder of `path`, whose name is the title where the
     /// scene gives none. Nothing is read from the disk, and the mesh need not exist.
     ///

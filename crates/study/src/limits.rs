@@ -11,7 +11,7 @@ use crate::quantities::{
     FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE,
     TEMPERATURE_MAX, TEMPERATURE_OUTLET,
 };
-use crate::result::{Accuracy, Criterion, Origin};
+use crate::result::{Accuracy, Criterion, CriterionSpread, Origin};
 use crate::thermal_model::ThermalModel;
 
 /// Usual least film thickness [m] of a bearing whose heat is balanced.
@@ -71,6 +71,23 @@ pub fn design_criteria(
         all.extend(usual(film, model, engine));
     }
     all
+}
+
+/// Criteria judged with the spread of the numbers that they compare; one whose number is not spread stays as it is.
+pub fn judged_with_spread(criteria: &[Criterion], quantities: &[Quantity]) -> Vec<Criterion> {
+    let spread = |criterion: &Criterion| {
+        let (quantity, size) = criterion.compared(quantities)?;
+        let own = quantity.spread.as_ref()?;
+        let (most_by, _) = own.shares.iter().max_by(|a, b| a.1.total_cmp(b.1))?;
+        let around = own.corners.map_or([-own.worst_case, own.worst_case], |ends| ends.map(|end| end - quantity.value));
+        let range = around.map(|change| criterion.value + size * change);
+        Some(CriterionSpread { range, most_by: most_by.clone() })
+    };
+    let judged = |criterion: &Criterion| match spread(criterion) {
+        Some(spread) => criterion.clone().with_spread(spread),
+        None => criterion.clone(),
+    };
+    criteria.iter().map(judged).collect()
 }
 
 /// A number, in the unit in which people read its limit.

@@ -14,7 +14,7 @@ pub(crate) mod named;
 mod tail;
 mod temperature;
 
-pub use criterion::{Accuracy, Criterion, Origin, Reserve, Verdict};
+pub use criterion::{Accuracy, Criterion, CriterionSpread, Origin, Reserve, Verdict};
 pub use dynamics::{CoefficientMatrix, CoefficientReport, DynamicsReport, Pair, RotorReport, Stable};
 pub use geometry::Geometry;
 pub use head::ResultHead;
@@ -26,7 +26,7 @@ pub use temperature::{SECONDS_KEY, TemperatureAcross, TemperaturePoint, Temperat
 use crate::effects::Effects;
 use crate::no_answer::NoAnswer;
 use crate::orbit::OrbitFacts;
-use crate::quantities::{Quantity, Row};
+use crate::quantities::{Quantity, Row, ToleranceCurve};
 use crate::regime::Regime;
 use serde::{Deserialize, Serialize};
 
@@ -210,6 +210,9 @@ pub struct RunResult {
     /// The temperature across the film where it is hottest; absent in JSON where the film has one temperature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub temperature_across: Option<TemperatureAcross>,
+    /// Films along the tolerance that matters most; absent in JSON where the scene has none, or a film was not found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance_curve: Option<ToleranceCurve>,
     /// What the bearing is judged by, and what is usual; absent in JSON where the scene sets no limit and nothing is
     /// usual.
     #[serde(skip_serializing_if = "Vec::is_empty")]

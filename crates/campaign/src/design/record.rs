@@ -15,6 +15,8 @@ pub enum DesignEnd {
     NoFilm,
     /// After the most films allowed.
     Limit,
+    /// Where no step can be computed.
+    NoStep,
 }
 
 /// What a design has found.
@@ -88,7 +90,7 @@ pub struct Constraint {
     pub value: f64,
     /// The limit.
     pub limit: f64,
-    /// Root of the squares of the effects of the tolerances; absent in JSON where they do not count.
+    /// How far the tolerances spread the value at worst; absent in JSON where they do not count.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spread: Option<f64>,
     /// How far it is met beyond its spread, over the limit [1]; negative where it is not.

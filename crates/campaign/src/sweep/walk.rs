@@ -167,7 +167,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Computes the next case of the chain; `coordinate` is its value on the axis along which the chain runs.
-    pub(super) fn case(&mut self, scene: &Scene, coordinate: f64) -> CaseOutcome {
+    pub(crate) fn case(&mut self, scene: &Scene, coordinate: f64) -> CaseOutcome {
         self.case_asked(scene, coordinate, &mut |_| ())
     }
 

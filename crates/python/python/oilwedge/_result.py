@@ -10,7 +10,7 @@ import io
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
@@ -18,9 +18,13 @@ from . import _native
 from ._catalogue import row
 from ._errors import OilwedgeError
 from ._film import Film, Floats, frozen
+from ._optional import needed
 from ._picture import Page, Picture, Reported
 from ._scene import Scene
 from ._types import FilmParts, StrPath
+
+if TYPE_CHECKING:
+    import pandas
 
 
 @dataclass(frozen=True)
@@ -188,6 +192,41 @@ class Result(Reported, Mapping[str, Quantity]):
         """Wall time of each part [s]."""
         return dict(self._values["timing_s"])
 
+    def sensitivity(self, name: str) -> pandas.DataFrame:
+        """How a quantity changes with each number of the scene, a row for each key: the derivative ``value`` in its
+        ``unit``, the exponent ``log``, and whether it ``is_by_films``, which is less exact. Solve with
+        ``sensitivity=True``, or give keys tolerances."""
+        own = self[name].name
+        found = self._values["quantities"][own].get("sensitivity", {})
+        if not found:
+            raise OilwedgeError(f"{own} has no sensitivities; solve with sensitivity=True, or give keys tolerances")
+        rows = [{"is_by_films": False, **it} for it in found.values()]
+        frames = needed("pandas", "result.sensitivity()")
+        columns = ["value", "unit", "log", "is_by_films"]
+        frame: pandas.DataFrame = frames.DataFrame(rows, index=frames.Index(list(found), name="key"), columns=columns)
+        return frame
+
+    @property
+    def spread(self) -> pandas.DataFrame:
+        """What the tolerances of the scene leave open, a row for each quantity: half widths ``worst_case`` and ``rss``
+        in its ``unit``, ``nonlinearity`` where its corners were solved, and the share of each key in the square of
+        ``rss``."""
+        found = {name: it["spread"] for name, it in self._values["quantities"].items() if "spread" in it}
+        if not found:
+            raise OilwedgeError("no quantity has a spread: no key of the scene has a tolerance")
+        rows = [
+            {
+                "value": self[name].value,
+                "unit": self[name].unit,
+                **{part: it.get(part) for part in ("worst_case", "rss", "nonlinearity")},
+                **it["shares"],
+            }
+            for name, it in found.items()
+        ]
+        frames = needed("pandas", "result.spread")
+        frame: pandas.DataFrame = frames.DataFrame(rows, index=frames.Index(list(found), name="quantity"))
+        return frame
+
     def to_dict(self) -> dict[str, Any]:
         """Everything that the run found, as in ``result.json``."""
         values: dict[str, Any] = json.loads(self._numbers.json)
@@ -202,7 +241,8 @@ class Result(Reported, Mapping[str, Quantity]):
         return self._numbers.whole()
 
     def plot(self, what: str = "pressure", path: Optional[StrPath] = None, *, width: float = 170.0) -> Picture:
-        """A picture: a field of the film, ``mesh``, ``section``, ``profiles`` or ``heat``; ``width`` is in mm. Written
+        """A picture: a field of the film, ``mesh``, ``section``, ``profiles``, ``heat`` or
+        ``tolerances``; ``width`` is in mm. Written
         to ``path``, if one is given."""
         film, text = self.film._parts, self._numbers.json
         picture = Picture(what, lambda form: _native.figure(text, film, what, width, form))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+import warnings
 from collections.abc import Sequence
 from typing import Optional, SupportsIndex
 
@@ -24,6 +25,7 @@ def asked(
     max_unknowns: int,
     threads: Optional[int],
     unrolled: bool = False,
+    sensitivity: bool = False,
 ) -> Asked:
     """How a scene is run, where that can be."""
     if not bars and scene._scene.gives_tolerance:
@@ -34,7 +36,14 @@ def asked(
         raise ValueError(f"max_seconds={max_seconds!r}: a number of seconds above zero is wanted")
     max_unknowns = _whole("max_unknowns", max_unknowns, 1 << 62)
     threads = None if threads is None else _whole("threads", threads, 1024)
-    return {"bars": bars, "max_seconds": max_seconds, "max_unknowns": max_unknowns, "unrolled": unrolled, "threads": threads}
+    return {
+        "bars": bars,
+        "max_seconds": max_seconds,
+        "max_unknowns": max_unknowns,
+        "unrolled": unrolled,
+        "sensitivity": sensitivity,
+        "threads": threads,
+    }
 
 
 def _whole(name: str, value: SupportsIndex, most: int) -> int:
@@ -55,6 +64,7 @@ def solve(
     max_seconds: Optional[float] = None,
     max_unknowns: int = 1_000_000,
     unrolled: bool = False,
+    sensitivity: bool = False,
     add_ons: Sequence[str] = (),
     threads: Optional[int] = None,
 ) -> Result:
@@ -71,6 +81,9 @@ def solve(
         Most unknowns of meshes that are refined towards a tolerance.
     unrolled
         Points of the film are on the unrolled liner, x = R phi and y = z, instead of on the cylinder.
+    sensitivity
+        Find how all quantities change with each number of the scene: ``result.sensitivity("h_min")``. Numbers with
+        tolerances have it without being asked, and ``result.spread`` too.
     add_ons
         What stands beside the film in ``to_dict()`` and in the tables: ``cost``, ``standard``, ``theories``,
         ``mobility``.
@@ -85,9 +98,18 @@ def solve(
     if unknown:
         raise ValueError(f'add_ons: "{unknown[0]}" is not known; there are {", ".join(ADD_ONS)}')
     how = asked(
-        own, bars=bars, max_seconds=max_seconds, max_unknowns=max_unknowns, threads=threads, unrolled=unrolled
+        own,
+        bars=bars,
+        max_seconds=max_seconds,
+        max_unknowns=max_unknowns,
+        threads=threads,
+        unrolled=unrolled,
+        sensitivity=sensitivity,
     )
-    result = Result(own, *_native.solve(own._scene, how, list(add_ons)))
+    found, reasons = _native.solve(own._scene, how, list(add_ons))
+    for reason in reasons:
+        warnings.warn(reason, stacklevel=2)
+    result = Result(own, *found)
     if result.status == "no_solution":
         raise NoSolution(result.reason or "there is no solution", result)
     if result.status == "not_converged":

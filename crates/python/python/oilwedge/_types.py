@@ -29,4 +29,5 @@ class Asked(TypedDict):
     max_seconds: Optional[float]
     max_unknowns: int
     unrolled: bool
+    sensitivity: bool
     threads: Optional[int]

@@ -47,7 +47,7 @@ use crate::comparison::sheet;
 use crate::criteria::criteria_sheet;
 use crate::design_sheet::design_sheets;
 use crate::orbit_course::OrbitCourse;
-use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
+use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, TOLERANCES, figures_of_sweep, film_figures};
 use crate::sheet::Sheet;
 use crate::sketch::words;
 use crate::spread_sheet::{sensitivity_sheet, spread_sheet};
@@ -152,6 +152,7 @@ struct Page {
     film_title: String,
     profiles: Option<String>,
     balance: Option<String>,
+    tolerances: Option<String>,
     maps: Vec<PageFigure>,
     notes: Vec<String>,
     film: Option<Interactive>,
@@ -303,6 +304,7 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
             SECTION => page.section = Some(svg),
             PROFILES => page.profiles = Some(svg),
             BALANCE => page.balance = Some(svg),
+            TOLERANCES => page.tolerances = Some(svg),
             MESH if svg.len() > LARGEST_MESH => page.notes.push(format!(
                 "The mesh of {} triangles is too fine to be drawn on a page; film.vtu has it.",
                 picture.cells.len()

@@ -16,6 +16,7 @@ use super::section::section_figure;
 use super::sweep::{quantity_names, sweep_figures};
 use super::temperature::{BALANCE, temperature_curve, temperature_figure};
 use super::to_png;
+use super::tolerances::{TOLERANCES, tolerances_figure};
 use crate::sweep::SweepResult;
 use crate::{Error, folder};
 
@@ -24,7 +25,7 @@ pub const PLOT_FOLDER: &str = "plot";
 /// The picture of a convergence study.
 pub const CONVERGENCE: &str = "converge";
 /// Pictures of a film beside its fields.
-const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", BALANCE];
+const OF_FILM: [&str; 5] = ["mesh", "section", "profiles", BALANCE, TOLERANCES];
 
 /// What is drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,8 +53,12 @@ pub struct Unknown {
 /// # Errors
 /// [`Unknown`]: a selected picture is not one of this film.
 pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
-    let has_balance = !temperature_curve(&film.result).is_empty();
-    let others = OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance);
+    let is_there = |name: &&str| match *name {
+        BALANCE => !temperature_curve(&film.result).is_empty(),
+        TOLERANCES => film.result.quantities.iter().any(|quantity| quantity.spread.is_some()),
+        _ => true,
+    };
+    let others = OF_FILM.into_iter().filter(is_there);
     let known: Vec<String> = film.field_names().chain(others.clone()).map(str::to_owned).collect();
     check(&options.selected, &known)?;
     let says_something =
@@ -71,6 +76,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
             "section" => section_figure(film, options.width),
             "profiles" => profiles_figure(film, options.width),
             BALANCE => temperature_figure(&film.result, options.width),
+            TOLERANCES => tolerances_figure(&film.result, options.width),
             field => field_figure(film, field, options.width),
         };
         Some((name, figure?))

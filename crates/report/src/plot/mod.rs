@@ -3,8 +3,8 @@
 //! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`,
 //! `section.rs` (across the bearing), `sample.rs`, `profiles.rs` and `hottest.rs`, `sweep.rs`, `files.rs` (which
 //! pictures there are); `convergence.rs` and `error_map.rs` (errors, and the adaptive mesh), `temperature.rs` (two
-//! curves that cross), `load.rs` (the load over a cycle), `orbit.rs`, `shaft.rs` (a crankshaft to scale),
-//! `shaft_line.rs` (bent), `shaft_cycle.rs` (all its bearings).
+//! curves that cross), `tolerances.rs` (what spreads a number), `load.rs` (the load over a cycle), `orbit.rs`,
+//! `shaft.rs` (a crankshaft to scale), `shaft_line.rs` (bent), `shaft_cycle.rs` (all its bearings).
 
 mod bore;
 mod convergence;
@@ -24,6 +24,7 @@ mod shaft_cycle;
 mod shaft_line;
 mod sweep;
 mod temperature;
+mod tolerances;
 
 pub(crate) use field_map::FieldColours;
 pub use files::{
@@ -42,6 +43,7 @@ pub(crate) use sweep::quantity_names;
 pub(crate) use temperature::BALANCE;
 pub use temperature::TEMPERATURE_FILES;
 pub(crate) use temperature::temperature_figure;
+pub(crate) use tolerances::TOLERANCES;
 
 use crate::Error;
 use oilwedge_campaign::convergence::Convergence;

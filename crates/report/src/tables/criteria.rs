@@ -12,6 +12,13 @@ pub(crate) fn judged(result: &RunResult) -> Option<String> {
     Some(sheet.terminal())
 }
 
+/// Which tolerance decides each criterion whose limit lies inside the spread.
+fn decisive(criteria: &[Criterion]) -> Vec<String> {
+    let inside = criteria.iter().filter(|it| it.decides && it.reserve == Some(Reserve::InsideSpread));
+    let named = |it: &Criterion| Some(format!("{} decides the {}", it.spread.as_ref()?.most_by, it.what));
+    inside.filter_map(named).collect()
+}
+
 /// The verdict in a sentence; none where nothing decides.
 fn verdict(criteria: &[Criterion], broken: usize) -> Option<String> {
     let decide = || criteria.iter().filter(|criterion| criterion.decides);
@@ -30,6 +37,9 @@ fn verdict(criteria: &[Criterion], broken: usize) -> Option<String> {
         Verdict::Fail => format!("NOT fit   the bearing does not meet its design criteria{without_bars}"),
         Verdict::Undecided if has(Reserve::InsideBar) => {
             "undecided a limit lies inside an error bar: a finer mesh decides".to_owned()
+        }
+        Verdict::Undecided if has(Reserve::InsideSpread) => {
+            format!("undecided a limit lies inside the spread of the tolerances: {}", decisive(criteria).join(", "))
         }
         Verdict::Undecided => "undecided the error of a number that is judged is not resolved".to_owned(),
     })

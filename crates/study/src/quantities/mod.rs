@@ -66,7 +66,7 @@ pub use rotor::*;
 pub use row::{Headline, Measure, Row, Table};
 pub use rule::{ErrorRule, Subject};
 pub use similarity::*;
-pub use spread::{QuantitySpread, Sensitivity};
+pub use spread::{QuantitySpread, Sensitivity, ToleranceCurve};
 pub use stiffness::*;
 pub use tilt::*;
 pub use turbulence::*;

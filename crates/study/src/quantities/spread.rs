@@ -14,14 +14,28 @@ pub struct QuantitySpread {
     pub rss: f64,
     /// Share of each key in the square of `rss` [1]; none where nothing is spread.
     pub shares: BTreeMap<String, f64>,
-    /// How far the quantity at its worst corners departs from `worst_case`, relative to it; absent in JSON of all
-    /// quantities but the main one, for which the corners are solved.
+    /// How far the quantity at its worst corners departs from `worst_case`, the greater of both sides, relative to it;
+    /// absent in JSON of all quantities but those of short tables, for which the corners are solved.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nonlinearity: Option<f64>,
     /// The quantity at the corners at which it is least and greatest, to first order; absent in JSON where it was not
     /// solved there, or is linear enough.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corners: Option<[f64; 2]>,
+}
+
+/// Films along the tolerance that spreads the first quantity of short tables most, all other numbers nominal.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ToleranceCurve {
+    /// The key.
+    pub key: String,
+    /// Unit of its numbers; empty of plain ones.
+    pub unit: String,
+    /// Numbers of the key, from the lower end of the tolerance to the upper one.
+    pub numbers: Vec<f64>,
+    /// Quantities of short tables at each number, by name, in their units.
+    pub quantities: BTreeMap<String, Vec<f64>>,
 }
 
 /// The derivative of a quantity by the number of a key.

@@ -11,7 +11,8 @@ pub enum Verdict {
     Pass,
     /// The limit is not kept.
     Fail,
-    /// The limit lies inside the error bar, or errors are estimated and that of this number is not known.
+    /// The limit lies inside the error bar or the spread of the tolerances, or errors are estimated and that of this
+    /// number is not known.
     Undecided,
 }
 
@@ -50,6 +51,8 @@ pub enum Accuracy {
 pub enum Reserve {
     /// The limit lies inside the error bar.
     InsideBar,
+    /// The limit lies inside the spread of the tolerances, and outside of the error bar.
+    InsideSpread,
     /// The error of the number is not known.
     NotResolved,
     /// No error bars were asked for: the value alone decides.
@@ -92,6 +95,18 @@ pub struct Criterion {
     pub verdict: Verdict,
     /// Why the verdict is no more than that; `None`: it stands without reserve.
     pub reserve: Option<Reserve>,
+    /// The tolerances that it is judged with; absent in JSON where the scene has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spread: Option<CriterionSpread>,
+}
+
+/// How far the tolerances of a scene spread a number that is judged.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CriterionSpread {
+    /// Least and greatest value within all tolerances, in the unit of the criterion.
+    pub range: [f64; 2],
+    /// The key whose tolerance spreads the number most.
+    pub most_by: String,
 }
 
 impl Criterion {
@@ -105,42 +120,66 @@ impl Criterion {
         origin: Origin,
     ) -> Self {
         let decides = origin == Origin::Scene;
-        // What is given to a few digits may be off by rounding.
-        let room = if decides { -1e-9 } else { 1e-9 } * value.abs();
         let [least, most] = limits.map(|limit| Some(format!("{:.11e}", limit?).parse().unwrap_or(limit?)));
-        let is_met = |value: f64| {
-            least.is_none_or(|least| value >= least - room) && most.is_none_or(|most| value <= most + room)
+        let bar = match accuracy {
+            Accuracy::Within(bar) => Some(bar),
+            Accuracy::NotResolved | Accuracy::NotAsked => None,
         };
-        let off = match accuracy {
-            Accuracy::Within(bar) => bar,
-            Accuracy::NotResolved => f64::INFINITY,
-            Accuracy::NotAsked => 0.0,
-        };
-        let verdict = match [value - off, value, value + off].map(is_met) {
-            [true, true, true] => Verdict::Pass,
-            [false, false, false] => Verdict::Fail,
-            _ => Verdict::Undecided,
-        };
-        Self {
+        let mut criterion = Self {
             what: what.to_owned(),
             value,
-            bar: match accuracy {
-                Accuracy::Within(bar) => Some(bar),
-                Accuracy::NotResolved | Accuracy::NotAsked => None,
-            },
+            bar,
             least,
             most,
             unit: unit.to_owned(),
             origin,
             decides,
-            is_met: is_met(value),
-            verdict,
-            reserve: match accuracy {
-                Accuracy::Within(_) => (verdict == Verdict::Undecided).then_some(Reserve::InsideBar),
-                Accuracy::NotResolved => Some(Reserve::NotResolved),
-                Accuracy::NotAsked => Some(Reserve::NoBars),
-            },
+            is_met: false,
+            verdict: Verdict::Undecided,
+            reserve: None,
+            spread: None,
+        };
+        criterion.is_met = criterion.admits(value);
+        criterion.verdict = match accuracy {
+            Accuracy::NotResolved => Verdict::Undecided,
+            Accuracy::Within(_) | Accuracy::NotAsked => criterion.judged([value; 2]),
+        };
+        criterion.reserve = match accuracy {
+            Accuracy::Within(_) => (criterion.verdict == Verdict::Undecided).then_some(Reserve::InsideBar),
+            Accuracy::NotResolved => Some(Reserve::NotResolved),
+            Accuracy::NotAsked => Some(Reserve::NoBars),
+        };
+        criterion
+    }
+
+    /// Whether a value meets it.
+    fn admits(&self, value: f64) -> bool {
+        // What is given to a few digits may be off by rounding.
+        let room = if self.decides { -1e-9 } else { 1e-9 } * self.value.abs();
+        self.least.is_none_or(|least| value >= least - room) && self.most.is_none_or(|most| value <= most + room)
+    }
+
+    /// The verdict on all values between two, each within the error bar.
+    fn judged(&self, [low, high]: [f64; 2]) -> Verdict {
+        let bar = self.bar.unwrap_or(0.0);
+        match [low - bar, self.value, high + bar].map(|value| self.admits(value)) {
+            [true, true, true] => Verdict::Pass,
+            [false, false, false] => Verdict::Fail,
+            _ => Verdict::Undecided,
         }
+    }
+
+    /// The criterion judged with what the tolerances of the scene leave open: it passes where all values within them
+    /// do, and fails where none does.
+    #[must_use]
+    pub fn with_spread(self, spread: CriterionSpread) -> Self {
+        let verdict = match self.reserve {
+            Some(Reserve::NotResolved) => self.verdict,
+            _ => self.judged(spread.range),
+        };
+        let is_new = verdict == Verdict::Undecided && self.verdict != Verdict::Undecided;
+        let reserve = if is_new { Some(Reserve::InsideSpread) } else { self.reserve };
+        Self { verdict, reserve, spread: Some(spread), ..self }
     }
 
     /// How it is missed, or left open: `least film below 4 um`, `least film undecided at 4 um`.
@@ -150,7 +189,13 @@ impl Criterion {
             (_, Some(most)) => ("above", most),
             (least, None) => ("below", least.unwrap_or(self.value)),
         };
-        let side = if self.verdict == Verdict::Undecided { "undecided at" } else { side };
+        let side = match (self.verdict, self.reserve, &self.spread) {
+            (Verdict::Undecided, Some(Reserve::InsideSpread), Some(spread)) => {
+                format!("undecided by {} at", spread.most_by)
+            }
+            (Verdict::Undecided, ..) => "undecided at".to_owned(),
+            _ => side.to_owned(),
+        };
         format!("{} {side} {} {}", self.what, readable(bound), self.unit)
     }
 
@@ -186,6 +231,22 @@ mod tests {
         }
         assert_eq!(film(3.9, within(0.2)).fault(), "least film undecided at 4 um");
         assert_eq!(film(3.9, within(0.0)).fault(), "least film below 4 um");
+    }
+
+    #[test]
+    fn a_limit_inside_the_spread_is_undecided_by_its_widest_tolerance() {
+        let film = Criterion::new("least film", "um", (4.5, Accuracy::Within(0.1)), [Some(4.0), None], Origin::Scene);
+        let within = |range| CriterionSpread { range, most_by: "oil.viscosity".to_owned() };
+        for (range, verdict, reserve) in [
+            ([4.2, 4.8], Verdict::Pass, None),
+            ([4.05, 4.95], Verdict::Undecided, Some(Reserve::InsideSpread)),
+            ([3.5, 5.5], Verdict::Undecided, Some(Reserve::InsideSpread)),
+        ] {
+            let found = film.clone().with_spread(within(range));
+            assert_eq!((found.verdict, found.reserve), (verdict, reserve), "{range:?}");
+        }
+        let open = film.with_spread(within([3.5, 5.5]));
+        assert_eq!(open.fault(), "least film undecided by oil.viscosity at 4 um");
     }
 
     /// What nobody set refuses nothing, and the worst of the others is the verdict.
