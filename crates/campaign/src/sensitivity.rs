@@ -1,9 +1,10 @@
 //! Derivatives of the quantities of a film by the numbers of its scene: by the tangent of the film or, where that does
 //! not reach, by two films solved again.
 //!
-//! The tangent ([`oilwedge_study::sensitivity`]) serves all that leaves the mesh as it is. Two films serve the rest: a
-//! number that moves the mesh, and temperatures across the film. They lie at both ends of a tolerance or, where there
-//! is none, at a small distance from the number, and are those of a sweep without error bars.
+//! The tangent ([`oilwedge_study::sensitivity`]) serves all that leaves the mesh as it is or moves its vertices a
+//! little. Two films serve the rest: meshes of files, temperatures across the film, and cycles. They lie at both ends
+//! of a tolerance or, where there is none, at a small distance from the number, and are those of a sweep without error
+//! bars.
 
 use std::borrow::Cow;
 use std::collections::HashMap;

@@ -7,6 +7,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
 use crate::conservation_law::{ConservationLaw, TangentKind};
@@ -25,8 +26,8 @@ const LEAST_TRIANGLES: usize = 256;
 #[derive(Debug)]
 pub struct Assembler {
     space: Space,
-    sparsity: Sparsity,
-    kernel: ElementKernel,
+    sparsity: Arc<Sparsity>,
+    kernel: Arc<ElementKernel>,
     ranges: Vec<VertexRange>,
 }
 
@@ -49,9 +50,20 @@ impl Assembler {
     /// An assembler with the quadrature rule that suits the degree of the space ([`crate::Quadrature::for_degree`]).
     pub fn new(space: Space) -> Self {
         let sparsity = Sparsity::new(&space);
-        let kernel = ElementKernel::new(space.degree());
+        let kernel = Arc::new(ElementKernel::new(space.degree()));
         let ranges = vertex_ranges(&space, &sparsity);
-        Self { space, sparsity, kernel, ranges }
+        Self { space, sparsity: Arc::new(sparsity), kernel, ranges }
+    }
+
+    /// The assembler on a mesh whose vertices lie elsewhere, with the triangles of this one.
+    #[must_use]
+    pub fn on_moved(&self, mesh: Arc<Mesh>) -> Self {
+        Self {
+            space: self.space.on_moved(mesh),
+            sparsity: self.sparsity.clone(),
+            kernel: self.kernel.clone(),
+            ranges: self.ranges.clone(),
+        }
     }
 
     /// The space.

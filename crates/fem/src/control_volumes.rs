@@ -66,7 +66,7 @@ impl SubTriangleRules {
 pub fn sub_triangles(space: &Space, t: usize) -> &'static [[usize; 3]] {
     match space.degree() {
         1 => &[[0, 1, 2]],
-        _ => quarters(space.mesh(), t),
+        _ => quarters(space.cut_as(), t),
     }
 }
 

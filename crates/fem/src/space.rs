@@ -17,12 +17,27 @@ use crate::mapping::Mapping;
 pub struct Space {
     mesh: Arc<Mesh>,
     degree: usize,
+    /// The mesh by whose obtuse corners triangles are cut in control volumes.
+    cut_as: Arc<Mesh>,
 }
 
 impl Space {
     /// The space of the given degree (1, 2 or 3; others are taken to the nearest of these).
     pub fn new(mesh: Arc<Mesh>, degree: usize) -> Self {
-        Self { mesh, degree: degree.clamp(1, 3) }
+        Self { cut_as: mesh.clone(), mesh, degree: degree.clamp(1, 3) }
+    }
+
+    /// The space on a mesh whose vertices lie elsewhere, with the triangles of this one; control volumes are cut as
+    /// here, whatever becomes obtuse.
+    #[must_use]
+    pub fn on_moved(&self, mesh: Arc<Mesh>) -> Self {
+        Self { mesh, ..self.clone() }
+    }
+
+    /// The mesh by whose obtuse corners triangles are cut in control volumes: that of the space or, where that has
+    /// moved, the one before.
+    pub(crate) fn cut_as(&self) -> &Mesh {
+        &self.cut_as
     }
 
     /// The mesh.

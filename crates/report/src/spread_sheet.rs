@@ -69,7 +69,10 @@ pub(crate) fn sensitivity_sheet(result: &RunResult) -> Option<Sheet> {
     let mut notes =
         vec!["numbers without a unit are exponents: by how many per cent 1 % more of the key changes it".to_owned()];
     if main.sensitivity.values().any(|it| it.is_by_films) {
-        notes.push("* by two films solved again, which loses digits: the mesh moves with the key, or the tangent of the film does not reach it".to_owned());
+        notes.push(
+            "* by two films solved again, which loses digits: the tangent of the film does not reach that key"
+                .to_owned(),
+        );
     }
     Some(Sheet {
         title: "What changes with each number of the scene".to_owned(),

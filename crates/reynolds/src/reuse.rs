@@ -2,9 +2,12 @@
 
 use std::sync::{Arc, Mutex, OnceLock};
 
+use oilwedge_fem::Assembler;
+use oilwedge_mesh::Mesh;
+
 use crate::FilmSystem;
 use crate::film_thickness::FilmContribution;
-use crate::supply::SupplyRegion;
+use crate::supply::{Disc, SupplyRegion};
 
 impl FilmSystem {
     /// This system with other given pressures [Pa], for films that are not searched: it has no coarser meshes. `None`
@@ -13,18 +16,36 @@ impl FilmSystem {
         let mut supply = self.supply.clone();
         supply.fits(self.space(), pressure).then(|| supply.set_pressures(pressure))?;
         Some(Self {
-            assembler: self.assembler.clone(),
             supply,
+            between: self.between.clone(),
+            volumes: self.volumes.clone(),
+            ..self.of_same_unknowns(self.assembler.clone())
+        })
+    }
+
+    /// This system on a mesh whose vertices lie elsewhere, with the triangles of this one, for films that are not
+    /// searched; `disc` is the exact shape of each region there.
+    pub fn on_moved(&self, mesh: Arc<Mesh>, disc: &dyn Fn(&SupplyRegion) -> Option<Disc>) -> Self {
+        let mut system = self.of_same_unknowns(Arc::new(self.assembler.on_moved(mesh)));
+        system.supply.set_discs(disc);
+        system
+    }
+
+    /// A system of these unknowns and given pressures by another assembler.
+    fn of_same_unknowns(&self, assembler: Arc<Assembler>) -> Self {
+        Self {
+            assembler,
+            supply: self.supply.clone(),
             coarser: None,
             analysis: self.analysis.clone(),
             worth_multigrid: self.worth_multigrid,
-            between: self.between.clone(),
-            volumes: self.volumes.clone(),
+            between: OnceLock::new(),
+            volumes: OnceLock::new(),
             unsymmetric: self.unsymmetric.clone(),
             pressing: Mutex::default(),
             cubic: OnceLock::new(),
             vertices: OnceLock::new(),
-        })
+        }
     }
 
     /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of

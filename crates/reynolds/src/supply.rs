@@ -249,6 +249,13 @@ impl Supply {
         }
     }
 
+    /// Gives each region the exact shape that `disc` has for it.
+    pub(crate) fn set_discs(&mut self, disc: &dyn Fn(&SupplyRegion) -> Option<Disc>) {
+        for region in &mut self.regions {
+            region.disc = disc(region);
+        }
+    }
+
     /// Given values at dofs, each the `unknown(pressure)` of its region.
     pub fn constraints(&self, unknown: impl Fn(f64) -> f64) -> Constraints {
         let mut constraints = Constraints::none(self.owner.len());

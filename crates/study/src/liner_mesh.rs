@@ -61,7 +61,7 @@ pub fn liner_mesh(plan: &MeshPlan, longest: f64, state: &FilmState) -> Result<Li
             Ok(LinerMesh { mesh, sha256: hexadecimal(Sha256::digest(&bytes)), is_laid_anew })
         }
         MeshSource::Drawing { .. } => {
-            let mesh = graded(plan, &blueprint(&plan.outline), longest, state).map_err(CompileError::Drawing)?;
+            let mesh = graded(plan, &plan.outline.blueprint(), longest, state).map_err(CompileError::Drawing)?;
             let mut hash = Sha256::new();
             for x in mesh.points().iter().flatten() {
                 hash.update(x.to_le_bytes());
@@ -123,11 +123,6 @@ fn check_grooves(outline: &LinerOutline, mesh: &Mesh) -> Result<(), CompileError
     Ok(())
 }
 
-/// The drawing of a liner that is described.
-fn blueprint(outline: &LinerOutline) -> Blueprint {
-    Blueprint { liner: outline.liner, features: outline.features(), line: outline.film_start }
-}
-
 /// About how many unknowns at least a film has on a drawn liner with edges of at most `longest` [m], its mesh graded
 /// for the film in this state.
 ///
@@ -137,7 +132,7 @@ pub fn least_unknowns(plan: &MeshPlan, longest: f64, state: &FilmState) -> Resul
     // A strip of single cells, the shape with the fewest, has one node across in each column and one at each of two
     // edges.
     const PER_TRIANGLE: f64 = 1.5;
-    let triangles = by_grading(plan, &blueprint(&plan.outline), (longest, state), triangles_in_rows, triangles_graded);
+    let triangles = by_grading(plan, &plan.outline.blueprint(), (longest, state), triangles_in_rows, triangles_graded);
     triangles.map(|triangles| PER_TRIANGLE * triangles).map_err(CompileError::Drawing)
 }
 

@@ -5,7 +5,7 @@
 //! so the union has one name, that of its feeds joined by `+` in the order of the scene.
 
 use oilwedge_mesh::developed::LinerDomain;
-use oilwedge_mesh::generate::{Feature, Meeting, RoundedRectangle, meeting};
+use oilwedge_mesh::generate::{Blueprint, Feature, Meeting, RoundedRectangle, meeting};
 use oilwedge_scene::Feed;
 
 /// The liner and its feeds.
@@ -64,6 +64,11 @@ impl LinerOutline {
             FeedRegion { name, feeds }
         };
         unions.into_iter().map(region).collect()
+    }
+
+    /// The drawing of the liner with the feeds that are described.
+    pub(crate) fn blueprint(&self) -> Blueprint {
+        Blueprint { liner: self.liner, features: self.features(), line: self.film_start }
     }
 
     /// The feeds that are described, as they are drawn.

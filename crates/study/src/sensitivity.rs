@@ -72,7 +72,7 @@ impl Slope {
 #[derive(Debug, thiserror::Error)]
 pub enum NoTangent {
     /// The film of the neighbouring scene has other unknowns.
-    #[error("its number moves the mesh, or changes what is simulated")]
+    #[error("its number moves the mesh in a way that cannot be followed, or changes what is simulated")]
     Mesh,
     /// A linear system could not be solved, or the film is at a limit.
     #[error(transparent)]
@@ -144,7 +144,7 @@ impl<'a> FilmTangent<'a> {
             let step = if k == MOST - 1 { KELVIN } else { shift };
             let mut around = AroundFilm::default();
             around[k] = step;
-            let [low, high] = [-1.0, 1.0].map(|sign| tangent.left(&film.model, around.map(|x| sign * x)));
+            let [low, high] = [-1.0, 1.0].map(|sign| tangent.left(film, around.map(|x| sign * x)));
             tangent.columns.push(MovedUnknowns::slope([&low?, &high?], 2.0 * step));
         }
         Ok(Some(tangent))
@@ -154,15 +154,18 @@ impl<'a> FilmTangent<'a> {
     /// these two models where it is so much more than that of the film.
     ///
     /// # Errors
-    /// [`NoTangent`]: the mesh would move with that number, or a linear system could not be solved.
+    /// [`NoTangent`]: the mesh cannot move with that number, or a linear system could not be solved.
     pub fn derivatives(
         &self,
         [low, high]: [(&Arc<Model>, f64); 2],
     ) -> Result<HashMap<Cow<'static, str>, Slope>, NoTangent> {
         let width = high.1 - low.1;
-        let [below, above] = [low, high].map(|(model, _)| self.left(model, AroundFilm::default()));
+        let [below, above] = [low, high].map(|(model, _)| self.placed(&self.solved.film, model, AroundFilm::default()));
+        let (film_below, film_above) = (below?, above?);
+        let [below, above] = [&film_below, &film_above].map(|film| self.left(film, AroundFilm::default()));
         let followed = self.followed(MovedUnknowns::slope([&below?, &above?], width));
-        let [below, above] = [low, high].map(|(model, more)| self.quantities(model, &followed.times(more)));
+        let ends = [(&film_below, low.1), (&film_above, high.1)];
+        let [below, above] = ends.map(|(film, more)| self.quantities(film, &followed.times(more)));
         let (below, above) = (below?, above?);
         let smooth = above.iter().filter(|quantity| !STEPWISE.contains(&quantity.row));
         Ok(smooth.filter_map(|above| Slope::between(&below, above, width)).collect())
@@ -184,14 +187,14 @@ impl<'a> FilmTangent<'a> {
         followed
     }
 
-    /// What a film of a model leaves of the balances where the unknowns have moved and the wall has followed, and how
-    /// it has.
-    fn left(&self, model: &Arc<Model>, around: AroundFilm) -> Result<MovedUnknowns, NoTangent> {
+    /// What a film on this `mesh` leaves of the balances where the unknowns have moved and the wall has followed, and
+    /// how it has.
+    fn left(&self, mesh: &Film, around: AroundFilm) -> Result<MovedUnknowns, NoTangent> {
         let mut at = MovedUnknowns { around, wall: Vec::new() };
-        let (mut film, mut solved) = self.film(model, &at)?;
+        let (mut film, mut solved) = self.film(mesh, &at)?;
         at.wall = self.neighbourhood.followed(&solved)?;
         if !at.wall.is_empty() {
-            (film, solved) = self.film(model, &at)?;
+            (film, solved) = self.film(mesh, &at)?;
         }
         let carried = load(&solved).total.resultant();
         let excess =
@@ -204,10 +207,18 @@ impl<'a> FilmTangent<'a> {
         Ok(MovedUnknowns { around: [x, y, z_x, z_y, surplus().unwrap_or(0.0)], wall: at.wall })
     }
 
-    /// The film of a model where unknowns and wall have moved from those of the solved film.
-    fn film(&self, model: &Arc<Model>, at: &MovedUnknowns) -> Result<(Film, SolvedFilm), NoTangent> {
+    /// The film on this `mesh` where unknowns and wall have moved from those of the solved film.
+    fn film(&self, mesh: &Film, at: &MovedUnknowns) -> Result<(Film, SolvedFilm), NoTangent> {
+        let mut film = self.placed(mesh, &mesh.model, at.around)?;
+        let solved = self.neighbourhood.film(film.problem.clone(), &film.system, &at.wall)?.ok_or(NoTangent::Mesh)?;
+        film.problem = solved.problem.clone();
+        Ok((film, solved))
+    }
+
+    /// The film of a model on this `mesh`, or on that as it moves with the model, where the unknowns have moved.
+    fn placed(&self, mesh: &Film, model: &Arc<Model>, around: AroundFilm) -> Result<Film, NoTangent> {
         let base = &self.solved.primary.problem;
-        let [x, y, z_x, z_y, kelvin] = at.around;
+        let [x, y, z_x, z_y, kelvin] = around;
         let wider = model.mesh.bearing.clearance / base.bearing.clearance;
         let place = moved([x, y, z_x, z_y], wider, self.coordinates.at(&base.journal));
         let position = match model.placed {
@@ -216,15 +227,12 @@ impl<'a> FilmTangent<'a> {
         };
         let found = self.solved.film.oil.temperature.filter(|_| model.sockets.thermal.is_some());
         let oil = model.oil_at(found.map(|temperature| temperature + kelvin));
-        let mut film = self.solved.film.beside(model, &FilmState { position, oil }).ok_or(NoTangent::Mesh)?;
-        let solved = self.neighbourhood.film(film.problem.clone(), &film.system, &at.wall)?.ok_or(NoTangent::Mesh)?;
-        film.problem = solved.problem.clone();
-        Ok((film, solved))
+        mesh.beside(model, &FilmState { position, oil }).ok_or(NoTangent::Mesh)
     }
 
     /// The quantities of such a film.
-    fn quantities(&self, model: &Arc<Model>, at: &MovedUnknowns) -> Result<Vec<Quantity>, NoTangent> {
-        let (film, solved) = self.film(model, at)?;
+    fn quantities(&self, mesh: &Film, at: &MovedUnknowns) -> Result<Vec<Quantity>, NoTangent> {
+        let (film, solved) = self.film(mesh, at)?;
         let mut numbers = measure(&solved);
         if film.model.sockets.dynamics.is_some() {
             // Small motions have the tangent of their own film.

@@ -166,7 +166,7 @@ fn check_gap(
 }
 
 /// The exact shape of a region that is one hole.
-fn disc(radius: f64, region: &FeedRegion<'_>) -> Option<Disc> {
+pub(super) fn disc(radius: f64, region: &FeedRegion<'_>) -> Option<Disc> {
     let [feed] = region.feeds[..] else { return None };
     feed.hole.map(|hole| Disc { centre: [radius * hole.angle, hole.z], radius: 0.5 * hole.diameter })
 }

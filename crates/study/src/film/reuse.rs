@@ -3,12 +3,13 @@
 use std::mem::discriminant;
 use std::sync::Arc;
 
+use oilwedge_mesh::generate::moved;
+use oilwedge_reynolds::FilmSystem;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 
 use super::Film;
-use super::made::problem;
+use super::made::{disc, problem};
 use crate::model::Model;
-use crate::outline::LinerOutline;
 use crate::position::FilmState;
 use oilwedge_scene::Feed;
 
@@ -21,25 +22,31 @@ impl Model {
 
     /// Whether films of another model have the unknowns of those of this one on any mesh of this one.
     fn has_same_unknowns(&self, other: &Self) -> bool {
+        let drawn = |model: &Self| model.mesh.outline.blueprint();
+        self.has_same_kinds(other) && drawn(self) == drawn(other)
+    }
+
+    /// Whether another model has the kinds of unknowns, the parts of the bearing and the mesh source of this one.
+    fn has_same_kinds(&self, other: &Self) -> bool {
         let system = |model: &Self| {
             let sockets = &model.sockets;
             let closure = (sockets.form, discriminant(&sockets.cavitation));
             (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some() || sockets.wall.is_some())
         };
         let is_same_region = |(a, b): (&Feed, &Feed)| {
-            (&a.group, a.hole, a.groove, a.pressure.is_some()) == (&b.group, b.hole, b.groove, b.pressure.is_some())
+            let kind = |feed: &Feed| (feed.hole.is_some(), feed.groove.is_some(), feed.pressure.is_some());
+            a.group == b.group && kind(a) == kind(b)
         };
         // Feeds that overlap are one region as long as their pressures are equal.
-        let names =
-            |outline: &LinerOutline| outline.regions().into_iter().map(|region| region.name).collect::<Vec<String>>();
-        let (one, other_mesh) = (&self.mesh, &other.mesh);
-        let [outline, other_outline] = [&one.outline, &other_mesh.outline];
-        one.source == other_mesh.source
-            && (outline.liner, outline.film_start) == (other_outline.liner, other_outline.film_start)
+        let names = |model: &Self| -> Vec<String> {
+            model.mesh.outline.regions().into_iter().map(|region| region.name).collect()
+        };
+        let (one, another) = (&self.mesh, &other.mesh);
+        one.source == another.source
             && system(self) == system(other)
-            && outline.feeds.len() == other_outline.feeds.len()
-            && outline.feeds.iter().zip(&other_outline.feeds).all(is_same_region)
-            && names(outline) == names(other_outline)
+            && one.outline.feeds.len() == another.outline.feeds.len()
+            && one.outline.feeds.iter().zip(&another.outline.feeds).all(is_same_region)
+            && names(self) == names(other)
     }
 }
 
@@ -68,19 +75,34 @@ impl Film {
         let film = |system| Self::made(model, state, problem, system);
         is_renewed.then(|| Self { origin: self.origin, seconds: self.seconds, ..film(system) })
     }
-    /// The film of a model in a state on the mesh of this one, whose unknowns it has; `None` where it has others, or
-    /// where given pressures of regions that touch would differ.
+
+    /// The film of a model in a state on the mesh of this one or, where the bearing is drawn a little differently, on
+    /// that mesh moved; `None` where it has other unknowns, or where given pressures of regions that touch would
+    /// differ.
     pub(crate) fn beside(&self, model: &Arc<Model>, state: &FilmState) -> Option<Self> {
-        if !self.model.has_same_unknowns(model) {
-            return None;
-        }
-        let problem = problem(model, self.system.space().mesh(), state);
+        let system = match self.model.has_same_unknowns(model) {
+            true => self.system.clone(),
+            false => Arc::new(self.on_moved_mesh(model)?),
+        };
+        let problem = problem(model, system.space().mesh(), state);
         let pressure = |region: &SupplyRegion| model.given_pressure(region);
         let is_given_so = |region: &SupplyRegion| pressure(region) == region.pressure;
-        let system = match self.system.supply.regions().iter().all(is_given_so) {
-            true => self.system.clone(),
-            false => Arc::new(self.system.with_pressures(&pressure)?),
+        let system = match system.supply.regions().iter().all(is_given_so) {
+            true => system,
+            false => Arc::new(system.with_pressures(&pressure)?),
         };
         Some(Self { origin: self.origin.clone(), ..Self::made(model, state, problem, system) })
+    }
+
+    /// The system of this film on its mesh as it moves to the drawing of another model; `None` where it cannot.
+    fn on_moved_mesh(&self, model: &Model) -> Option<FilmSystem> {
+        if !self.model.has_same_kinds(model) || model.mesh.source.path().is_some() {
+            return None;
+        }
+        let [from, to] = [&self.model, model].map(|model| model.mesh.outline.blueprint());
+        let mesh = moved(self.system.space().mesh(), &from, &to)?;
+        let (regions, radius) = (model.mesh.outline.regions(), model.mesh.bearing.radius);
+        let disc_of = |region: &SupplyRegion| disc(radius, regions.iter().find(|feed| feed.name == region.name)?);
+        Some(self.system.on_moved(Arc::new(mesh), &disc_of))
     }
 }
