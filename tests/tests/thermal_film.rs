@@ -91,6 +91,16 @@ fn the_clearance_follows_the_temperatures_of_the_walls() {
     assert!((growth / expected - 1.0).abs() < 1e-3, "{growth:e} m, not {expected:e} m");
 }
 
+/// Beside a bush that takes no heat four layers would put the hottest oil many kelvins too high.
+#[test]
+fn an_adiabatic_bush_has_six_layers() {
+    let free = edited(FERRON, &[AT_POSITION.as_slice(), &[COARSE, FOUR, (BUSH, "")]].concat());
+    let with = |layers: u32| edited(&free, &[("field = true", &format!("field = true\nlayers = {layers}"))]);
+    let hottest = |text: &str| ThermalFilm::of(text).value("temperature_max");
+    let (found, [four, six]) = (hottest(&free), [4, 6].map(|layers| hottest(&with(layers))));
+    assert!(found == six && four > six + 5.0, "{found}: {four} with four layers, {six} with six");
+}
+
 /// The complaints about a text.
 fn complaints(text: &str) -> Vec<Complaint> {
     match oilwedge_study::parse(text, Path::new("a.toml")) {

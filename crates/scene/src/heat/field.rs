@@ -6,7 +6,7 @@ use crate::{Complaints, Scene, TheoryKey};
 keys! {
     "heat.field" = Switch; "true", "`false`: the film has one temperature", "with the cavitation model `jfo`",
         "whether the temperature is found at each place of the film and across it, with that of bush, journal and feeds";
-    "heat.layers" = Number; "6", "4, 6 or 8 by the Graetz number of the film", "whole, 4, 6 or 8",
+    "heat.layers" = Number; "6", "4, 6 or 8 by the Graetz number of the film; 6 or 8 beside an adiabatic bush", "whole, 4, 6 or 8",
         "layers N between bush and journal: temperatures stand at N + 1 points across the film";
     "heat.bush" = Table; "", "adiabatic: no heat goes through the bore", "",
         "a ring around the film that conducts heat; its ends are insulated";

@@ -6,7 +6,7 @@ use oilwedge_bearing::film_heat::FilmHeat;
 use oilwedge_bearing::heat_round::NoRound;
 use oilwedge_bearing::thermal_film::{HeatRound, HeatSearch, NoHeat, balance_heat};
 use oilwedge_bearing::{InitialGuess, graetz_number};
-use oilwedge_heat::Layers;
+use oilwedge_heat::{BushSide, Layers};
 use oilwedge_reynolds::SolvedFilm;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -33,6 +33,8 @@ const ROUGHLY_BALANCED: f64 = 1e-3;
 const WELL: f64 = 0.5;
 /// Layers that there may be.
 const LAYERS: [usize; 3] = [4, 6, 8];
+/// Fewest layers beside a bush that takes no heat: with fewer the oil at a hot rim is 9 to 13 K too hot there.
+const BESIDE_ADIABATIC: usize = 6;
 
 /// Solves a film with the temperatures that balance its heat.
 ///
@@ -131,7 +133,9 @@ pub(crate) fn layers(film: &SolvedFilm, model: &HeatFieldModel) -> Result<Layers
     }
     let network = model.surroundings.network(film).map_err(NoHeat::from).map_err(none)?;
     let graetz = graetz_number(film, &network, &model.surroundings.oil);
-    let follows = |part: f64| LAYERS.into_iter().find(|&layers| graetz <= part * (layers as f64).powi(4));
+    let fewest = if model.surroundings.bush == BushSide::Adiabatic { BESIDE_ADIABATIC } else { LAYERS[0] };
+    let enough = LAYERS.into_iter().filter(|layers| *layers >= fewest);
+    let follows = |part: f64| enough.clone().find(|&layers| graetz <= part * (layers as f64).powi(4));
     let layers = follows(WELL).or(follows(1.0)).and_then(Layers::new);
     layers.ok_or(NoAnswer::Temperature(NoTemperature::Graetz { graetz }))
 }
