@@ -101,6 +101,20 @@ fn a_short_film_has_the_clearance_of_its_least_power() {
     assert!(found.constraints[0].is_active && found.gradient_films == 0, "{found:?}");
 }
 
+/// With `spread` the limit is met in the worst case: the load and the viscosity at their ends.
+#[test]
+fn limits_are_met_within_the_tolerances() {
+    let text = short(4.0, "5 mm", "spread = true").replace("\"5 kN\"", "\"5 kN +- 4 %\"");
+    let with = found(&text);
+    let without = found(&short(4.0, "5 mm", ""));
+    let limit = &with.constraints[0];
+    let spread = limit.spread.expect("a spread");
+    assert!(limit.is_active && (limit.value - spread - 4.0).abs() < 1e-3, "{limit:?}");
+    // The film goes with a power of the load of some -1/2 to -1.
+    assert!((0.015..0.04).contains(&(spread / limit.value)), "{limit:?}");
+    assert!(with.value > without.value, "{} {}", with.value, without.value);
+}
+
 /// What a limit costs is the change of the objective with it; of listed values the best one is taken.
 #[test]
 fn a_limit_costs_what_the_objective_loses() {

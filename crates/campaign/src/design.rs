@@ -311,9 +311,12 @@ impl<'a> DesignSearch<'a> {
         let start = self.path.first().cloned().unwrap_or_default();
         let point = of_optimum.cloned().unwrap_or_else(|| start.clone());
         let scale = self.scale.unwrap_or(1.0);
+        // Elsewhere than at an optimum limits have no price.
+        let is_optimum = optimum.end == DescentEnd::Optimum;
         let constraint = |(constraint, cost): (&Constraint, &f64)| {
+            let cost = if is_optimum { *cost } else { 0.0 };
             let size = if constraint.limit == 0.0 { 1.0 } else { constraint.limit.abs() };
-            let is_active = *cost > ACTIVE || constraint.left.abs() < CLOSE;
+            let is_active = cost > ACTIVE || constraint.left.abs() < CLOSE;
             Constraint { is_active, cost: if is_active { cost * scale / size } else { 0.0 }, ..constraint.clone() }
         };
         let key = |(free, (part, value)): (&FreeKey, (&f64, &f64))| {

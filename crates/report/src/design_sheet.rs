@@ -100,7 +100,7 @@ fn limits(found: &DesignRecord) -> Option<Sheet> {
             "" => unit.to_owned(),
             own => format!("{unit}/{own}"),
         };
-        let cost = match limit.is_active {
+        let cost = match limit.cost > 0.0 {
             true => number_as(limit.cost, with_unit(significant(limit.cost / size, COST_DIGITS), &per)),
             false => none(),
         };

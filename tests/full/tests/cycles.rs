@@ -1,9 +1,11 @@
 //! Cycles of a main bearing under a load table: each closes and carries its load, or says why it does not.
 
 use std::fmt::Write;
+use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use oilwedge_bearing::Clock;
+use oilwedge_campaign::design::{DesignEnd, design};
 use oilwedge_study::quantities::CYCLE_FILM_THICKNESS_MIN;
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::{RunOptions, run};
@@ -98,4 +100,32 @@ fn a_balance_of_heat_that_was_ended_names_the_limit() {
             && reason.ends_with(&format!("by --max-seconds {calls}; give --max-seconds a higher limit"));
         assert!(told, "{reason}");
     }
+}
+
+/// The film of the cycle is as thin as the limit allows, where a thinner one takes less power.
+#[test]
+fn a_design_of_a_cycle_ends_at_its_limit() {
+    let text = "
+bearing = { diameter = \"50 mm\", length = \"25 mm\", clearance = \"30 um\" }
+mesh.size = \"8 mm\"
+journal.speed = \"3000 rpm\"
+oil.viscosity = \"15 mPa.s\"
+cavitation.model = \"reynolds\"
+orbit = { tolerance = 1e-2 }
+criteria = { film_min = \"7 um\" }
+[load]
+harmonics = [{ order = 0, cos = { x = \"2 kN\" } }, { order = 1, sin = { y = \"3 kN\" } }]
+frame = \"shell\"
+period = \"360 deg\"
+[design]
+free = { \"oil.viscosity\" = [\"8 mPa.s\", \"20 mPa.s\"] }
+minimise = \"cycle_power_loss\"
+";
+    let scene = oilwedge_study::parse(text, Path::new("scene.toml")).unwrap_or_else(|error| panic!("{error}"));
+    let options = RunOptions { bars: false, ..RunOptions::of(&scene) };
+    let asked = scene.design.as_ref().expect("a design");
+    let found = design(&scene, asked, &options).unwrap_or_else(|error| panic!("{error}")).record;
+    let limit = &found.constraints[0];
+    assert!(found.is_met && limit.is_active && (limit.value - 7.0).abs() < 1e-2, "{found:?}");
+    assert!(found.end == DesignEnd::Optimum && found.gradient_films == 2 * found.films, "{found:?}");
 }
