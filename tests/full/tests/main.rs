@@ -13,6 +13,7 @@ mod crate_arrows;
 mod crosscheck;
 mod cycles;
 mod deletion;
+mod dimensions;
 mod faults;
 mod film_places;
 mod flexpde_limits;
