@@ -136,10 +136,13 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 fn free_key(scene: &Scene, axis: &SweepAxis) -> Result<FreeKey, [String; 2]> {
     let said = |message: &str, help: &str| [message.to_owned(), help.to_owned()];
     let input = scene.inputs.iter().find(|input| input.key == axis.path).ok_or_else(|| {
-        said(
-            "is no number that stands in this scene",
-            "give the key its number in the scene, from which the search starts; whole numbers and words are listed in [design] choose",
-        )
+        let help = match axis.path.starts_with("feed.") {
+            true => "give the key its number in the scene, and name the feed by its group, as feed.GROUP.pressure",
+            false => {
+                "give the key its number in the scene, from which the search starts; whole numbers and words are listed in [design] choose"
+            }
+        };
+        said("is no number that stands in this scene", help)
     })?;
     let [AxisValue::Number(least), AxisValue::Number(most)] = axis.values[..] else {
         return Err(said("has no two bounds", "give the least and the greatest number, as [\"20 um\", \"40 um\"]"));
