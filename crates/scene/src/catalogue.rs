@@ -72,16 +72,26 @@ pub(crate) fn row_of_axis(path: &str) -> Option<&'static Key> {
 }
 
 fn is_row(row: &str, path: &str) -> bool {
-    let (first, rest) = row.split_once('.').map_or((row, None), |(first, rest)| (first, Some(rest)));
-    let (own, further) = path.split_once('.').map_or((path, None), |(own, further)| (own, Some(further)));
-    let is_chosen = first.chars().all(|letter| letter.is_ascii_uppercase());
-    let is_same = is_chosen || own.split('[').next() == Some(first);
+    let (first, rest) = parted(row);
+    let (own, further) = parted(path);
+    let is_chosen = first.bytes().all(|letter| letter.is_ascii_uppercase());
+    if !is_chosen && own.split('[').next() != Some(first) {
+        return false;
+    }
     let ends = match (rest, further) {
         (None, None) => true,
         (Some(rest), Some(further)) => is_row(rest, further),
         _ => false,
     };
-    is_same && (ends || is_chosen && further.is_some_and(|further| is_row(row, further)))
+    ends || is_chosen && further.is_some_and(|further| is_row(row, further))
+}
+
+/// The first part of a path, and what follows it.
+fn parted(path: &str) -> (&str, Option<&str>) {
+    match path.bytes().position(|letter| letter == b'.') {
+        Some(end) => (&path[..end], Some(&path[end + 1..])),
+        None => (path, None),
+    }
 }
 
 #[cfg(test)]
