@@ -137,6 +137,7 @@ fn write_part(file: &mut Writer<Vec<u8>>, name: &str, arrays: &[Array], compress
     let shown = [("Scalars", first(1)), ("Vectors", first(3))];
     let shown = shown.iter().filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
     let texts: Vec<_> = arrays.par_iter().map(|array| array.text(compression)).collect();
+    file.get_mut().reserve(texts.iter().map(String::len).sum());
     let part = file.create_element(name).with_attributes(shown);
     part.write_inner_content(|file| {
         for (array, text) in arrays.iter().zip(texts) {

@@ -37,19 +37,11 @@ impl ArrayNumbers<'_> {
 
     /// The bytes after these first ones, the least significant of each number first.
     fn bytes(self, mut first: Vec<u8>) -> Vec<u8> {
+        first.reserve_exact(self.size());
         match self {
-            Self::Float64(numbers) => {
-                first.reserve_exact(8 * numbers.len());
-                first.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
-            }
-            Self::Float32(numbers) => {
-                first.reserve_exact(4 * numbers.len());
-                first.extend(numbers.iter().flat_map(|&number| (number as f32).to_le_bytes()));
-            }
-            Self::UInt32(numbers) => {
-                first.reserve_exact(4 * numbers.len());
-                first.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
-            }
+            Self::Float64(numbers) => numbers.iter().for_each(|x| first.extend_from_slice(&x.to_le_bytes())),
+            Self::Float32(numbers) => numbers.iter().for_each(|&x| first.extend_from_slice(&(x as f32).to_le_bytes())),
+            Self::UInt32(numbers) => numbers.iter().for_each(|x| first.extend_from_slice(&x.to_le_bytes())),
             Self::UInt8(numbers) => first.extend_from_slice(numbers),
         }
         first
