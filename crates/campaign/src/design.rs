@@ -160,11 +160,11 @@ impl SolvedPoint {
         slopes.map(|((slopes, input), width)| Some(slopes.of(quantity, input)? * width)).collect()
     }
 
-    /// Sum of the effects of those inputs that are tolerances, behind the first `count`: the worst case.
-    fn spread(&self, quantity: &Quantity, count: usize) -> f64 {
+    /// Sum of the effects of those inputs that are tolerances, behind the first `count`: the worst case. `None` where
+    /// the quantity has no derivative by one of them.
+    fn spread(&self, quantity: &Quantity, count: usize) -> Option<f64> {
         let tolerances = self.slopes.iter().zip(&self.inputs).skip(count);
-        let effects = tolerances.map(|(slopes, input)| slopes.of(quantity, input).unwrap_or(0.0) * input.half_width);
-        effects.map(f64::abs).sum()
+        tolerances.map(|(slopes, input)| Some((slopes.of(quantity, input)? * input.half_width).abs())).sum()
     }
 }
 
@@ -257,7 +257,9 @@ impl<'a> DesignSearch<'a> {
     fn sample_of(&mut self, solved: &SolvedPoint, point: &mut DesignPoint) -> Result<Valued, String> {
         let widths = self.widths();
         let quantities = &solved.found.quantities;
-        let lacking = |name: &str| format!("{name} has no derivative by all free keys; choose another quantity");
+        let lacking = |name: &str| {
+            format!("{name} has no derivative by all free keys and tolerances that count; choose another quantity")
+        };
         let objective = quantities.iter().find(|quantity| quantity.name == self.objective);
         let objective = objective.ok_or_else(|| format!("the film has no {}", self.objective))?;
         let gradient = solved.gradient(objective, &widths).ok_or_else(|| lacking(&self.objective))?;
@@ -277,7 +279,8 @@ impl<'a> DesignSearch<'a> {
                 None => vec![0.0; widths.len()],
                 Some((quantity, size)) => {
                     if self.asked.spread {
-                        let spread = size * solved.spread(quantity, widths.len());
+                        let own = solved.spread(quantity, widths.len()).ok_or_else(|| lacking(&quantity.name))?;
+                        let spread = size * own;
                         value -= spread * over.abs();
                         of.spread = Some(spread);
                     }

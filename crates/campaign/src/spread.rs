@@ -4,8 +4,8 @@
 //! 14253-2 calls it the combined uncertainty of independent inputs). Derivatives are those of [`crate::sensitivity`].
 //! Films at the worst corners of the quantities of short tables show whether effects add up; corners of several
 //! quantities are often the same, and each is solved once. Films along the tolerance that matters most make a curve.
-//! Criteria are judged with the worst case. Tested by `tests/tests/cli/spread.rs` against exponents of the short film
-//! and against draws.
+//! Criteria are judged with the worst case. `tests/tests/cli/spread.rs` tests all of it by exponents of the short film,
+//! by its corners in closed form, and by draws.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

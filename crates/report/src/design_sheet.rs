@@ -7,7 +7,7 @@ use oilwedge_campaign::design::{DesignEnd, DesignRecord};
 use oilwedge_study::quantities::{Unit, row};
 
 use crate::digits::significant;
-use crate::readable::readable_unit;
+use crate::readable::{plain_words, readable_unit};
 use crate::sheet::{Cell, Sheet, none, number_as, text};
 
 /// File of the films of a search.
@@ -51,7 +51,7 @@ fn keys(found: &DesignRecord) -> Sheet {
             text(place),
         ]
     };
-    let (name, (unit, size)) = (found.objective.replace(['_', '.'], " "), unit(found));
+    let (name, (unit, size)) = (plain_words(&found.objective), unit(found));
     let told = |value: f64| with_unit(significant(value / size, DIGITS), unit);
     let mut notes = vec![match found.end {
         DesignEnd::Optimum => format!("{}: {name} {} from {}", found.sense, told(found.value), told(found.start)),
@@ -70,7 +70,10 @@ fn keys(found: &DesignRecord) -> Sheet {
             format!("the search ended at {name} {} after the most films, before an optimum", told(found.value))
         }
         DesignEnd::NoStep => {
-            format!("the search ended at {name} {}, where no further step could be computed", told(found.value))
+            format!(
+                "the search ended at {name} {}, where no step is better although the gradient says so; a finer mesh.size makes films smoother",
+                told(found.value)
+            )
         }
     }];
     let apart = found.solved.filter(|solved| is_apart(found, *solved) && told(*solved) != told(found.value));
@@ -131,7 +134,7 @@ fn choices(found: &DesignRecord) -> Option<Sheet> {
         };
         values.chain([number, text(verdict)]).collect()
     });
-    let name = found.objective.replace(['_', '.'], " ");
+    let name = plain_words(&found.objective);
     let header = found.choice_keys.iter().cloned().chain([name, String::new()]).collect();
     Sheet { title: "listed choices".to_owned(), header, rows: rows.collect(), ..Sheet::default() }.if_any()
 }

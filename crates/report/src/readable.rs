@@ -49,6 +49,11 @@ pub fn readable_unit_of(value: f64, unit: &str) -> (&str, f64) {
     }
 }
 
+/// The name of a quantity or key in words.
+pub(crate) fn plain_words(name: &str) -> String {
+    name.replace(['_', '.'], " ")
+}
+
 /// Digits as powers.
 const SUPERSCRIPTS: [char; 10] =
     ['\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}'];

@@ -5,7 +5,7 @@ use oilwedge_study::quantities::{FILM_THICKNESS_MIN, Quantity, QuantitySpread, S
 use oilwedge_study::result::{RunResult, headlines};
 
 use crate::digits::significant;
-use crate::readable::readable_unit;
+use crate::readable::{plain_words, readable_unit};
 use crate::sheet::{Cell, Sheet, none, number_as, text};
 
 /// Most keys that are shown.
@@ -32,7 +32,7 @@ pub(crate) fn spread_sheet(result: &RunResult) -> Option<Sheet> {
         let cell = number_as(effect, format!("{}{}", if effect > 0.0 { "+" } else { "" }, told(effect)));
         vec![text(key.as_str()), number_as(share, significant(100.0 * share, DIGITS)), cell]
     });
-    let name = quantity.name.replace(['_', '.'], " ");
+    let name = plain_words(&quantity.name);
     let heading = format!("{name} at the upper end, {unit}");
     let mut notes = vec![format!(
         "{name} {} {unit}: +- {} by the root of the squares, +- {} at worst",
@@ -61,7 +61,7 @@ pub(crate) fn sensitivity_sheet(result: &RunResult) -> Option<Sheet> {
     let moves = |quantity: &&&Quantity| quantity.sensitivity.values().any(|it| it.value != 0.0);
     let all = headlines(&result.quantities, |quantity| quantity.row, &result.effects);
     let shown: Vec<&&Quantity> = all.iter().filter(moves).take(SHOWN).collect();
-    let name = |quantity: &Quantity| quantity.name.replace(['_', '.'], " ");
+    let name = |quantity: &Quantity| plain_words(&quantity.name);
     let rows = main.sensitivity.keys().map(|key| {
         let cells = shown.iter().map(|quantity| quantity.sensitivity.get(key).map_or_else(none, cell));
         std::iter::once(text(key.as_str())).chain(cells).collect()
@@ -94,7 +94,7 @@ fn cell(sensitivity: &Sensitivity) -> Cell {
 
 /// Whether the effects add up at the worst corners of the main numbers, in sentences.
 fn linearity(result: &RunResult) -> Vec<String> {
-    let departure = |it: &Quantity| Some((it.name.replace(['_', '.'], " "), it.spread.as_ref()?.nonlinearity?));
+    let departure = |it: &Quantity| Some((plain_words(&it.name), it.spread.as_ref()?.nonlinearity?));
     let all = result.quantities.iter().filter(|it| it.spread.as_ref().is_some_and(|own| own.corners.is_none()));
     let worst = all.filter_map(departure).max_by(|a, b| a.1.total_cmp(&b.1));
     let linear = worst.map(|(name, departure)| {
@@ -108,7 +108,7 @@ fn linearity(result: &RunResult) -> Vec<String> {
         let ([low, high], percent) = ((*corners)?, significant(100.0 * (*nonlinearity)?, 2));
         let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
         let [low, high] = [low, high].map(|value| significant(value / size, DIGITS));
-        let name = quantity.name.replace(['_', '.'], " ");
+        let name = plain_words(&quantity.name);
         let told = format!("{low} to {high} {unit}");
         Some(format!("{name} is not linear: its worst corners are {}, {percent} % from the sum", told.trim_end()))
     });

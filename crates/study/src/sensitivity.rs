@@ -187,14 +187,14 @@ impl<'a> FilmTangent<'a> {
         followed
     }
 
-    /// What a film on this `mesh` leaves of the balances where the unknowns have moved and the wall has followed, and
-    /// how it has.
-    fn left(&self, mesh: &Film, around: AroundFilm) -> Result<MovedUnknowns, NoTangent> {
+    /// What a film on the mesh of `on` leaves of the balances where the unknowns have moved and the wall has followed,
+    /// and how it has.
+    fn left(&self, on: &Film, around: AroundFilm) -> Result<MovedUnknowns, NoTangent> {
         let mut at = MovedUnknowns { around, wall: Vec::new() };
-        let (mut film, mut solved) = self.film(mesh, &at)?;
+        let (mut film, mut solved) = self.film(on, &at)?;
         at.wall = self.neighbourhood.followed(&solved)?;
         if !at.wall.is_empty() {
-            (film, solved) = self.film(mesh, &at)?;
+            (film, solved) = self.film(on, &at)?;
         }
         let carried = load(&solved).total.resultant();
         let excess =
@@ -207,16 +207,16 @@ impl<'a> FilmTangent<'a> {
         Ok(MovedUnknowns { around: [x, y, z_x, z_y, surplus().unwrap_or(0.0)], wall: at.wall })
     }
 
-    /// The film on this `mesh` where unknowns and wall have moved from those of the solved film.
-    fn film(&self, mesh: &Film, at: &MovedUnknowns) -> Result<(Film, SolvedFilm), NoTangent> {
-        let mut film = self.placed(mesh, &mesh.model, at.around)?;
+    /// The film on the mesh of `on` where unknowns and wall have moved from those of the solved film.
+    fn film(&self, on: &Film, at: &MovedUnknowns) -> Result<(Film, SolvedFilm), NoTangent> {
+        let mut film = self.placed(on, &on.model, at.around)?;
         let solved = self.neighbourhood.film(film.problem.clone(), &film.system, &at.wall)?.ok_or(NoTangent::Mesh)?;
         film.problem = solved.problem.clone();
         Ok((film, solved))
     }
 
-    /// The film of a model on this `mesh`, or on that as it moves with the model, where the unknowns have moved.
-    fn placed(&self, mesh: &Film, model: &Arc<Model>, around: AroundFilm) -> Result<Film, NoTangent> {
+    /// The film of a model on the mesh of `on`, or on that as it moves with the model, where the unknowns have moved.
+    fn placed(&self, on: &Film, model: &Arc<Model>, around: AroundFilm) -> Result<Film, NoTangent> {
         let base = &self.solved.primary.problem;
         let [x, y, z_x, z_y, kelvin] = around;
         let wider = model.mesh.bearing.clearance / base.bearing.clearance;
@@ -227,12 +227,12 @@ impl<'a> FilmTangent<'a> {
         };
         let found = self.solved.film.oil.temperature.filter(|_| model.sockets.thermal.is_some());
         let oil = model.oil_at(found.map(|temperature| temperature + kelvin));
-        mesh.beside(model, &FilmState { position, oil }).ok_or(NoTangent::Mesh)
+        on.beside(model, &FilmState { position, oil }).ok_or(NoTangent::Mesh)
     }
 
     /// The quantities of such a film.
-    fn quantities(&self, mesh: &Film, at: &MovedUnknowns) -> Result<Vec<Quantity>, NoTangent> {
-        let (film, solved) = self.film(mesh, at)?;
+    fn quantities(&self, on: &Film, at: &MovedUnknowns) -> Result<Vec<Quantity>, NoTangent> {
+        let (film, solved) = self.film(on, at)?;
         let mut numbers = measure(&solved);
         if film.model.sockets.dynamics.is_some() {
             // Small motions have the tangent of their own film.

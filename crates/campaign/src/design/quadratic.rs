@@ -39,6 +39,9 @@ const ENOUGH: f64 = 0.05;
 const GOOD: f64 = 0.7;
 /// The search ends with a step this small, or a radius.
 const CLOSE: [f64; 2] = [2e-5, 1e-4];
+/// A search whose radius has become small is at an optimum where the model expects no greater decrease than this from
+/// any step, whatever its length; else the values are too rough. Films on meshes of their own differ by some 1e-5.
+const FLAT: f64 = 1e-4;
 /// Decreases below this are round-off.
 const ROUND_OFF: f64 = 1e-10;
 /// Constraints that miss by less than this are met.
@@ -86,7 +89,7 @@ pub(super) enum DescentEnd {
     NoValue,
     /// After the most points allowed.
     Limit,
-    /// Where the quadratic problem of a step could not be solved.
+    /// Where no step is better although the gradient says so, or none could be computed.
     NoStep,
 }
 
@@ -129,9 +132,14 @@ pub(super) fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -
             continue;
         }
         if is_small {
+            let expects_more = |hessian: &Hessian| {
+                let any = hessian.step(&here, &at, RADIUS[1], penalty);
+                any.is_none_or(|step| step.gain + price * step.repaired > FLAT)
+            };
             end = match (is_missing, is_missed) {
                 (true, _) if radius < CLOSE[1] => DescentEnd::NoValue,
                 (_, true) => DescentEnd::Infeasible,
+                _ if radius < CLOSE[1] && expects_more(&hessian) => DescentEnd::NoStep,
                 _ => DescentEnd::Optimum,
             };
             break;
@@ -299,6 +307,22 @@ mod tests {
         assert!(found.at.iter().all(|x| (x - 0.5).abs() < 1e-4), "{found:?}");
         assert!(found.end == DescentEnd::Optimum && (found.multipliers[0] - 2.0).abs() < 1e-2, "{found:?}");
         assert!(least(&[0.95, 0.9], 60, &mut |at| sample(at)).is_none());
+    }
+
+    /// Values that jump so that no step is better, far from where the gradient is zero.
+    #[test]
+    fn values_too_rough_for_their_gradients_are_no_optimum() {
+        let mut asked = 0;
+        let found = least(&[0.5], 60, &mut |_| {
+            asked += 1;
+            Some(Valued {
+                objective: f64::from(asked),
+                gradient: vec![1.0],
+                constraints: Vec::new(),
+                gradients: Vec::new(),
+            })
+        });
+        assert_eq!(found.expect("a start").end, DescentEnd::NoStep);
     }
 
     /// Least x where x / 1000 >= 1/2000: a limit whose cost is above the first penalty.

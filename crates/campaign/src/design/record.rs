@@ -15,7 +15,7 @@ pub enum DesignEnd {
     NoFilm,
     /// After the most films allowed.
     Limit,
-    /// Where no step can be computed.
+    /// Where no step is better although the gradient says so, or none can be computed.
     NoStep,
 }
 

@@ -6,6 +6,7 @@ use oilwedge_study::result::Verdict;
 
 use crate::criteria;
 use crate::digits::{quantity_value, significant};
+use crate::readable::plain_words;
 use crate::sheet::{Cell, DIGITS, Sheet, count, none, number_as, of_axis, optional, text, without_zeros};
 use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
@@ -38,7 +39,7 @@ pub(super) fn sweep_rows(sweep: &SweepResult) -> Option<Sheet> {
         .collect();
     let is_judged = sweep.rows.iter().any(|it| it.verdict.is_some());
     let mut header = vec!["case".to_owned()];
-    header.extend(sweep.axes.iter().map(|axis| axis.name.replace(['_', '.'], " ") + &unit_of(&axis.unit)));
+    header.extend(sweep.axes.iter().map(|axis| plain_words(&axis.name) + &unit_of(&axis.unit)));
     header.extend(quantities.iter().map(|(name, unit, _)| sweep.heading(name) + &unit_of(unit)));
     header.extend(is_judged.then(|| "verdict".to_owned()));
     header.extend(["status", "warnings"].map(str::to_owned));

@@ -7,7 +7,7 @@ use oilwedge_drawing::{
 use oilwedge_scene::sweep::{AxisValue, SweepAxis};
 use oilwedge_study::quantities::{CATALOGUE, Headline, row};
 
-use crate::readable::{axis_label, printed_unit, readable_unit_of};
+use crate::readable::{axis_label, plain_words, printed_unit, readable_unit_of};
 use crate::sweep::{CaseQuantity, CaseRecord, SweepResult};
 
 /// Most curves in a chart, charts on a sheet, and maps.
@@ -163,7 +163,7 @@ fn of_quantity(cases: &SweepResult, name: &str) -> Option<(Label, f64)> {
     let (unit, size) = cases.unit_of(name)?;
     let quantity = cases.quantity_of(name);
     let symbol = row(quantity).map_or("", |row| row.symbol);
-    let words = quantity.replace(['_', '.'], " ");
+    let words = plain_words(quantity);
     Some((Label::marked(&axis_label(&words, symbol, unit)), size))
 }
 

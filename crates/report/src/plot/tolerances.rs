@@ -8,7 +8,7 @@ use oilwedge_drawing::{
 use oilwedge_study::quantities::{Quantity, QuantitySpread, ToleranceCurve};
 use oilwedge_study::result::{RunResult, headlines};
 
-use crate::readable::{printed_unit, readable_unit};
+use crate::readable::{plain_words, printed_unit, readable_unit};
 
 /// Name of the picture.
 pub(crate) const TOLERANCES: &str = "tolerances";
@@ -32,7 +32,7 @@ pub(crate) fn tolerances_figure(result: &RunResult, width: f64) -> Option<Figure
 /// The name of a quantity, the unit in which it is shown, and the size of that.
 fn shown(quantity: &Quantity) -> (String, String, f64) {
     let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
-    let name = quantity.name.replace(['_', '.'], " ");
+    let name = plain_words(&quantity.name);
     let heading = if unit.is_empty() { name.clone() } else { format!("{name}, {}", printed_unit(unit)) };
     (name, heading, size)
 }

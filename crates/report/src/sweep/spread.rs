@@ -7,6 +7,7 @@ use oilwedge_study::result::Verdict;
 use super::distribution::{Distribution, SampledNumber, SampledQuantity, ToleranceRecord};
 use super::report::{CaseRecord, SweepResult};
 use crate::digits::significant;
+use crate::readable::plain_words;
 use crate::sheet::{Sheet, none, number_as, of_axis, text, with_bar};
 
 /// Digits of a number without a sampling error.
@@ -60,7 +61,7 @@ impl SweepResult {
         let draws = self.identity.draws?;
         let points: Vec<&str> = self.axes.iter().rev().skip(1).rev().map(|axis| axis.name.as_str()).collect();
         let mut header: Vec<String> =
-            self.axes[..points.len()].iter().map(|axis| axis.heading().replace(['_', '.'], " ")).collect();
+            self.axes[..points.len()].iter().map(|axis| plain_words(&axis.heading())).collect();
         header.extend(["quantity", "mean", "standard deviation"].map(str::to_owned));
         header.extend(PERCENTILES.map(|percent| format!("{percent} %")));
         let names = self.names(&[]);
