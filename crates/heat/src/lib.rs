@@ -8,13 +8,15 @@
 //! [`LayerTemperatures`] that balance, and the [`PowerSheet`] with what goes where. Whoever calls it makes viscosities
 //! of the temperatures, a film of the viscosities, and asks again.
 //!
-//! All is SI, temperatures are in kelvin. Reading order: `layers.rs`, `profile.rs` (flow and friction of layers),
+//! All is SI, temperatures are in kelvin. Reading order: `layers.rs`, `profile.rs` (flow and friction of layers), `eddies.rs`
+//! (those of turbulent ones),
 //! `network.rs` (what is given), `transport.rs` (the balances), `walls.rs` (which unknowns there are), `bush.rs` (the
 //! ring; `bessel.rs`, `waves.rs`), `order.rs`, `sweep.rs` and `gmres.rs` (the linear solver), `solve.rs`,
 //! `temperatures.rs`, `power_sheet.rs`.
 
 mod bessel;
 mod bush;
+mod eddies;
 mod gmres;
 mod layers;
 mod network;
@@ -30,6 +32,7 @@ mod walls;
 mod waves;
 
 pub use bush::{BushRing, BushShape};
+pub use eddies::{EddyScales, TurbulentFlow};
 pub use layers::{COUNTS, Layers, MOST_POINTS};
 pub use network::{
     BushSide, FeedSupply, FilmCell, FilmLink, FilmNetwork, FilmPort, JournalSide, OilProperties, PortKind,
