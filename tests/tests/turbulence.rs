@@ -296,6 +296,10 @@ fn scenes_without_a_theory_are_refused() {
     let heated = "temperature = \"65 C\"\n\n[heat]\ninlet = \"45 C\"\nfield = true\n";
     refused("temperature = \"65 C\"", heated, "turbulence.model: has no eddies across the film");
     refused("\"ng-pan\"", "\"reichardt\"", "turbulence.model: finds eddies by the temperatures across the film");
+    let text = std::fs::read_to_string(path("41_thermal_turbulent")).expect("the scene");
+    let cycle = text.replacen("[oil]", "[orbit]\n\n[oil]", 1);
+    let error = parsed(&cycle).expect_err("a cycle");
+    assert!(error.contains("turbulence.model: finds eddies for a gap that stands still"), "{error}");
 }
 
 /// Eddies at each place across the film: heat balances, the film of one temperature with Ng and Pan's fits of the same

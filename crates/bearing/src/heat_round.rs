@@ -107,7 +107,7 @@ impl LayeredFilm<'_> {
         self.across_by(space, &self.profiles())
     }
 
-    /// That viscosity by the profiles at all dofs.
+    /// The viscosity across the film with these profiles at all dofs.
     pub(crate) fn across_by(&self, space: &Space, profiles: &[LayerProfile]) -> Arc<ViscosityAcross> {
         let gap = |dof: usize| self.eddies.as_ref().map(|eddies| eddies.gaps[dof]);
         let nodes = profiles.iter().enumerate().map(|(dof, profile)| across_film(profile, gap(dof))).collect();

@@ -5,7 +5,8 @@
 //! ```text
 //! mu_e = 0.4 mu_w (y+ - 10.7 tanh(y+/10.7))     y+ = y sqrt(rho tau)/mu_w     k_e = c mu_e/Pr_t
 //! tau = U/(h F0)     F0 = Int 1/(mu + mu_e)     F1 = Int eta/(mu + mu_e)      over eta from 0 to 1
-//! F2_z = Int (eta - F1/F0)^2/(mu + mu_e)        F2_x: likewise, times 1 - g mu_w/(2 (mu + mu_e)), g = 0.4 y+ tanh^2(y+/10.7)
+//! F2_z = Int (eta - F1/F0)^2/(mu + mu_e)        g = 0.4 y+ tanh^2(y+/10.7)
+//! F2_x = Int (eta - F1/F0)^2/(mu + mu_e) (1 - g mu_w/(2 (mu + mu_e)))
 //! xi = Int_0^eta k/(k + k_e)/R                  R = Int k/(k + k_e)
 //! ```
 //! The stress tau of the shear makes the eddies, and pressure moves oil through them. A temperature is linear in xi

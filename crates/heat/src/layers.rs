@@ -30,7 +30,7 @@ pub const MOST_POINTS: usize = LARGEST;
 
 /// What a temperature is between the points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Between {
+enum LayerShape {
     Polynomial,
     Linear,
 }
@@ -38,7 +38,7 @@ enum Between {
 /// Points across the film, from the bush (eta = 0) to the journal (eta = 1), and what is computed with them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layers {
-    between: Between,
+    shape: LayerShape,
     /// Lobatto points `eta_l`, N + 1 of them; both walls are points.
     pub points: Vec<f64>,
     /// Weights `w_l` of the points; they sum to 1.
@@ -75,7 +75,7 @@ impl Layers {
         };
         let values = rows(&|l, x| basis(&points, l, x));
         let slopes = rows(&|l, x| basis_slope(&points, l, x));
-        Some(Self::of(Between::Polynomial, (points, weights), (gauss_weights, values, slopes), integrals))
+        Some(Self::of(LayerShape::Polynomial, (points, weights), (gauss_weights, values, slopes), integrals))
     }
 
     /// The points of `count` layers that are equal steps, between which a temperature is linear; `None` for a number
@@ -100,11 +100,11 @@ impl Layers {
         };
         let integrals = (0..=count).map(|j| (0..=count).map(|l| integral(j, l)).collect()).collect();
         let cells = (vec![step; count], rows(0.5, 0.5), rows(-1.0 / step, 1.0 / step));
-        Some(Self::of(Between::Linear, (points, weights), cells, integrals))
+        Some(Self::of(LayerShape::Linear, (points, weights), cells, integrals))
     }
 
     fn of(
-        between: Between,
+        shape: LayerShape,
         (points, weights): (Vec<f64>, Vec<f64>),
         (gauss_weights, values, slopes): (Vec<f64>, Vec<Vec<f64>>, Vec<Vec<f64>>),
         integrals: Vec<Vec<f64>>,
@@ -118,23 +118,23 @@ impl Layers {
             (0..count * count).map(|i| gauss_weights[i % count] * slopes[i % count][i / count]).collect();
         let _is_regular = invert(&mut crossing, count);
         let crossing = crossing.chunks_exact(count).map(<[f64]>::to_vec).collect();
-        Self { between, points, weights, gauss_weights, values, slopes, integrals, conduction, crossing }
+        Self { shape, points, weights, gauss_weights, values, slopes, integrals, conduction, crossing }
     }
 
     /// Layers of this kind, and of another number.
     pub fn alike(&self, count: usize) -> Option<Self> {
-        match self.between {
-            Between::Polynomial => Self::new(count),
-            Between::Linear => Self::linear(count),
+        match self.shape {
+            LayerShape::Polynomial => Self::new(count),
+            LayerShape::Linear => Self::linear(count),
         }
     }
 
     /// What these layers leave open over what they differ from `other` ones of the kind: all of it for polynomials,
     /// whose error falls fast; of steps, whose error falls with the square of their number N, `1/|1 - (N/M)^2|`.
     pub fn left_open(&self, other: &Self) -> f64 {
-        match self.between {
-            Between::Polynomial => 1.0,
-            Between::Linear => 1.0 / (1.0 - (self.count() as f64 / other.count() as f64).powi(2)).abs(),
+        match self.shape {
+            LayerShape::Polynomial => 1.0,
+            LayerShape::Linear => 1.0 / (1.0 - (self.count() as f64 / other.count() as f64).powi(2)).abs(),
         }
     }
 
@@ -152,11 +152,11 @@ impl Layers {
 
     /// Value at `eta` of what goes through `values` at the points.
     pub fn at(&self, values: &[f64], eta: f64) -> f64 {
-        match self.between {
-            Between::Polynomial => {
+        match self.shape {
+            LayerShape::Polynomial => {
                 values.iter().enumerate().map(|(l, value)| value * basis(&self.points, l, eta)).sum()
             }
-            Between::Linear => {
+            LayerShape::Linear => {
                 let (left, share) = self.step(eta);
                 values[left] + share * (values[left + 1] - values[left])
             }

@@ -8,11 +8,10 @@
 //! [`LayerTemperatures`] that balance, and the [`PowerSheet`] with what goes where. Whoever calls it makes viscosities
 //! of the temperatures, a film of the viscosities, and asks again.
 //!
-//! All is SI, temperatures are in kelvin. Reading order: `layers.rs`, `profile.rs` (flow and friction of layers), `eddies.rs`
-//! (those of turbulent ones),
-//! `network.rs` (what is given), `transport.rs` (the balances), `walls.rs` (which unknowns there are), `bush.rs` (the
-//! ring; `bessel.rs`, `waves.rs`), `order.rs`, `sweep.rs` and `gmres.rs` (the linear solver), `solve.rs`,
-//! `temperatures.rs`, `power_sheet.rs`.
+//! All is SI, temperatures are in kelvin. Reading order: `layers.rs`, `profile.rs` (flow and friction of layers),
+//! `eddies.rs` (those of turbulent films), `network.rs` (what is given), `transport.rs` (the balances), `walls.rs`
+//! (which unknowns there are), `bush.rs` (the ring; `bessel.rs`, `waves.rs`), `order.rs`, `sweep.rs` and `gmres.rs`
+//! (the linear solver), `solve.rs`, `temperatures.rs`, `power_sheet.rs`.
 
 mod bessel;
 mod bush;

@@ -22,8 +22,8 @@
 //! | w_l (eta - F1/F0)/(mu F0) | 1 | `cross_friction`, sums to 0 |
 //!
 //! **Source.** Dowson, Int. J. Mech. Sci. 4 (1962) 159.
-//! **Range.** Viscosity above zero; turbulent films in `eddies.rs`. All integrals are sums over the points of [`Layers`], by which the
-//! sums of the shares are exact. **Verified by** `crates/heat/tests/layers.rs`.
+//! **Range.** Viscosity above zero; turbulent films in `eddies.rs`. All integrals are sums over the points of
+//! [`Layers`], by which the sums of the shares are exact. **Verified by** `crates/heat/tests/layers.rs`.
 
 use crate::layers::MOST_POINTS;
 use crate::{EddyScales, Layers};

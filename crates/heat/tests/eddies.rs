@@ -149,7 +149,7 @@ impl Channel {
         [solved.sheet.outlet.expect("oil leaves"), solved.temperatures.of_cell(&layers, COLUMNS - 1)[0]]
     }
 
-    /// The same numbers by a march along many cells across, dense at the walls.
+    /// Both numbers by a march along the channel with many cells across, dense at the walls.
     fn by_cells(&self) -> [f64; 2] {
         const HALF: usize = 200;
         let flow = &self.flow;

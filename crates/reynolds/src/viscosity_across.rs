@@ -43,7 +43,7 @@ pub struct AcrossFilm {
 /// which it was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EddyFactors {
-    /// That gap [m].
+    /// Gap for which the factors were found [m].
     pub gap: f64,
     /// Conductances along x and along z over those of the laminar film at that gap [1].
     pub conductance: [f64; 2],

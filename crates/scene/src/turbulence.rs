@@ -42,20 +42,9 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Option<Turbulence> {
 
 /// What has no theory beside a turbulent film.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let Some(model) = scene.turbulence else { return };
-    let has_field = scene.heat.is_some_and(|heat| heat.field.is_some());
-    complaints.refuse_if(
-        model == Turbulence::Reichardt && !has_field,
-        "turbulence.model",
-        "finds eddies by the temperatures across the film, but the film has one temperature",
-        "write model = \"ng-pan\", which fits the same eddies, or give heat.field = true",
-    );
-    complaints.refuse_if(
-        model == Turbulence::Reichardt && scene.orbit.is_some(),
-        "turbulence.model",
-        "finds eddies for a gap that stands still, but the journal follows an orbit",
-        "write model = \"ng-pan\" and remove heat.field, or remove [orbit]",
-    );
+    if scene.turbulence.is_none() {
+        return;
+    }
     complaints.refuse_if(
         scene.bearing.theory != TheoryKey::Full,
         "bearing.theory",

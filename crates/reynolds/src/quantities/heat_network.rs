@@ -55,7 +55,7 @@ pub struct EddySources {
 }
 
 impl EddySources {
-    /// Those of a film; none of a laminar one.
+    /// What makes the eddies of this film; none where it is laminar.
     pub fn of(film: &SolvedFilm) -> Option<Self> {
         let SolvedFilm { problem, system, .. } = film;
         if problem.is_laminar() {

@@ -132,7 +132,14 @@ fn expansion(mut table: TableReader<'_>) -> HeatExpansion {
 
 /// What a field needs, and what has no meaning beside it.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let Some(field) = scene.heat.and_then(|heat| heat.field) else { return };
+    let field = scene.heat.and_then(|heat| heat.field);
+    complaints.refuse_if(
+        scene.turbulence == Some(Turbulence::Reichardt) && field.is_none(),
+        "turbulence.model",
+        "finds eddies by the temperatures across the film, but the film has one temperature",
+        "write model = \"ng-pan\", which fits the same eddies, or give heat.field = true",
+    );
+    let Some(field) = field else { return };
     let closure = scene.cavitation.map(|cavitation| cavitation.model);
     complaints.refuse_if(
         !closure.is_some_and(crate::CavitationModel::conserves_oil),
