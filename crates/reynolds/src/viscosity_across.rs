@@ -108,29 +108,52 @@ impl ViscosityAcross {
     pub(crate) fn set(&self, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         let (dofs, places) = (self.space.element_dofs(cell), self.space.mesh().nodes(cell));
         let subs = sub_triangles(&self.space, cell);
+        let mut pieces = [SubTriangle::default(); MOST_SUBS];
+        for (piece, corners) in pieces.iter_mut().zip(subs) {
+            *piece = SubTriangle::new(corners.map(|corner| places[corner]));
+        }
         for (point, position) in film.iter_mut().zip(positions) {
-            let (corners, weights) = around(subs, &places, *position);
-            let mean = |value: fn(&AcrossFilm) -> f64| {
-                (0..3).map(|k| weights[k] * value(&self.nodes[dofs[corners[k]]])).sum::<f64>()
-            };
-            point.viscosity = mean(|node| node.viscosity);
-            point.shear_viscosity = mean(|node| node.shear_viscosity);
-            point.drag = mean(|node| node.drag);
-            let [a, b, c] = corners.map(|corner| self.nodes[dofs[corner]].eddies.as_ref());
-            point.eddies = a.zip(b).zip(c).map(|((a, b), c)| EddyFactors::mean(weights, [a, b, c]));
+            let (mut sub, mut weights, mut least) = (0, [0.0; 3], f64::NEG_INFINITY);
+            for (k, piece) in pieces[..subs.len()].iter().enumerate() {
+                let at = piece.weights(*position);
+                let lowest = at[0].min(at[1]).min(at[2]);
+                if lowest > least {
+                    (sub, weights, least) = (k, at, lowest);
+                }
+            }
+            let [a, b, c] = subs[sub].map(|corner| &self.nodes[dofs[corner]]);
+            let mean = |[a, b, c]: [f64; 3]| weights[0] * a + weights[1] * b + weights[2] * c;
+            point.viscosity = mean([a.viscosity, b.viscosity, c.viscosity]);
+            point.shear_viscosity = mean([a.shear_viscosity, b.shear_viscosity, c.shear_viscosity]);
+            point.drag = mean([a.drag, b.drag, c.drag]);
+            if let (Some(a), Some(b), Some(c)) = (&a.eddies, &b.eddies, &c.eddies) {
+                point.eddies = Some(EddyFactors::mean(weights, [a, b, c]));
+            }
         }
     }
 }
 
-/// The sub-triangle of a triangle with nodes at `places` that holds a position, and the weights of its corners there.
-fn around(subs: &[[usize; 3]], places: &[[f64; 2]], position: [f64; 2]) -> ([usize; 3], [f64; 3]) {
-    let weights = |corners: &[usize; 3]| {
-        let [a, b, c] = corners.map(|corner| places[corner]);
-        let doubled = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        let all = doubled([a, b, c]);
-        [[position, b, c], [a, position, c], [a, b, position]].map(|part| doubled(part) / all)
-    };
-    let least = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
-    let subs = subs.iter().map(|corners| (*corners, weights(corners)));
-    subs.max_by(|(_, a), (_, b)| least(a).total_cmp(&least(b))).expect("a triangle has sub-triangles")
+/// Most sub-triangles of a triangle.
+const MOST_SUBS: usize = 4;
+
+/// A sub-triangle, as the linear functions that are one at a corner and zero at the others.
+#[derive(Debug, Clone, Copy, Default)]
+struct SubTriangle {
+    last: [f64; 2],
+    /// Gradients of the functions of the first two corners [1/m].
+    gradients: [[f64; 2]; 2],
+}
+
+impl SubTriangle {
+    fn new([a, b, c]: [[f64; 2]; 3]) -> Self {
+        let ([ax, ay], [bx, by]) = ([a[0] - c[0], a[1] - c[1]], [b[0] - c[0], b[1] - c[1]]);
+        let doubled = ax * by - ay * bx;
+        Self { last: c, gradients: [[by / doubled, -bx / doubled], [-ay / doubled, ax / doubled]] }
+    }
+
+    fn weights(&self, position: [f64; 2]) -> [f64; 3] {
+        let (x, z) = (position[0] - self.last[0], position[1] - self.last[1]);
+        let [a, b] = self.gradients.map(|[along, across]| along * x + across * z);
+        [a, b, 1.0 - a - b]
+    }
 }
