@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use oilwedge_bearing::duty_cycle::{Crank, DutyCycle, GasPressure, Linkage, PressureCurve, Throw};
-use oilwedge_bearing::shaft::counterweights::{Best, greatest};
 use oilwedge_scene::ShaftScene;
+use oilwedge_study::minimax::{GreatestLeast, greatest_least};
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, Row};
 use oilwedge_study::shaft::{BearingReport, ShaftRun, run_shaft};
 use oilwedge_study::{RunOptions, parse};
@@ -262,7 +262,7 @@ impl ClosedThrow {
     }
 
     /// The counterweight that the search finds, and minus the greatest load with it.
-    pub fn found(&self) -> Best {
+    pub fn found(&self) -> GreatestLeast {
         let crank = Crank {
             linkage: Linkage { radius: self.radius, rod_length: 1e12 },
             reciprocating_mass: self.masses[1],
@@ -271,12 +271,12 @@ impl ClosedThrow {
             gas: GasPressure::Curve(PressureCurve { peak: 0.0, angle: 0.0, sharpness: 1.0, period: TAU }),
         };
         let throw = Throw { angle: 0.0, share: 1.0, web_mass: 0.0 };
-        let peak = |unbalance: &[f64]| {
+        let loads = |unbalance: &[f64]| {
             let cycle = DutyCycle::of_main(crank.clone(), vec![throw], self.speed);
             let cycle = cycle.with_unbalance([unbalance[0], unbalance[1]]);
             let loads = (0..360).map(|k| cycle.at(f64::from(k).to_radians()).force);
-            loads.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
+            Some(loads.map(|[x, y]| -x.hypot(y)).collect())
         };
-        greatest(|unbalance| -peak(unbalance), &[0.0, 0.0], 0.05, 5000)
+        greatest_least(&loads, &[0.0, 0.0], 1.0, self.least_peak()).expect("loads")
     }
 }

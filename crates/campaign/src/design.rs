@@ -3,14 +3,14 @@
 //! Every point of the search is a solved film of a sweep's chain, so that the mesh of the one before stays as long as
 //! it suits; its gradients come from `sensitivity.rs`. Criteria are constraints, relative to their limits; with
 //! `spread` each is worse by the sum of the effects of the tolerances there, whose own gradient is left out. The search
-//! is that of `quadratic.rs`. The optimum is solved by itself at the end, with error bars, on a mesh of its own.
+//! is that of [`oilwedge_study::quadratic`]. The optimum is solved by itself at the end, with error bars, on a mesh of its own.
 //! Verified by `tests/tests/design.rs`: Rayleigh's step, and a short film.
 
-mod quadratic;
 mod record;
 
 use oilwedge_scene::{Design, DesignSense, FreeKey, KeyTolerance, Scene, SceneError};
 use oilwedge_study::column::Column;
+use oilwedge_study::quadratic::{DescentEnd, Optimum, Valued, least};
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::{Criterion, Status};
 use oilwedge_study::run::{Run, run_telling};
@@ -21,7 +21,6 @@ use oilwedge_study::{CHECKS, CompileError, compile, parse};
 use crate::sensitivity::{Derivatives, derivatives};
 use crate::spread::with_derivatives;
 use crate::sweep::{CaseOutcome, CaseStatus, Walker};
-use quadratic::{DescentEnd, Optimum, Valued, least};
 pub use record::{ChosenKey, Constraint, DesignEnd, DesignPoint, DesignRecord, ListedChoice};
 
 /// Most films of one search, those for gradients apart.

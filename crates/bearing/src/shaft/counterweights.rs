@@ -6,26 +6,11 @@
 //! sum dU_j = 0,        sum z_j dU_j = 0
 //! ```
 //! With a basis b_k of the numbers that meet both, perpendicular to each other, `dU_j = sum_k b_kj a_k` has free
-//! vectors a_k: two less than webs that may change. An objective is made greatest over them without derivatives: it is
-//! a least film or a peak load, whose greatest value is a corner.
+//! vectors a_k: two less than webs that may change.
 //!
-//! **Source.** Constraints: definition. Search: Nelder, Mead, Computer J. 7 (1965) 308, begun anew from its best point
-//! until that gains no more. **Range.** A few weights.
-//! **Verified by** the tests below, and `tests/tests/shaft/weights.rs`: a crank with a rod without end and without gas,
-//! whose greatest load is least, m_p r omega^2/2, with the counterweight m_r + m_p/2.
+//! **Source.** Definition. **Range.** Webs at two places or more. **Verified by** the tests below.
 
 use super::matrix::product;
-
-/// Steps of one search for each unknown.
-const STEPS_EACH: usize = 200;
-/// A search ends where its points are within this part of the first step.
-const CLOSE: f64 = 1e-9;
-/// A search is begun anew at most so many times.
-const SEARCHES: usize = 12;
-/// Steps of a search that is begun anew, over those before.
-const SHORTER: f64 = 0.3;
-/// Part of the value that a step of the search gains at least.
-const GAIN: f64 = 1e-12;
 
 /// The numbers on places z [m] that change neither sum nor moment: a basis of vectors one long and perpendicular to
 /// each other.
@@ -67,122 +52,6 @@ pub fn changes(basis: &[Vec<f64>], free: &[f64]) -> Vec<[f64; 2]> {
         [sum(0), sum(1)]
     };
     (0..webs).map(change).collect()
-}
-
-/// The best point found, and its value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Best {
-    /// The unknowns.
-    pub at: Vec<f64>,
-    /// The objective there.
-    pub value: f64,
-    /// How often it was asked.
-    pub asked: usize,
-}
-
-/// Where an objective is greatest near a point: steps begin with `step`, and it is asked at most `most` times. Values
-/// that are no numbers count as the worst.
-pub fn greatest(objective: impl Fn(&[f64]) -> f64, from: &[f64], step: f64, most: usize) -> Best {
-    let value = |at: &[f64]| match objective(at) {
-        value if value.is_nan() => f64::NEG_INFINITY,
-        value => value,
-    };
-    let mut best = Best { at: from.to_vec(), value: value(from), asked: 1 };
-    if from.is_empty() {
-        return best;
-    }
-    let mut step = step;
-    for _ in 0..SEARCHES {
-        let before = best.value;
-        best = Simplex::around(&value, &best, step).climbed(&value, step, most);
-        if best.asked >= most {
-            break;
-        }
-        let is_gain = best.value - before > GAIN * best.value.abs();
-        if !is_gain && step < 1e-3 {
-            break;
-        }
-        step *= SHORTER;
-    }
-    best
-}
-
-/// Points of a search, the best first.
-struct Simplex {
-    points: Vec<(Vec<f64>, f64)>,
-    asked: usize,
-}
-
-impl Simplex {
-    fn around(value: &impl Fn(&[f64]) -> f64, best: &Best, step: f64) -> Self {
-        let mut points = vec![(best.at.clone(), best.value)];
-        for k in 0..best.at.len() {
-            let mut at = best.at.clone();
-            at[k] += step;
-            let value = value(&at);
-            points.push((at, value));
-        }
-        Self { asked: best.asked + best.at.len(), points }
-    }
-
-    fn climbed(mut self, value: &impl Fn(&[f64]) -> f64, step: f64, most: usize) -> Best {
-        let unknowns = self.points.len() - 1;
-        for _ in 0..STEPS_EACH * unknowns {
-            self.points.sort_by(|a, b| b.1.total_cmp(&a.1));
-            if self.asked >= most || self.size() < CLOSE * step {
-                break;
-            }
-            self.step(value, unknowns);
-        }
-        self.points.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let (at, value) = self.points.swap_remove(0);
-        Best { at, value, asked: self.asked }
-    }
-
-    /// Greatest distance of a point from the best one in one unknown.
-    fn size(&self) -> f64 {
-        let best = &self.points[0].0;
-        let others = self.points.iter().flat_map(|(at, _)| at.iter().zip(best));
-        others.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-    }
-
-    /// Replaces the worst point by one beyond the others, or draws all nearer to the best.
-    fn step(&mut self, value: &impl Fn(&[f64]) -> f64, unknowns: usize) {
-        let worst = self.points[unknowns].clone();
-        let middle: Vec<f64> = (0..worst.0.len())
-            .map(|k| self.points[..unknowns].iter().map(|(at, _)| at[k]).sum::<f64>() / unknowns as f64)
-            .collect();
-        let mut asked = 0;
-        let mut beyond = |part: f64| {
-            let at: Vec<f64> =
-                middle.iter().zip(&worst.0).map(|(middle, worst)| middle + part * (middle - worst)).collect();
-            asked += 1;
-            let value = value(&at);
-            (at, value)
-        };
-        let reflected = beyond(1.0);
-        let next = if reflected.1 > self.points[0].1 {
-            let further = beyond(2.0);
-            Some(if further.1 > reflected.1 { further } else { reflected })
-        } else if reflected.1 > self.points[unknowns - 1].1 {
-            Some(reflected)
-        } else {
-            let nearer = if reflected.1 > worst.1 { beyond(0.5) } else { beyond(-0.5) };
-            (nearer.1 > worst.1.max(reflected.1)).then_some(nearer)
-        };
-        self.asked += asked;
-        match next {
-            Some(point) => self.points[unknowns] = point,
-            None => {
-                let best = self.points[0].0.clone();
-                for (at, of) in &mut self.points[1..] {
-                    at.iter_mut().zip(&best).for_each(|(part, best)| *part = 0.5 * (*part + best));
-                    *of = value(at);
-                }
-                self.asked += unknowns;
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -9,13 +9,14 @@ use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{FiniteMap, Travel};
 use oilwedge_bearing::orbit::Span;
 use oilwedge_bearing::shaft::Engine;
-use oilwedge_bearing::shaft::counterweights::{changes, greatest, neutral};
+use oilwedge_bearing::shaft::counterweights::{changes, neutral};
 use oilwedge_scene::{Counterweight, ShaftScene};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::compile::{Compiled, compile_shaft, engine};
 use super::error::ShaftError;
+use crate::minimax::greatest_least;
 use crate::orbit::no_map;
 
 /// Maps reach to this eccentricity.
@@ -26,10 +27,10 @@ const CLOSURE: f64 = 1e-3;
 const CYCLES: usize = 3;
 /// Least films are looked for at so many places of a step.
 const PLACES: u32 = 6;
-/// The search asks for so many shafts at most.
-const MOST: usize = 600;
-/// First steps of the search, over the mean counterweight.
-const STEP: f64 = 0.3;
+/// Parts of a cycle whose least films are told apart: the least of each changes smoothly, that of all has corners.
+const WINDOWS: usize = 24;
+/// Each vector of changes may reach this far, over the mean counterweight.
+const REACH: f64 = 3.0;
 
 /// What the search has found.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -108,17 +109,18 @@ pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, Counterwei
         return Err(NoWeights::TooFew(webs.len()));
     }
     let maps = maps(&compiled)?;
-    let objective = |free: &[f64]| least_film(&moved(&engine, &webs, &changes(&basis, free)), &compiled, &maps);
+    let films = |free: &[f64]| least_films(&moved(&engine, &webs, &changes(&basis, free)), &compiled, &maps);
     let sum: f64 = scene.crankshaft.counterweights.iter().map(|weight| weight.moment).sum();
     let radius = scene.crank.as_ref().map_or(0.0, |crank| crank.radius);
     let usual = scene.crank.as_ref().and_then(|crank| crank.drive.as_ref()).map_or(0.0, |drive| drive.rotating_mass);
-    let step = STEP * if sum > 0.0 { sum / webs.len() as f64 } else { radius * usual };
-    let best = greatest(|free| objective(free).unwrap_or(f64::NAN), &vec![0.0; 2 * basis.len()], step, MOST);
-    let before = objective(&vec![0.0; best.at.len()]).ok_or(NoWeights::NoOrbit)?;
+    let mean = if sum > 0.0 { sum / webs.len() as f64 } else { radius * usual };
+    let start = vec![0.0; 2 * basis.len()];
+    let before = films(&start).ok_or(NoWeights::NoOrbit)?.into_iter().fold(f64::INFINITY, f64::min);
+    let best = greatest_least(&films, &start, REACH * mean, before).ok_or(NoWeights::NoOrbit)?;
     let after = moved(&engine, &webs, &changes(&basis, &best.at));
     let [was, is] = [&engine, &after].map(|engine| engine.out_of_balance(&compiled.throws));
     let changed = [0, 1].map(|k: usize| (is[k][0] - was[k][0]).hypot(is[k][1] - was[k][1]));
-    let scale = step / STEP * webs.len() as f64;
+    let scale = mean * webs.len() as f64;
     let changed_scene = with_weights(scene, &webs, &changes(&basis, &best.at), &engine);
     let report = CounterweightReport {
         webs: reports(scene, &changed_scene, &webs),
@@ -192,8 +194,8 @@ fn maps(compiled: &Compiled) -> Result<Vec<(usize, FiniteMap)>, NoWeights> {
     Ok(maps)
 }
 
-/// Least film of all bearings over the cycle [m], by maps; `None` where an orbit leads nowhere.
-fn least_film(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)]) -> Option<f64> {
+/// Least film of each bearing [m] in each part of the cycle, by maps; `None` where an orbit leads nowhere.
+fn least_films(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)]) -> Option<Vec<f64>> {
     let mains: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
     let cycles: Vec<DutyCycle> = engine.on_mains(&mains, &compiled.throws);
     let least = |(bearing, cycle): (&super::CompiledBearing, &DutyCycle)| {
@@ -206,18 +208,22 @@ fn least_film(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)])
             cycle,
         };
         let orbit = travel.orbit([0.0; 2], TOLERANCE, CLOSURE, CYCLES)?;
-        let spans = orbit.steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1]));
-        let gaps = spans.flat_map(|span| {
-            (0..PLACES).map(move |k| {
+        let mut films = vec![travel.bearing.clearance; WINDOWS];
+        let [first, last] = [orbit.steps.first()?, orbit.steps.last()?].map(|step| step.time);
+        for span in orbit.steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])) {
+            for k in 0..PLACES {
                 let part = f64::from(k) / f64::from(PLACES);
-                let [x, y, ..] = span.at(span.times[0] + part * (span.times[1] - span.times[0]));
-                x.hypot(y)
-            })
-        });
-        Some(travel.bearing.clearance - gaps.fold(0.0, f64::max))
+                let time = span.times[0] + part * (span.times[1] - span.times[0]);
+                let [x, y, ..] = span.at(time);
+                let window = (WINDOWS as f64 * (time - first) / (last - first)) as usize;
+                let film = &mut films[window.min(WINDOWS - 1)];
+                *film = film.min(travel.bearing.clearance - x.hypot(y));
+            }
+        }
+        Some(films)
     };
-    let films: Option<Vec<f64>> = compiled.bearings.par_iter().zip(&cycles).map(least).collect();
-    Some(films?.into_iter().fold(f64::INFINITY, f64::min))
+    let films: Option<Vec<Vec<f64>>> = compiled.bearings.par_iter().zip(&cycles).map(least).collect();
+    Some(films?.concat())
 }
 
 /// The scene with one counterweight on each of these webs: those that it had, and the changes [kg m] in the axes of the

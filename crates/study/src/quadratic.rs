@@ -20,7 +20,7 @@
 //!
 //! **Source.** Fletcher, Math. Prog. Study 17 (1982) 67 (merit and trust region); Powell, Math. Prog. 14 (1978) 224
 //! (damped updates); clarabel solves the quadratic problems (Goulart and Chen 2024). **Range.** A few unknowns, smooth
-//! functions. **Verified by** the tests below, and `tests/tests/design.rs`.
+//! functions. **Verified by** the tests below, and `tests/tests/design.rs`, `tests/tests/shaft/weights.rs`.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus};
@@ -51,15 +51,15 @@ const DAMPED: f64 = 0.2;
 
 /// Values and gradients at a point.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Valued {
+pub struct Valued {
     /// What is made least.
-    pub(super) objective: f64,
+    pub objective: f64,
     /// What must not be below zero.
-    pub(super) constraints: Vec<f64>,
+    pub constraints: Vec<f64>,
     /// Gradient of the objective.
-    pub(super) gradient: Vec<f64>,
+    pub gradient: Vec<f64>,
     /// Gradients of the constraints.
-    pub(super) gradients: Vec<Vec<f64>>,
+    pub gradients: Vec<Vec<f64>>,
 }
 
 impl Valued {
@@ -80,7 +80,7 @@ impl Valued {
 
 /// How a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum DescentEnd {
+pub enum DescentEnd {
     /// At an optimum.
     Optimum,
     /// Where no step meets all constraints.
@@ -95,18 +95,18 @@ pub(super) enum DescentEnd {
 
 /// What a search has found.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Optimum {
+pub struct Optimum {
     /// Place in the unit box.
-    pub(super) at: Vec<f64>,
+    pub at: Vec<f64>,
     /// Cost of each constraint: objective per unit of it.
-    pub(super) multipliers: Vec<f64>,
+    pub multipliers: Vec<f64>,
     /// How it ended.
-    pub(super) end: DescentEnd,
+    pub end: DescentEnd,
 }
 
 /// The place near `start` in the unit box where the objective is least, after at most `most` points; `None` where there
 /// is no value at the start.
-pub(super) fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -> Option<Valued>) -> Option<Optimum> {
+pub fn least(start: &[f64], most: usize, sample: &mut dyn FnMut(&[f64]) -> Option<Valued>) -> Option<Optimum> {
     let mut at = start.to_vec();
     let mut here = sample(&at)?;
     let mut hessian = Hessian::unit(at.len());
