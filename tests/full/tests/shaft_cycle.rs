@@ -9,8 +9,9 @@ use oilwedge_scene::ShaftScene;
 use oilwedge_study::RunOptions;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
-use oilwedge_study::shaft::{ShaftRun, Variant, run_cut};
+use oilwedge_study::shaft::{ShaftRun, Variant, best_counterweights, run_cut};
 use oilwedge_tests::crankshafts::*;
+use oilwedge_tests::program::repository;
 
 /// What people see of a page: JSON rounds the numbers behind cells in their last digit when it is read.
 fn shown(page: &str) -> String {
@@ -104,4 +105,16 @@ fn all_films_balance_the_loads_at_every_step(whole: &ShaftRun) {
     // Films and cavities mirror each other in no throw: the outer bearings bear one throw each, the inner ones two.
     let loads = numbers(whole, &CYCLE_LOAD_MAX);
     assert!(loads[1] > 0.8 * loads[0] && loads.iter().all(|load| *load > 1e4), "{loads:?}");
+}
+
+/// The counterweights of the in-line four, moved so that the least film by maps is greatest, keep force and moment of
+/// the shaft.
+#[test]
+fn moved_counterweights_make_the_least_film_greater() {
+    let path = repository().join("scenes/engines/in_line_four.toml");
+    let scene = ShaftScene::read(&path).unwrap_or_else(|error| panic!("{error}"));
+    let (_, found) = best_counterweights(&scene).unwrap_or_else(|error| panic!("{error}"));
+    println!("{:?} {}", found.film_by_maps, found.asked);
+    let [before, after] = found.film_by_maps;
+    assert!(after > 1.02 * before && found.force_change < 1e-9 && found.moment_change < 1e-9, "{found:?}");
 }
