@@ -64,7 +64,7 @@ def test_spread_and_sensitivities_are_those_of_the_program(tmp_path):
     assert least["rss"] == wanted["spread"]["rss"] and least["worst_case"] == wanted["spread"]["worst_case"]
     assert least["oil.viscosity"] == wanted["spread"]["shares"]["oil.viscosity"]
     found = result.sensitivity("h_min")
-    assert list(found.columns) == ["value", "unit", "log", "is_by_films"] and found.index.name == "key"
+    assert list(found.columns) == ["value", "unit", "log", "is_by_films", "has_kink"] and found.index.name == "key"
     for key, it in wanted["sensitivity"].items():
         assert found.loc[key, "value"] == it["value"] and found.loc[key, "unit"] == it["unit"]
     assert "eccentricity" in result.plot("tolerances").svg

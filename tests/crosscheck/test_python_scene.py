@@ -39,6 +39,15 @@ def test_a_scene_is_made_of_a_file_a_mapping_or_another_scene(tmp_path):
         ow.Scene.new("plane")
 
 
+def test_other_values_may_have_tolerances():
+    scene = ow.Scene.new("plain") | {"bearing.clearance": "27 um +- 3 um", "oil.viscosity": "18 mPa.s .. 22 mPa.s"}
+    assert 'clearance = "27 um +- 3 um"' in scene.text
+    result = ow.solve(scene, bars=False)
+    assert {"bearing.clearance", "oil.viscosity"} <= set(result.spread.columns)
+    with pytest.raises(ow.SceneError, match="has a tolerance"):
+        scene | {"mesh.size": "2 mm +- 1 mm"}
+
+
 @pytest.mark.parametrize(
     ("changes", "key", "words"),
     [

@@ -3,7 +3,8 @@
 //! Every point of the search is a solved film of a sweep's chain, so that the mesh of the one before stays as long as
 //! it suits; its gradients come from `sensitivity.rs`. Criteria are constraints, relative to their limits; with
 //! `spread` each is worse by the sum of the effects of the tolerances there, whose own gradient is left out. The search
-//! is that of [`oilwedge_study::quadratic`]. The optimum is solved by itself at the end, with error bars, on a mesh of its own.
+//! is that of [`oilwedge_study::quadratic`]. The optimum is solved by itself at the end, with error bars, on a mesh of
+//! its own.
 //! Verified by `tests/tests/design.rs`: Rayleigh's step, and a short film.
 
 mod record;

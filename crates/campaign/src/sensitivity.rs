@@ -30,6 +30,12 @@ const KELVIN: f64 = 100.0;
 /// Relative changes below this part of those of the number are what rounding and steps leave.
 const ROUND_OFF: f64 = 1e-7;
 
+/// Where the derivatives on both sides of a number differ by more than this part, over the greater one of the exponent
+/// and one, there is a kink: the cavity of a mesh consists of nodes, and changes by steps.
+const KINK: f64 = 5e-3;
+/// A quantity that changes by more than this part with a step is next to nothing, and has no exponent.
+const NOTHING: f64 = 1e-2;
+
 /// Why a number has no derivatives, or tolerances no spread.
 #[derive(Debug, thiserror::Error)]
 pub enum NoSpread {
@@ -64,7 +70,7 @@ impl Derivatives {
 
     /// How a quantity changes with a unit of a number; none where a film beside lacks it, zero where that is rounding.
     pub(crate) fn of(&self, quantity: &Quantity, input: &KeyTolerance) -> Option<f64> {
-        let Slope { value, derivative } = *self.by_name.get(&quantity.name)?;
+        let Slope { value, derivative, .. } = *self.by_name.get(&quantity.name)?;
         let change = derivative * step(input) / STEP;
         Some(if change.abs() > ROUND_OFF * value.abs() { derivative } else { 0.0 })
     }
@@ -75,8 +81,11 @@ impl Derivatives {
         let has_zero_of_choice = matches!(input.dimension, Some(Dimension::Angle | Dimension::Temperature))
             || matches!(quantity.row.unit, Unit::Degree | Unit::Radian | Unit::Celsius);
         // Of the same film as the slope: the one that is reported may be that of cubic elements.
-        let own = self.by_name.get(&quantity.name)?.value;
-        let is_relative = own != 0.0 && input.nominal != 0.0 && !has_zero_of_choice;
+        let Slope { value: own, bend, .. } = *self.by_name.get(&quantity.name)?;
+        let step = step(input);
+        let is_number = (slope * step).abs() < NOTHING * own.abs();
+        let is_relative = is_number && input.nominal != 0.0 && !has_zero_of_choice;
+        let size = f64::max((slope * step).abs(), STEP * own.abs());
         let unit = match input.unit.as_str() {
             "" => quantity.unit().to_owned(),
             unit => format!("{}/{unit}", quantity.unit()),
@@ -86,6 +95,7 @@ impl Derivatives {
             unit,
             log: is_relative.then(|| slope * input.nominal / own),
             is_by_films: self.is_by_films,
+            has_kink: is_number && (bend * step).abs() > KINK * size,
         })
     }
 }

@@ -51,6 +51,7 @@ pub(crate) fn is_crankshaft(error: &SceneError) -> bool {
 /// [`Failure`]: a scene cannot be used, or the results cannot be written.
 pub(crate) fn solve(asked: &RunArguments, variants: &[Variant], page: PageArguments) -> Result<ExitCode, Failure> {
     let scene = ShaftScene::read(&asked.scene)?;
+    variants.iter().try_for_each(|variant| variant.check(&scene))?;
     let folder = asked.folder();
     let working = ProgressLine::of("the films of all bearings; Ctrl-C ends with the cycles that are complete");
     let interrupt = interrupt::listen()?;

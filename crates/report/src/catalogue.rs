@@ -43,7 +43,7 @@ static BESIDE_VALUES: [(&str, &str, &str); 2] = [
     (
         "sensitivity",
         "the derivative of a quantity by the number of a key that has a tolerance, of all keys with `solve --sensitivity`",
-        "value: in units of quantity and key; log: the relative change over that of the number; is_by_films: by two films solved again, which is less exact",
+        "value: in units of quantity and key; log: the relative change over that of the number; is_by_films: by two films solved again, which is less exact; has_kink: the derivatives on both sides of the number differ",
     ),
 ];
 

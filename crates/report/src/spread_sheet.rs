@@ -74,6 +74,11 @@ pub(crate) fn sensitivity_sheet(result: &RunResult) -> Option<Sheet> {
                 .to_owned(),
         );
     }
+    if shown.iter().flat_map(|quantity| quantity.sensitivity.values()).any(|it| it.has_kink) {
+        notes.push(
+            "^ at a kink: a node of the mesh goes over to the cavity there; a finer mesh has smaller ones".to_owned(),
+        );
+    }
     Some(Sheet {
         title: "What changes with each number of the scene".to_owned(),
         header: std::iter::once("key".to_owned()).chain(shown.iter().map(|quantity| name(quantity))).collect(),
@@ -85,11 +90,13 @@ pub(crate) fn sensitivity_sheet(result: &RunResult) -> Option<Sheet> {
 
 /// An exponent or, where there is none, a derivative with its unit.
 fn cell(sensitivity: &Sensitivity) -> Cell {
-    let Sensitivity { value, unit, log, is_by_films } = sensitivity;
+    let Sensitivity { value, unit, log, is_by_films, has_kink } = sensitivity;
     let (number, unit) = log.map_or((*value, unit.as_str()), |log| (log, ""));
-    let (sign, star) = (if number > 0.0 { "+" } else { "" }, if *is_by_films { " *" } else { "" });
+    let sign = if number > 0.0 { "+" } else { "" };
+    let marks = [(" *", *is_by_films), (" ^", *has_kink)];
+    let marks: String = marks.into_iter().filter(|(_, is_so)| *is_so).map(|(mark, _)| mark).collect();
     let told = if number == 0.0 { "0".to_owned() } else { significant(number, DIGITS) };
-    number_as(number, format!("{sign}{told} {unit}").trim_end().to_owned() + star)
+    number_as(number, format!("{sign}{told} {unit}").trim_end().to_owned() + &marks)
 }
 
 /// Whether the effects add up at the worst corners of the main numbers, in sentences.

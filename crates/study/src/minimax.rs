@@ -20,8 +20,9 @@ use crate::quadratic::{Valued, least};
 
 /// Parts of the box in which it is searched, one after the other.
 const BOXES: [f64; 3] = [1.0, 0.05, 2e-3];
-/// Steps of differences, over the box.
-const STEP: f64 = 1e-3;
+/// Steps of differences, over the first box. Numbers that orbits have jump where the steps in time change in number; the
+/// fewer of these jumps lie within a step the smaller it is.
+const STEP: f64 = 3e-6;
 /// Most points of each search.
 const MOST: usize = 30;
 
@@ -66,7 +67,7 @@ pub fn greatest_least(
             for k in 0..middle.len() {
                 let mut beside = at.to_vec();
                 // Inwards, so that it stays in the box.
-                let step = if at[k] > 0.5 { -STEP } else { STEP };
+                let step = if at[k] > 0.5 { -STEP / part } else { STEP / part };
                 beside[k] += step;
                 let other = ask(&place(&beside))?;
                 let slopes = other.iter().zip(&found).map(|(other, own)| (other - own) / (step * size));

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! Each film is one back-substitution with the factor of the solved one ([`SolvedFilm::chord`]), under a wall that
-//! follows; a number costs four of them, and two measurements. Offset and slope are kept over the clearance where that
-//! is the number, so that a thin film stays what it is. Temperatures across the film are not in the tangent.
+//! follows; a number costs four of them, and two measurements. With that of the film at hand these show where there is
+//! a kink. Offset and slope are kept over the clearance where that is the number, so that a thin film stays what it is.
+//! Temperatures across the film are not in the tangent.
 //!
 //! **Source.** The implicit function theorem. **Verified by** `tests/tests/sensitivity.rs`: closed forms, dimensional
 //! analysis, and films solved again.
@@ -57,6 +58,8 @@ pub struct Slope {
     pub value: f64,
     /// The derivative, per SI unit of what changes the number.
     pub derivative: f64,
+    /// The derivative above the number less that below it; zero where it is not known.
+    pub bend: f64,
 }
 
 impl Slope {
@@ -64,7 +67,7 @@ impl Slope {
     pub fn between(below: &[Quantity], above: &Quantity, width: f64) -> Option<(Cow<'static, str>, Self)> {
         let below = below.iter().find(|below| below.name == above.name)?;
         let change = above.row.difference(above.value, below.value);
-        Some((above.name.clone(), Self { value: below.value + 0.5 * change, derivative: change / width }))
+        Some((above.name.clone(), Self { value: below.value + 0.5 * change, derivative: change / width, bend: 0.0 }))
     }
 }
 
@@ -114,6 +117,8 @@ pub struct FilmTangent<'a> {
     unknown: Vec<usize>,
     /// `dG/dy` of each of them, and how the wall follows it.
     columns: Vec<MovedUnknowns>,
+    /// The quantities of the film, measured as those beside it.
+    own: Vec<Quantity>,
 }
 
 impl<'a> FilmTangent<'a> {
@@ -137,7 +142,9 @@ impl<'a> FilmTangent<'a> {
             coordinates,
             unknown: (0..coordinates.order).chain(temperature).collect(),
             columns: Vec::new(),
+            own: Vec::new(),
         };
+        tangent.own = tangent.quantities(film, &MovedUnknowns::default())?;
         let thinnest = Gap::of(&film.problem, &film.system).thinnest_film(&film.problem, &film.system).thickness;
         let shift = OF_FILM * thinnest.max(LEAST_FILM * film.problem.bearing.clearance);
         for &k in &tangent.unknown {
@@ -168,7 +175,20 @@ impl<'a> FilmTangent<'a> {
         let [below, above] = ends.map(|(film, more)| self.quantities(film, &followed.times(more)));
         let (below, above) = (below?, above?);
         let smooth = above.iter().filter(|quantity| !STEPWISE.contains(&quantity.row));
-        Ok(smooth.filter_map(|above| Slope::between(&below, above, width)).collect())
+        let slope = |above: &Quantity| {
+            let (name, slope) = Slope::between(&below, above, width)?;
+            Some((name, Slope { bend: self.bend(&below, above, [low.1, high.1]).unwrap_or(0.0), ..slope }))
+        };
+        Ok(smooth.filter_map(slope).collect())
+    }
+
+    /// The derivative of a quantity from its own number to that `above`, less that from the one below; `None` at the end
+    /// of a range.
+    fn bend(&self, below: &[Quantity], above: &Quantity, [less, more]: [f64; 2]) -> Option<f64> {
+        let named = |all: &[Quantity]| all.iter().find(|it| it.name == above.name).map(|it| it.value);
+        let (low, middle) = (named(below)?, named(&self.own)?);
+        let change = |high: f64, low: f64| above.row.difference(high, low);
+        (less < 0.0 && more > 0.0).then(|| change(above.value, middle) / more - change(middle, low) / -less)
     }
 
     /// How the unknowns follow a number that upsets their balance so, and how the wall follows both.

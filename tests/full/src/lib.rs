@@ -23,6 +23,7 @@ pub mod prices_page;
 pub mod quantities_page;
 pub mod random_orbits;
 pub mod random_page;
+pub mod random_sensitivity;
 pub mod random_shafts;
 pub mod random_thermal;
 pub mod random_tilted;

@@ -27,6 +27,7 @@ mod orbits_of_scenes;
 mod pages;
 mod parts;
 mod performance;
+mod random_sensitivity;
 mod random_shafts;
 mod random_thermal;
 mod random_tilted;

@@ -194,15 +194,15 @@ class Result(Reported, Mapping[str, Quantity]):
 
     def sensitivity(self, name: str) -> pandas.DataFrame:
         """How a quantity changes with each number of the scene, a row for each key: the derivative ``value`` in its
-        ``unit``, the exponent ``log``, and whether it ``is_by_films``, which is less exact. Solve with
-        ``sensitivity=True``, or give keys tolerances."""
+        ``unit``, the exponent ``log``, whether it ``is_by_films``, which is less exact, and whether it ``has_kink`` there.
+        Solve with ``sensitivity=True``, or give keys tolerances."""
         own = self[name].name
         found = self._values["quantities"][own].get("sensitivity", {})
         if not found:
             raise OilwedgeError(f"{own} has no sensitivities; solve with sensitivity=True, or give keys tolerances")
-        rows = [{"is_by_films": False, **it} for it in found.values()]
+        rows = [{"is_by_films": False, "has_kink": False, **it} for it in found.values()]
         frames = needed("pandas", "result.sensitivity()")
-        columns = ["value", "unit", "log", "is_by_films"]
+        columns = ["value", "unit", "log", "is_by_films", "has_kink"]
         frame: pandas.DataFrame = frames.DataFrame(rows, index=frames.Index(list(found), name="key"), columns=columns)
         return frame
 

@@ -44,16 +44,25 @@ pub(crate) struct Swept {
     tables: &'static [&'static str],
     /// A key with its table.
     example: &'static str,
+    /// Whether values may have tolerances.
+    has_tolerances: bool,
 }
 
 /// Keys of the scene of one bearing.
-pub(crate) static OF_BEARING: Swept =
-    Swept { short_names: &SHORT_NAMES, tables: SWEPT, example: "\"ends.pressure\" or \"feed.GROUP.pressure\"" };
+pub(crate) static OF_BEARING: Swept = Swept {
+    short_names: &SHORT_NAMES,
+    tables: SWEPT,
+    example: "\"ends.pressure\" or \"feed.GROUP.pressure\"",
+    has_tolerances: false,
+};
+/// Keys that are set to other values, tolerances included.
+pub(super) static OF_CHANGES: Swept = Swept { has_tolerances: true, ..OF_BEARING };
 /// Keys of the scene of a crankshaft.
 pub(crate) static OF_SHAFT: Swept = Swept {
     short_names: &SHAFT_SHORT_NAMES,
     tables: &SWEPT_OF_SHAFT,
     example: "\"crankshaft.youngs_modulus\" or \"crank.reciprocating_mass\"",
+    has_tolerances: false,
 };
 
 /// The sweep of a scene `text` that stands at `path`, which the table describes.
@@ -92,7 +101,7 @@ pub(crate) fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept
                 continue;
             }
             DeValue::Table(_) => table.table_if_given(key).and_then(|range| read_range(range, key)),
-            DeValue::Array(list) => read_list(&table, key, list),
+            DeValue::Array(list) => read_list(&table, key, list, swept),
             other => {
                 let message = format!("a list or a range of values is wanted, not {}", kind(other));
                 table.complain(key, message, format!("write for example {EXAMPLE}"));
@@ -167,11 +176,11 @@ fn path(table: &TableReader<'_>, key: &str, name: &str, swept: &Swept) -> Option
 type ReadValues = (String, Vec<AxisValue>);
 
 /// Values that are listed; all in one unit.
-fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) -> Option<ReadValues> {
+fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>], swept: &Swept) -> Option<ReadValues> {
     let mut unit: Option<String> = None;
     let mut values = Vec::new();
     for item in list {
-        if written_tolerance(item.get_ref()).is_some() {
+        if !swept.has_tolerances && written_tolerance(item.get_ref()).is_some() {
             refuse_tolerance(table, key);
             return None;
         }

@@ -5,6 +5,7 @@ use oilwedge_scene::{ShaftScene, Statics};
 use super::error::ShaftError;
 use super::result::ShaftRun;
 use super::run_shaft;
+use super::weights::{Movable, NoWeights};
 use crate::run_options::RunOptions;
 
 /// What differs in a shaft beside that of the scene.
@@ -33,6 +34,18 @@ impl Variant {
         match self {
             Self::Cut => "the shaft cut at its bearings",
             Self::Counterweights => "the counterweights moved",
+        }
+    }
+
+    /// Refuses what cannot stand beside the shaft of a scene, before any film is solved.
+    ///
+    /// # Errors
+    /// [`NoWeights`]: the shaft is cut already, or its counterweights cannot move.
+    pub fn check(self, scene: &ShaftScene) -> Result<(), NoWeights> {
+        match (self, scene.crankshaft.statics) {
+            (Self::Cut, Statics::Elastic) => Ok(()),
+            (Self::Cut, Statics::Cut) => Err(ShaftError::CutAlready.into()),
+            (Self::Counterweights, _) => Movable::of(scene).map(drop),
         }
     }
 }

@@ -75,7 +75,7 @@ pub enum NoWeights {
     #[error(transparent)]
     Shaft(#[from] ShaftError),
     /// The loads do not change.
-    #[error("the scene has no [crank], so counterweights have no effect")]
+    #[error("the scene has no [crank], so counterweights have no effect; leave this out, or give [crank]")]
     AtRest,
     /// The counterweights that may change are too few.
     #[error(
@@ -83,7 +83,7 @@ pub enum NoWeights {
     )]
     TooFew(usize),
     /// A film has no map.
-    #[error("no map stands for the film of bearing {bearing}, since {reason}")]
+    #[error("no map stands for the film of bearing {bearing}, since {reason}; give it a simpler scene for the search")]
     NoMap {
         /// Name of the bearing.
         bearing: String,
@@ -95,19 +95,45 @@ pub enum NoWeights {
     NoOrbit,
 }
 
+/// A shaft whose counterweights may move.
+pub(super) struct Movable {
+    engine: Engine,
+    /// The shaft cut at its bearings.
+    compiled: Compiled,
+    /// The webs that have a counterweight, each once.
+    webs: Vec<(usize, usize)>,
+    /// Changes of them that keep force and moment of the shaft.
+    basis: Vec<Vec<f64>>,
+}
+
+impl Movable {
+    /// The shaft of a scene, before any film is solved.
+    ///
+    /// # Errors
+    /// [`NoWeights`]: why they cannot be sought.
+    pub(super) fn of(scene: &ShaftScene) -> Result<Self, NoWeights> {
+        let engine = engine(scene)?.ok_or(NoWeights::AtRest)?;
+        let compiled = compile_shaft(&scene.cut(), GREATEST)?;
+        let webs = webs(scene);
+        let place = |&(throw, web): &(usize, usize)| compiled.throws[throw][2 * web];
+        let basis = neutral(&webs.iter().map(place).collect::<Vec<_>>());
+        if basis.is_empty() {
+            return Err(NoWeights::TooFew(webs.len()));
+        }
+        let without = compiled.bearings.iter().find_map(|bearing| Some((bearing, no_map(&bearing.film.model)?)));
+        if let Some((bearing, reason)) = without {
+            return Err(NoWeights::NoMap { bearing: bearing.name.clone(), reason: reason.to_owned() });
+        }
+        Ok(Self { engine, compiled, webs, basis })
+    }
+}
+
 /// The scene with the best counterweights, and what they are.
 ///
 /// # Errors
 /// [`NoWeights`]: why they cannot be sought.
 pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, CounterweightReport), NoWeights> {
-    let engine = engine(scene)?.ok_or(NoWeights::AtRest)?;
-    let compiled = compile_shaft(&scene.cut(), GREATEST)?;
-    let webs = webs(scene);
-    let place = |&(throw, web): &(usize, usize)| compiled.throws[throw][2 * web];
-    let basis = neutral(&webs.iter().map(place).collect::<Vec<_>>());
-    if basis.is_empty() {
-        return Err(NoWeights::TooFew(webs.len()));
-    }
+    let Movable { engine, compiled, webs, basis } = Movable::of(scene)?;
     let maps = maps(&compiled)?;
     let films = |free: &[f64]| least_films(&moved(&engine, &webs, &changes(&basis, free)), &compiled, &maps);
     let sum: f64 = scene.crankshaft.counterweights.iter().map(|weight| weight.moment).sum();
@@ -184,12 +210,9 @@ fn maps(compiled: &Compiled) -> Result<Vec<(usize, FiniteMap)>, NoWeights> {
         if first != Some(number) {
             continue;
         }
-        let none = |reason: String| NoWeights::NoMap { bearing: bearing.name.clone(), reason };
-        if let Some(reason) = no_map(&bearing.film.model) {
-            return Err(none(reason.to_owned()));
-        }
         let map = FiniteMap::new(&bearing.film.problem, &bearing.film.system, GREATEST);
-        maps.push((number, map.map_err(|reason| none(reason.to_string()))?));
+        let map = map.map_err(|reason| NoWeights::NoMap { bearing: bearing.name.clone(), reason: reason.to_string() });
+        maps.push((number, map?));
     }
     Ok(maps)
 }
