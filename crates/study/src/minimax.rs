@@ -20,8 +20,8 @@ use crate::quadratic::{Valued, least};
 
 /// Parts of the box in which it is searched, one after the other.
 const BOXES: [f64; 3] = [1.0, 0.05, 2e-3];
-/// Steps of differences, over the first box. Numbers that orbits have jump where the steps in time change in number; the
-/// fewer of these jumps lie within a step the smaller it is.
+/// Steps of differences, over the first box. Numbers of orbits jump where the count of their steps in time changes; a
+/// shorter difference meets fewer jumps.
 const STEP: f64 = 3e-6;
 /// Most points of each search.
 const MOST: usize = 30;

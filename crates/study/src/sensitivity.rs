@@ -182,7 +182,7 @@ impl<'a> FilmTangent<'a> {
         Ok(smooth.filter_map(slope).collect())
     }
 
-    /// The derivative of a quantity from its own number to that `above`, less that from the one below; `None` at the end
+    /// The derivative of a quantity from its own number to that `above`, less that from the one below; `None` at an end
     /// of a range.
     fn bend(&self, below: &[Quantity], above: &Quantity, [less, more]: [f64; 2]) -> Option<f64> {
         let named = |all: &[Quantity]| all.iter().find(|it| it.name == above.name).map(|it| it.value);

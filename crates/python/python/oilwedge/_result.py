@@ -194,7 +194,7 @@ class Result(Reported, Mapping[str, Quantity]):
 
     def sensitivity(self, name: str) -> pandas.DataFrame:
         """How a quantity changes with each number of the scene, a row for each key: the derivative ``value`` in its
-        ``unit``, the exponent ``log``, whether it ``is_by_films``, which is less exact, and whether it ``has_kink`` there.
+        ``unit``, the exponent ``log``, whether it ``is_by_films``, which is less exact, and whether it ``has_kink``.
         Solve with ``sensitivity=True``, or give keys tolerances."""
         own = self[name].name
         found = self._values["quantities"][own].get("sensitivity", {})

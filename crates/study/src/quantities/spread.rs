@@ -53,8 +53,8 @@ pub struct Sensitivity {
     /// is false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub is_by_films: bool,
-    /// True where the derivatives on both sides of the number differ, as the cavity of a mesh changes by steps; absent in
-    /// JSON where it is false.
+    /// True where the derivatives on both sides of the number differ, as the cavity of a mesh changes by steps; absent
+    /// in JSON where it is false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub has_kink: bool,
 }
