@@ -28,6 +28,6 @@ fn what_cannot_stand_beside_a_shaft_is_refused_before_its_films_are_solved() {
     );
     let bearings = engines("bearings").display().to_string();
     let cut = changed(&text("three_throws.toml"), "period         = \"720 deg\"", "statics = \"cut\"");
-    bench.write("cut.toml", &cut.replace("bearings/", &format!("{bearings}/")));
+    bench.write("cut.toml", cut.replace("bearings/", &format!("{bearings}/")));
     bench.refuses(&["solve", "cut.toml", "--cut"], &["statics = \"cut\" in [crankshaft]", "remove it"]);
 }
