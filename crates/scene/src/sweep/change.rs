@@ -233,7 +233,8 @@ viscosity = \"0.4 Pa.s\"
         let changes = "\"bore.crown\" = [\"2 um\"]\n\"bore.worn.depth\" = [\"7 um\"]\n";
         let text = super::changed(&worn, Path::new("ring.toml"), changes).expect("a text");
         assert_eq!(scene(&text).bores, scene(&worn.replace("1 um", "2 um").replace("3 um", "7 um")).bores);
-        let toleranced = after("eccentricity = [\"0.55 .. 0.65\"]\nspeed = [\"20 rad/s +- 5 %\"]\n").expect("a scene");
+        let changes = "eccentricity = [\"0.55 .. 0.65\"]\nspeed = [\"20 rad/s +- 5 %\"]\n";
+        let toleranced = scene(&super::changed(TEXT, Path::new("ring.toml"), changes).expect("a text"));
         let widths: Vec<f64> = toleranced.tolerances.iter().map(|tolerance| tolerance.half_width).collect();
         assert!(widths.len() == 2 && toleranced.journal.speed == 20.0, "{widths:?}");
         let mesh = super::changed(TEXT, Path::new("ring.toml"), "\"mesh.file\" = [\"3-ring.msh\"]").expect("a text");
