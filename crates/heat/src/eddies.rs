@@ -128,7 +128,7 @@ impl WallRule {
     }
 
     /// The integral of `values` from the wall up to each point, and up to the middle.
-    fn from_wall(&self, values: impl Iterator<Item = f64>) -> ([f64; HALF], f64) {
+    fn part_beside_wall(&self, values: impl Iterator<Item = f64>) -> ([f64; HALF], f64) {
         let (mut up_to, mut all) = ([0.0; HALF], 0.0);
         for ((value, row), weight) in values.zip(&self.up_to).zip(&self.weights) {
             all += weight * value;
@@ -139,8 +139,8 @@ impl WallRule {
 
     /// The integral of `values` from the bush up to each point, and over the whole film.
     fn integrals(&self, values: &[f64; 2 * HALF]) -> ([f64; 2 * HALF], f64) {
-        let (from_bush, below) = self.from_wall(values[..HALF].iter().copied());
-        let (from_journal, above) = self.from_wall(values[HALF..].iter().rev().copied());
+        let (from_bush, below) = self.part_beside_wall(values[..HALF].iter().copied());
+        let (from_journal, above) = self.part_beside_wall(values[HALF..].iter().rev().copied());
         let all = below + above;
         let mut up_to = [0.0; 2 * HALF];
         up_to[..HALF].copy_from_slice(&from_bush);
