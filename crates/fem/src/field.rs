@@ -92,6 +92,10 @@ impl Field<'_> {
         let nodes = lagrange::nodes(degree);
         for t in 0..self.space.mesh().triangles().len() {
             let values = self.element_values(t).map(|value| sign * value);
+            let bound = extrema::bound(degree, &values);
+            if bound <= best.value && !values.iter().any(|value| value.is_nan()) {
+                continue;
+            }
             let mut offer = |value: f64, point: [f64; 2]| {
                 if value > best.value || value.is_nan() {
                     best = Extremum { value, triangle: t, point };
@@ -100,7 +104,7 @@ impl Field<'_> {
             for (i, &node) in nodes.iter().enumerate() {
                 offer(values[i], node);
             }
-            if extrema::bound(degree, &values) > best.value && smooth(t) {
+            if bound > best.value && smooth(t) {
                 for point in extrema::candidates(degree, &values) {
                     let value = evaluate(degree, &values, point);
                     if value > best.value {

@@ -4,7 +4,7 @@
 //! and `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the
 //! difference of the two films times the vector is the change of the power, but for what the rules of integration add.
 
-use oilwedge_fem::integrate::Rule;
+use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::quadrature::Quadrature;
 use oilwedge_fem::{Field, integrate};
 
@@ -34,6 +34,7 @@ pub(super) fn difference_of_rules(system: &FilmSystem, cubic: &SolvedFilm) -> f6
     let mesh = better.mesh();
     let is_film = system.supply.film(mesh);
     let values = &cubic.solution.unknown[..];
+    let thickens = thickens(problem);
     let rules =
         [system.space(), better].map(|space| Rule::new(Quadrature::for_degree(space.degree()), better.degree()));
     integrate(mesh, |t| {
@@ -43,9 +44,10 @@ pub(super) fn difference_of_rules(system: &FilmSystem, cubic: &SolvedFilm) -> f6
         let nodal = Field { space: better, values }.element_values(t);
         let [quadratic, cubic] = rules.each_ref().map(|rule| {
             rule.integrate(mesh, t, |points, sum: &mut f64| {
-                let film = law.film_and_flows(t, points.positions).0;
+                let film = law.film(t, points.positions);
                 for (q, film) in film[..points.positions.len()].iter().enumerate() {
-                    *sum += points.area(q) * shear(problem, film, problem.pressure_at(points.value(q, &nodal)));
+                    let pressure = if thickens { problem.pressure_at(points.value(q, &nodal)) } else { 0.0 };
+                    *sum += points.area(q) * shear(problem, film, pressure);
                 }
             })
         });
@@ -65,33 +67,41 @@ pub(super) fn goal_vectors(cubic: &SolvedFilm, raised: &[f64]) -> [Vec<f64>; 2] 
     }
     let is_film = system.supply.film(space.mesh());
     let rule = Rule::for_degree(space.degree());
-    let thickens = !matches!(problem.lubricant.pressure_law, PressureLaw::Constant);
+    let thickens = thickens(problem);
     for t in (0..is_film.len()).filter(|&t| is_film[t]) {
         let nodal = [better, raised].map(|values| Field { space, values }.element_values(t));
-        let dofs = &space.element_dofs(t)[..space.shapes()];
+        let mut element = [Nodal::default(); 2];
         rule.visit(space.mesh(), t, |points| {
-            let film = law.film_and_flows(t, points.positions).0;
+            let film = law.film(t, points.positions);
             for (q, film) in film[..points.positions.len()].iter().enumerate() {
                 let area = points.area(q);
-                for (i, &dof) in dofs.iter().enumerate() {
-                    let [x, z] = points.shape_gradient(q, i);
-                    goals[1][dof] += area * 0.5 * film.thickness * (velocity[0] * x + velocity[1] * z);
-                }
+                points.add_slopes(q, velocity.map(|u| area * 0.5 * film.thickness * u), &mut element[1]);
                 if thickens {
                     let at_unknown = |u: f64| shear(problem, film, problem.pressure_at(u));
                     let [better, raised] = nodal.each_ref().map(|nodal| points.value(q, nodal));
                     let density = area * secant(&at_unknown, better, raised);
-                    for (&dof, value) in dofs.iter().zip(points.shapes(q)) {
-                        goals[0][dof] += density * value;
+                    for (entry, value) in element[0].iter_mut().zip(points.shapes(q)) {
+                        *entry += density * value;
                     }
                 }
             }
         });
+        let dofs = &space.element_dofs(t)[..space.shapes()];
+        for (goal, element) in goals.iter_mut().zip(&element) {
+            for (&dof, entry) in dofs.iter().zip(element) {
+                goal[dof] += entry;
+            }
+        }
     }
     for (goal, (&a, &b)) in goals[1].iter_mut().zip(better.iter().zip(raised)) {
         *goal *= secant(&|u| problem.pressure_at(u), a, b);
     }
     goals
+}
+
+/// Whether viscosity depends on the pressure.
+fn thickens(problem: &FilmProblem) -> bool {
+    !matches!(problem.lubricant.pressure_law, PressureLaw::Constant)
 }
 
 /// Slope of a function between two values; about them where they are nearly the same.

@@ -44,7 +44,7 @@ pub(super) struct LoadErrors {
 }
 
 impl LoadErrors {
-    /// Of a film that is judged by these errors.
+    /// Sums the errors of a film for this value.
     pub(super) fn of(error: &FilmError, value: Value) -> Self {
         Self { bars: [error.load(value), error.across(value)], is_resolved: error.is_resolved() }
     }
