@@ -9,6 +9,7 @@ use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, KinkRule, Matrix};
 
+use super::drag::DragGoals;
 use super::following::{FollowingWall, GOALS};
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
@@ -70,7 +71,7 @@ pub(super) fn film_error(
         }
         false => None,
     };
-    let [shear, pressure] = drag::goal_vectors(cubic, &raised);
+    let DragGoals { vectors: [shear, pressure], shear_rules } = drag::goals(system, cubic, &raised);
     let drag = [
         judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
         // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
@@ -86,7 +87,7 @@ pub(super) fn film_error(
         goals,
         moments,
         drag,
-        shear_rules: drag::difference_of_rules(system, cubic),
+        shear_rules,
         flows,
         is_smooth: problem.has_linear_pressure() && !front.contains(&true),
         front,
