@@ -260,8 +260,8 @@ impl Linearisation {
     }
 
     /// True if `x` solves a system whose every entry is that of this one to rounding (Oettli, Prager, Numer. Math. 6
-    /// (1964) 405): where conductances differ by many orders residuals over the right-hand side say little. Not of
-    /// solutions so large that the matrix must be singular.
+    /// (1964) 405), the right-hand side in each row to rounding of the whole: where conductances differ by many orders
+    /// residuals over the right-hand side say little. Not of solutions so large that the matrix must be singular.
     fn is_stable(&self, b: &[f64], x: &[f64], residual: &[f64], transposed: bool) -> bool {
         let absolute = Matrix {
             pattern: self.matrix.pattern.clone(),
@@ -272,8 +272,9 @@ impl Linearisation {
             (Factor::Lu(_), true) => absolute.multiply_transposed(&x),
             _ => absolute.multiply(&x),
         });
-        let is_bounded = self.constraints.free_norm(&sizes) < SINGULAR_ABOVE * self.constraints.free_norm(b);
-        is_bounded && (residual.iter().zip(&sizes).zip(b)).all(|((r, size), b)| r.abs() <= ROUNDING * (size + b.abs()))
+        let whole = self.constraints.free_norm(b);
+        let is_bounded = self.constraints.free_norm(&sizes) < SINGULAR_ABOVE * whole;
+        is_bounded && residual.iter().zip(&sizes).all(|(r, size)| r.abs() <= ROUNDING * (size + whole))
     }
 
     fn residual(&self, b: &[f64], x: &[f64], transposed: bool) -> Vec<f64> {
