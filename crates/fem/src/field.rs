@@ -27,6 +27,7 @@ pub struct Extremum {
 
 impl Field<'_> {
     /// Nodal values of triangle `t` in local order.
+    #[inline]
     pub fn element_values(&self, t: usize) -> [f64; MOST_SHAPES] {
         let dofs = self.space.element_dofs(t);
         let mut values = [0.0; MOST_SHAPES];

@@ -76,6 +76,7 @@ impl Rule {
     }
 
     /// Values of the shape functions at point `q`.
+    #[inline]
     pub fn shapes(&self, q: usize) -> &Nodal {
         &self.values[q]
     }
@@ -168,6 +169,7 @@ impl Points<'_> {
     }
 
     /// Adds to each entry the slope [1/m] of its shape function along `direction` at point `q`.
+    #[inline]
     pub fn add_slopes(&self, q: usize, direction: [f64; 2], entries: &mut Nodal) {
         let [along_xi, along_eta] = self.place(q).reference_direction(direction);
         for (entry, [xi, eta]) in entries.iter_mut().zip(&self.gradients[q]) {
@@ -176,6 +178,7 @@ impl Points<'_> {
     }
 
     /// Gradient [1/m] of shape function `i` at point `q`.
+    #[inline]
     pub fn shape_gradient(&self, q: usize, i: usize) -> [f64; 2] {
         self.place(q).gradient(self.gradients[q][i])
     }
