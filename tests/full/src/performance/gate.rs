@@ -25,9 +25,9 @@ const COLUMNS: [usize; 3] = [1, 2, 3];
 /// Instructions of one run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Count {
-    /// All.
+    /// Instructions of the whole run.
     pub total: f64,
-    /// Of each function, but for what it calls.
+    /// Instructions of each function, without those of what it calls.
     pub functions: BTreeMap<String, f64>,
 }
 
