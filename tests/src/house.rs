@@ -16,7 +16,7 @@ pub const EFFECTS: [(&str, usize); 13] = [
     ("heat", 39),
     ("iso7902", 4),
     ("roughness", 15),
-    ("turbulence", 13),
+    ("turbulence", 14),
     ("contact", 67),
     ("deflection", 73),
     ("liner", 50),

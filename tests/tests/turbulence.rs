@@ -7,13 +7,16 @@ use std::sync::Arc;
 use oilwedge_bearing::Coefficients;
 use oilwedge_reynolds::flow_factors::{FlowFactor, PatirCheng, TurbulenceModel};
 use oilwedge_reynolds::quantities::flow::flows;
+use oilwedge_reynolds::quantities::heat_network::EddySources;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::quantities::power::power;
 use oilwedge_reynolds::quantities::turbulence::turbulent_film;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, SolvedFilm, Theory};
+use oilwedge_reynolds::{
+    AcrossFilm, Cavitation, EddyFactors, FilmChange, FilmProblem, FilmSystem, SolvedFilm, Theory, ViscosityAcross,
+};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::scenes::{parsed, path, table, variant};
 use oilwedge_tests::tilted_bearings::{slope, tilted};
@@ -170,35 +173,64 @@ fn tangents_are_differences() {
                 problem.flow_factors.push(Arc::new(PatirCheng { roughness: 4e-6 }));
             }
             let film = solved(&problem, &system);
-            let coefficients = Coefficients::of(&film, 0.0).expect("a tangent");
-            let at = |change: &dyn Fn(&mut FilmProblem)| {
-                let mut problem = problem.clone();
-                change(&mut problem);
-                let near = problem.solve_from(&system, Neighbour::Start(&film)).expect("a film");
-                force(&near)
-            };
-            let close = |what: &str, column: [f64; 2], [ahead, behind]: [[f64; 2]; 2], step: f64| {
-                let difference = [0, 1].map(|d| (ahead[d] - behind[d]) / (2.0 * step));
-                let off = apart(column, difference);
-                // Where Guembel cuts the pressure, differences have a kink.
-                let tolerance = if matches!(cavitation, Cavitation::Guembel { .. }) { 1e-5 } else { 2e-6 };
-                assert!(off < tolerance, "{cavitation:?} {model:?}: {what}: {off:e} {column:?} {difference:?}");
-            };
-            for k in 0..2 {
-                let (by, rate) = (1e-6 * CLEARANCE, 1e-6 * CLEARANCE * SPEED);
-                let placed = [by, -by].map(|by| at(&|problem| problem.journal.offset[k] += by));
-                close("K", [0, 1].map(|row| coefficients.stiffness[row][k]), placed, by);
-                // Where oil is conserved, a journal that moves on is not one that moves to and fro.
-                if !cavitation.conserves_oil() {
-                    let moved = [rate, -rate].map(|rate| at(&|problem| problem.journal.velocity[k] += rate));
-                    close("C", [0, 1].map(|row| coefficients.damping[row][k]), moved, rate);
-                }
-            }
+            stiffness_and_damping_are_differences(&film);
+            let at = |change: &dyn Fn(&mut FilmProblem)| force_beside(&film, change);
             let change = FilmChange::Viscosity(1.0);
             let unknown = film.unknown_change(change).expect("a tangent");
             let column = load_change(&film, &[change], &unknown).force;
             let thicker = [1e-6, -1e-6].map(|part| at(&|problem| problem.lubricant.viscosity *= 1.0 + part));
-            close("viscosity", column, thicker, 1e-6);
+            close(&film, "viscosity", column, thicker, 1e-6);
+        }
+        // Eddies across the film: powers of the gap about that of each node, which vary from node to node.
+        let mut problem = turbulent(TurbulenceModel::Reichardt, 5e3, plain_film(LENGTH, ECCENTRICITY, 0.3, SPEED));
+        problem.cavitation = cavitation;
+        problem.terms.push(Arc::new(Squeeze));
+        let sources = EddySources::of(&solved(&problem, &system)).expect("gaps");
+        let node = |(dof, &gap): (usize, &f64)| {
+            let uneven = 1.0 + 0.1 * (dof as f64).sin();
+            let eddies = EddyFactors {
+                gap,
+                conductance: [0.3 * uneven, 0.5],
+                conductance_growth: [-0.7 * uneven, -0.5],
+                shear: 4.0,
+                shear_growth: 0.8,
+            };
+            AcrossFilm { viscosity: VISCOSITY * uneven, shear_viscosity: VISCOSITY, drag: 0.52, eddies: Some(eddies) }
+        };
+        let nodes = sources.gaps.iter().enumerate().map(node).collect();
+        problem.viscosity_across = Some(Arc::new(ViscosityAcross::new(system.space(), nodes)));
+        stiffness_and_damping_are_differences(&solved(&problem, &system));
+    }
+}
+
+/// The force of a film that differs a little from another one.
+fn force_beside(film: &SolvedFilm, change: &dyn Fn(&mut FilmProblem)) -> [f64; 2] {
+    let mut problem = film.problem.clone();
+    change(&mut problem);
+    force(&problem.solve_from(&film.system, Neighbour::Start(film)).expect("a film"))
+}
+
+fn close(film: &SolvedFilm, what: &str, column: [f64; 2], [ahead, behind]: [[f64; 2]; 2], step: f64) {
+    let cavitation = film.problem.cavitation;
+    let difference = [0, 1].map(|d| (ahead[d] - behind[d]) / (2.0 * step));
+    let off = apart(column, difference);
+    // Where Guembel cuts the pressure, differences have a kink.
+    let tolerance = if matches!(cavitation, Cavitation::Guembel { .. }) { 1e-5 } else { 2e-6 };
+    let factors = &film.problem.flow_factors;
+    assert!(off < tolerance, "{cavitation:?} {factors:?}: {what}: {off:e} {column:?} {difference:?}");
+}
+
+fn stiffness_and_damping_are_differences(film: &SolvedFilm) {
+    let coefficients = Coefficients::of(film, 0.0).expect("a tangent");
+    let at = |change: &dyn Fn(&mut FilmProblem)| force_beside(film, change);
+    for k in 0..2 {
+        let (by, rate) = (1e-6 * CLEARANCE, 1e-6 * CLEARANCE * SPEED);
+        let placed = [by, -by].map(|by| at(&|problem| problem.journal.offset[k] += by));
+        close(film, "K", [0, 1].map(|row| coefficients.stiffness[row][k]), placed, by);
+        // Where oil is conserved, a journal that moves on is not one that moves to and fro.
+        if !film.problem.cavitation.conserves_oil() {
+            let moved = [rate, -rate].map(|rate| at(&|problem| problem.journal.velocity[k] += rate));
+            close(film, "C", [0, 1].map(|row| coefficients.damping[row][k]), moved, rate);
         }
     }
 }
@@ -262,7 +294,54 @@ fn scenes_without_a_theory_are_refused() {
         "roughness.model: is of laminar",
     );
     let heated = "temperature = \"65 C\"\n\n[heat]\ninlet = \"45 C\"\nfield = true\n";
-    refused("temperature = \"65 C\"", heated, "heat.field: finds temperatures across laminar layers");
+    refused("temperature = \"65 C\"", heated, "turbulence.model: has no eddies across the film");
+    refused("\"ng-pan\"", "\"reichardt\"", "turbulence.model: finds eddies by the temperatures across the film");
+    let text = std::fs::read_to_string(path("41_thermal_turbulent")).expect("the scene");
+    let cycle = text.replacen("[oil]", "[orbit]\n\n[oil]", 1);
+    let error = parsed(&cycle).expect_err("a cycle");
+    assert!(error.contains("turbulence.model: finds eddies for a gap that stands still"), "{error}");
+}
+
+/// Eddies at each place across the film: heat balances, the film of one temperature with Ng and Pan's fits of the same
+/// eddies is near, fewer layers and a finer mesh have the same numbers within the bars.
+#[test]
+fn eddies_across_the_film_carry_its_heat() {
+    let film = |change: &dyn Fn(&mut toml::Table)| {
+        let scene = variant("41_thermal_turbulent", |scene| {
+            table(scene, "mesh").insert("size".into(), "64 mm".into());
+            change(scene);
+        });
+        run(&scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}")).result
+    };
+    let found = film(&|_| {});
+    let of = |name: &str| found.by_name(name).expect("a quantity");
+    let shares = ["heat_carried", "heat_bush"].map(|name| of(name).value);
+    assert!((shares.iter().sum::<f64>() / of("heat_power").value - 1.0).abs() < 1e-9);
+    for change in [
+        &(|scene: &mut toml::Table| {
+            table(scene, "heat").insert("layers".into(), 6.into());
+        }) as &dyn Fn(&mut toml::Table),
+        &|scene| {
+            table(scene, "mesh").insert("size".into(), "48 mm".into());
+        },
+    ] {
+        let other = film(change);
+        for name in ["eccentricity", "film_thickness_min", "temperature_max", "temperature_journal", "friction_power"] {
+            let [a, b] = [&found, &other].map(|result| result.by_name(name).expect("a quantity"));
+            let bar = a.error().expect("a bar") + b.error().expect("a bar");
+            assert!((a.value - b.value).abs() < bar, "{name}: {} {} {bar}", a.value, b.value);
+        }
+    }
+    let even = film(&|scene| {
+        let mean = format!("{} C", of("temperature_effective").value);
+        scene.remove("heat");
+        table(scene, "oil").insert("temperature".into(), mean.into());
+        table(scene, "turbulence").insert("model".into(), "ng-pan".into());
+    });
+    for name in ["friction_power", "eccentricity"] {
+        let fits = even.by_name(name).expect("a quantity").value;
+        assert!((fits / of(name).value - 1.0).abs() < 0.15, "{name}: {fits} {}", of(name).value);
+    }
 }
 
 /// With one temperature of the film its balance of heat closes: the turbulent film is hotter.

@@ -1,6 +1,7 @@
 //! A film with its temperatures, and what is read from them.
 
-use oilwedge_heat::{BushSide, FilmNetwork, LayerTemperatures, Layers, PowerSheet};
+use oilwedge_heat::{BushSide, FilmNetwork, LayerProfile, LayerTemperatures, Layers, PowerSheet};
+use oilwedge_reynolds::quantities::heat_network::EddySources;
 
 /// A film with the temperatures that balance its heat.
 #[derive(Debug, Clone)]
@@ -11,6 +12,10 @@ pub struct FilmHeat {
     pub network: FilmNetwork,
     /// Dof of each cell of the network.
     pub dofs: Vec<usize>,
+    /// Profile of flow and friction of each cell.
+    pub profiles: Vec<LayerProfile>,
+    /// What makes the eddies of a turbulent film; none of a laminar one.
+    pub eddies: Option<EddySources>,
     /// Temperatures at the points across the film of every dof [K], those of the oil fed where a feed covers the film.
     pub at_dofs: Vec<f64>,
     /// Number of each feed among the regions of the supply.
@@ -81,7 +86,7 @@ impl FilmHeat {
         for (cell, at) in self.network.cells.iter().enumerate() {
             let part = at.wall_area * at.thickness * at.film_fraction;
             volume += part;
-            sum += part * self.temperatures.mean(&self.layers, cell);
+            sum += part * self.profiles[cell].mean(self.temperatures.of_cell(&self.layers, cell));
         }
         sum / volume
     }

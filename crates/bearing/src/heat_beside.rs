@@ -31,7 +31,13 @@ const BALANCED: f64 = 1e-12;
 impl FilmHeat {
     /// The viscosity across the film that these temperatures make.
     pub fn viscosity_across(&self, space: &Space, viscosity: &(dyn Fn(f64) -> f64 + Sync)) -> Arc<ViscosityAcross> {
-        LayeredFilm { layers: &self.layers, temperatures: self.at_dofs.clone(), viscosity }.across(space)
+        self.layered(self.at_dofs.clone(), viscosity).across(space)
+    }
+
+    /// The film with these temperatures at the points of its dofs.
+    fn layered<'a>(&'a self, temperatures: Vec<f64>, viscosity: &'a (dyn Fn(f64) -> f64 + Sync)) -> LayeredFilm<'a> {
+        let (oil, eddies) = (self.network.oil, self.eddies.clone());
+        LayeredFilm { layers: &self.layers, temperatures, viscosity, oil, eddies }
     }
 
     /// The temperatures that balance the heat of a film which differs a little from that of the last round.
@@ -45,13 +51,14 @@ impl FilmHeat {
         viscosity: &(dyn Fn(f64) -> f64 + Sync),
     ) -> Result<Self, NoRound> {
         let Self { layers, temperatures, growth, changes, at_dofs, .. } = self;
-        let mut layered = LayeredFilm { layers: &layers, temperatures: at_dofs, viscosity };
-        let RoundHeat { network, dofs, feeds, solved, .. } =
-            layered.round(surroundings, nodes, Some(&temperatures), (BALANCED, false))?;
+        let (oil, eddies) = (surroundings.oil, nodes.eddies.clone());
+        let mut layered = LayeredFilm { layers: &layers, temperatures: at_dofs, viscosity, oil, eddies };
+        let RoundHeat { network, dofs, feeds, profiles, solved, .. } =
+            layered.round(surroundings, (nodes, &layered.profiles()), Some(&temperatures), (BALANCED, false))?;
         layered.set(&dofs, &solved.temperatures.layers);
-        let at_dofs = layered.temperatures;
+        let (at_dofs, eddies) = (layered.temperatures, layered.eddies);
         let (temperatures, sheet) = (solved.temperatures, solved.sheet);
-        Ok(Self { layers, network, dofs, at_dofs, feeds, temperatures, sheet, growth, changes })
+        Ok(Self { layers, network, dofs, profiles, eddies, at_dofs, feeds, temperatures, sheet, growth, changes })
     }
 
     /// The temperatures of a film at the points of other `layers`, near those found.
@@ -67,7 +74,8 @@ impl FilmHeat {
     ) -> Result<HeatBeside, NoRound> {
         let at = |at: &[f64]| layers.points.iter().map(|&eta| self.layers.at(at, eta)).collect::<Vec<f64>>();
         let temperatures = self.at_dofs.chunks_exact(self.layers.points.len()).flat_map(at).collect();
-        self.settled(surroundings, (space, nodes), LayeredFilm { layers, temperatures, viscosity })
+        let layered = LayeredFilm { layers, eddies: nodes.eddies.clone(), ..self.layered(temperatures, viscosity) };
+        self.settled(surroundings, (space, nodes), layered)
     }
 
     /// The temperatures of a film on the vertices of the mesh alone, which is a network there, near those found.
@@ -87,7 +95,8 @@ impl FilmHeat {
             let (from, to) = (fine.vertex_dof(vertex) * points, space.vertex_dof(vertex) * points);
             temperatures[to..to + points].copy_from_slice(&self.at_dofs[from..from + points]);
         }
-        self.settled(surroundings, (space, nodes), LayeredFilm { layers: &self.layers, temperatures, viscosity })
+        let layered = LayeredFilm { eddies: nodes.eddies.clone(), ..self.layered(temperatures, viscosity) };
+        self.settled(surroundings, (space, nodes), layered)
     }
 
     fn settled(
@@ -96,18 +105,21 @@ impl FilmHeat {
         (space, nodes): (&Space, NodeNetwork),
         mut layered: LayeredFilm<'_>,
     ) -> Result<HeatBeside, NoRound> {
-        let mut found = layered.round(surroundings, nodes.clone(), None, (SETTLED, true))?;
+        let mut found = layered.round(surroundings, (nodes.clone(), &layered.profiles()), None, (SETTLED, true))?;
         for _ in 1..SETTLING {
             layered.set(&found.dofs, &found.solved.temperatures.layers);
-            found = layered.round(surroundings, nodes.clone(), Some(&found.solved.temperatures), (SETTLED, true))?;
+            let film = (nodes.clone(), &layered.profiles()[..]);
+            found = layered.round(surroundings, film, Some(&found.solved.temperatures), (SETTLED, true))?;
         }
         layered.set(&found.dofs, &found.solved.temperatures.layers);
         let across = layered.across(space);
-        let RoundHeat { network, dofs, feeds, solved, .. } = found;
+        let RoundHeat { network, dofs, feeds, profiles, solved, .. } = found;
         let heat = Self {
             layers: layered.layers.clone(),
             network,
             dofs,
+            profiles,
+            eddies: layered.eddies,
             at_dofs: layered.temperatures,
             feeds,
             temperatures: solved.temperatures,
@@ -141,6 +153,6 @@ impl FilmHeat {
             }
         }
         let temperatures = self.at_dofs.iter().zip(&off).map(|(t, off)| t - off).collect();
-        LayeredFilm { layers: &self.layers, temperatures, viscosity }.across(fine)
+        self.layered(temperatures, viscosity).across(fine)
     }
 }

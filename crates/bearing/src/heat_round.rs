@@ -6,10 +6,10 @@ use std::sync::Arc;
 use oilwedge_fem::{Space, in_order};
 use oilwedge_heat::{
     BushSide, FeedSupply, FilmCell, FilmNetwork, JournalSide, LayerProfile, LayerTemperatures, Layers, MOST_POINTS,
-    NetworkFailure, NetworkOptions, OilProperties, SolvedNetwork, Thinning, solve,
+    NetworkFailure, NetworkOptions, OilProperties, SolvedNetwork, Thinning, TurbulentFlow, solve,
 };
-use oilwedge_reynolds::quantities::heat_network::{NodeNetwork, heat_network};
-use oilwedge_reynolds::{AcrossFilm, SolvedFilm, ViscosityAcross};
+use oilwedge_reynolds::quantities::heat_network::{EddySources, NodeNetwork, heat_network};
+use oilwedge_reynolds::{AcrossFilm, EddyFactors, SolvedFilm, ViscosityAcross};
 use rayon::prelude::*;
 
 /// Temperatures [K] whose difference shows how the viscosity falls.
@@ -51,6 +51,10 @@ pub(crate) struct LayeredFilm<'a> {
     pub(crate) temperatures: Vec<f64>,
     /// Viscosity [Pa s] at a temperature [K].
     pub(crate) viscosity: &'a (dyn Fn(f64) -> f64 + Sync),
+    /// Heat capacity and conductivity of the oil.
+    pub(crate) oil: OilProperties,
+    /// What makes the eddies of a turbulent film; none of a laminar one.
+    pub(crate) eddies: Option<EddySources>,
 }
 
 /// Why a round has no temperatures.
@@ -72,6 +76,8 @@ pub(crate) struct RoundHeat {
     pub(crate) dofs: Vec<usize>,
     /// Number of each feed among the regions of the supply.
     pub(crate) feeds: Vec<usize>,
+    /// Profile of each cell.
+    pub(crate) profiles: Vec<LayerProfile>,
     /// Temperatures of the profiles at the points of cell after cell [K].
     pub(crate) here: Vec<f64>,
     /// The temperatures that balance the heat.
@@ -81,28 +87,42 @@ pub(crate) struct RoundHeat {
 impl LayeredFilm<'_> {
     /// Profiles of flow and friction at all dofs.
     pub(crate) fn profiles(&self) -> Vec<LayerProfile> {
-        let profile = |at: &[f64]| {
+        let points = self.layers.points.len();
+        let profile = |(dof, at): (usize, &[f64])| {
             let mut viscosities = [0.0; MOST_POINTS];
             viscosities.iter_mut().zip(at).for_each(|(mu, &temperature)| *mu = (self.viscosity)(temperature));
-            LayerProfile::of(self.layers, &viscosities[..at.len()])
+            match &self.eddies {
+                None => LayerProfile::of(self.layers, &viscosities[..points]),
+                Some(EddySources { gaps, speed, density }) => {
+                    let flow = TurbulentFlow { gap: gaps[dof], speed: *speed, density: *density, oil: self.oil };
+                    LayerProfile::turbulent(self.layers, &viscosities[..points], &flow)
+                }
+            }
         };
-        in_order(self.temperatures.par_chunks(self.layers.points.len()).map(profile))
+        in_order(self.temperatures.par_chunks(points).enumerate().map(profile))
     }
 
     /// The viscosity across the film that these temperatures make.
     pub(crate) fn across(&self, space: &Space) -> Arc<ViscosityAcross> {
-        Arc::new(ViscosityAcross::new(space, self.profiles().iter().map(across_film).collect()))
+        self.across_by(space, &self.profiles())
     }
 
-    /// The temperatures that balance the heat of a film, as a network, with these profiles. Those of a round before are
-    /// where the linear system begins; with `thins` friction falls as the oil warms.
+    /// The viscosity across the film with these profiles at all dofs.
+    pub(crate) fn across_by(&self, space: &Space, profiles: &[LayerProfile]) -> Arc<ViscosityAcross> {
+        let gap = |dof: usize| self.eddies.as_ref().map(|eddies| eddies.gaps[dof]);
+        let nodes = profiles.iter().enumerate().map(|(dof, profile)| across_film(profile, gap(dof))).collect();
+        Arc::new(ViscosityAcross::new(space, nodes))
+    }
+
+    /// The temperatures that balance the heat of a film, as a network, with the profiles at all dofs. Those of a round
+    /// before are where the linear system begins; with `thins` friction falls as the oil warms.
     ///
     /// # Errors
     /// [`NoRound`]: the reason why there are none.
     pub(crate) fn round(
         &self,
         surroundings: &HeatSurroundings,
-        NodeNetwork { dofs, cells, links, ports, feeds }: NodeNetwork,
+        (NodeNetwork { dofs, cells, links, ports, feeds, eddies: _ }, all): (NodeNetwork, &[LayerProfile]),
         before: Option<&LayerTemperatures>,
         (tolerance, thins): (f64, bool),
     ) -> Result<RoundHeat, NoRound> {
@@ -115,7 +135,7 @@ impl LayeredFilm<'_> {
             bush: surroundings.bush.clone(),
             journal: surroundings.journal,
         };
-        let (points, all) = (self.layers.points.len(), self.profiles());
+        let points = self.layers.points.len();
         let profiles: Vec<LayerProfile> = dofs.iter().map(|&dof| all[dof]).collect();
         let here: Vec<f64> =
             dofs.iter().flat_map(|dof| &self.temperatures[dof * points..][..points]).copied().collect();
@@ -124,7 +144,7 @@ impl LayeredFilm<'_> {
         let thinning = thins.then_some(Thinning { temperatures: &here, rates: &rates });
         let options = NetworkOptions { tolerance, thinning, ..NetworkOptions::default() };
         let solved = solve(&network, self.layers, &profiles, before, &options).map_err(NoRound::NotSolved)?;
-        Ok(RoundHeat { network, dofs, feeds, here, solved })
+        Ok(RoundHeat { network, dofs, feeds, profiles, here, solved })
     }
 
     /// Sets the temperatures at the points of some dofs.
@@ -137,8 +157,21 @@ impl LayeredFilm<'_> {
 }
 
 /// What stands for the viscosity of a film with a profile.
-fn across_film(profile: &LayerProfile) -> AcrossFilm {
-    AcrossFilm { viscosity: 1.0 / (12.0 * profile.f2), shear_viscosity: 1.0 / profile.f0, drag: profile.drag_share() }
+fn across_film(profile: &LayerProfile, gap: Option<f64>) -> AcrossFilm {
+    let eddies = profile.eddies.zip(gap);
+    let [f0, f2] = eddies.map_or([profile.f0, profile.f2], |(scales, _)| [scales.laminar_f0, scales.laminar_f2]);
+    AcrossFilm {
+        viscosity: 1.0 / (12.0 * f2),
+        shear_viscosity: 1.0 / f0,
+        drag: profile.drag_share(),
+        eddies: eddies.map(|(scales, gap)| EddyFactors {
+            gap,
+            conductance: scales.conductance,
+            conductance_growth: scales.conductance_growth,
+            shear: scales.shear,
+            shear_growth: scales.shear_growth,
+        }),
+    }
 }
 
 impl HeatSurroundings {

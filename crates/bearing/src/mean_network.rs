@@ -11,7 +11,7 @@
 //! | d, w, phi | m3/s, m3/s, 1 | `left_over`, `weights`, `potential` |
 //!
 //! **Source.** `docs/theory/thermal_film.md`; Hestenes, Stiefel, J. Res. NBS 49 (1952) 409, for the equation of phi.
-//! **Range.** Films of one mesh. **Verified by** `tests/tests/thermal_cycle.rs`.
+//! **Range.** Laminar films of one mesh. **Verified by** `tests/tests/thermal_cycle.rs`.
 
 use oilwedge_heat::{FilmCell, FilmLink, FilmPort};
 use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
@@ -54,6 +54,7 @@ pub fn mean_network(weighed: &[(f64, &NodeNetwork)]) -> Option<NodeNetwork> {
         links: (0..first.links.len()).map(link).collect(),
         ports: (0..first.ports.len()).map(port).collect(),
         feeds: first.feeds.clone(),
+        eddies: first.eddies.clone(),
     };
     conserve(&mut network);
     Some(network)

@@ -25,7 +25,7 @@ use nalgebra::{DMatrix, DVector};
 use oilwedge_fem::Space;
 use oilwedge_heat::{FilmNetwork, LayerTemperatures, Layers};
 use oilwedge_reynolds::ViscosityAcross;
-use oilwedge_reynolds::quantities::heat_network::NodeNetwork;
+use oilwedge_reynolds::quantities::heat_network::{EddySources, NodeNetwork};
 
 use crate::film_heat::FilmHeat;
 use crate::heat_round::{HeatSurroundings, LayeredFilm, NoRound, RoundHeat};
@@ -95,6 +95,8 @@ pub struct HeatSearch<'a> {
     pub layers: &'a Layers,
     /// Temperatures at these points of every dof with which it begins [K].
     pub start: Vec<f64>,
+    /// What makes the eddies of the film with which it begins; none of a laminar one.
+    pub eddies: Option<EddySources>,
     /// Growth of the clearance with which it begins [m].
     pub growth: f64,
     /// Temperatures are found where those of the next round differ by no more than this [K], in the mean of squares
@@ -112,20 +114,22 @@ pub struct HeatSearch<'a> {
 pub fn balance_heat<E>(
     surroundings: &HeatSurroundings,
     space: &Space,
-    HeatSearch { layers, start, growth, closed, clearance }: HeatSearch<'_>,
+    HeatSearch { layers, start, eddies, growth, closed, clearance }: HeatSearch<'_>,
     viscosity: &(dyn Fn(f64) -> f64 + Sync),
     mut solve: impl FnMut(&HeatRound) -> Result<NodeNetwork, E>,
 ) -> Result<FilmHeat, NoHeat<E>> {
-    let mut layered = LayeredFilm { layers, temperatures: start, viscosity };
+    let mut layered = LayeredFilm { layers, temperatures: start, viscosity, oil: surroundings.oil, eddies };
     let mut mixing = AndersonMixing::default();
     let (mut changes, mut last, mut growth): (Vec<f64>, Option<LayerTemperatures>, f64) = (Vec::new(), None, growth);
     loop {
         let before = changes.last().copied().unwrap_or(f64::INFINITY);
-        let nodes =
-            solve(&HeatRound { across: layered.across(space), growth, change: before }).map_err(NoHeat::NoFilm)?;
+        let profiles = layered.profiles();
+        let across = layered.across_by(space, &profiles);
+        let nodes = solve(&HeatRound { across, growth, change: before }).map_err(NoHeat::NoFilm)?;
         let tolerance = (OF_CHANGE * before).clamp(SOLVED, ROUGHLY_SOLVED);
-        let RoundHeat { network, dofs, feeds, here, solved } =
-            layered.round(surroundings, nodes, last.as_ref(), (tolerance, true))?;
+        let eddies = nodes.eddies.clone();
+        let RoundHeat { network, dofs, feeds, profiles, here, solved } =
+            layered.round(surroundings, (nodes, &profiles), last.as_ref(), (tolerance, true))?;
         let found = solved.temperatures;
         let [change, greatest] = differences(&network, &here, &found.layers);
         changes.push(change);
@@ -137,6 +141,8 @@ pub fn balance_heat<E>(
                 layers: layers.clone(),
                 network,
                 dofs,
+                profiles,
+                eddies,
                 at_dofs: layered.temperatures,
                 feeds,
                 temperatures: found,
@@ -151,6 +157,7 @@ pub fn balance_heat<E>(
         let points = layers.points.len();
         let next = mixing.next(here, &found.layers, |k| network.cells[k / points].wall_area);
         layered.set(&dofs, &next);
+        layered.eddies = eddies;
         (growth, last) = (grown, Some(found));
     }
 }

@@ -9,12 +9,13 @@
 //! of the temperatures, a film of the viscosities, and asks again.
 //!
 //! All is SI, temperatures are in kelvin. Reading order: `layers.rs`, `profile.rs` (flow and friction of layers),
-//! `network.rs` (what is given), `transport.rs` (the balances), `walls.rs` (which unknowns there are), `bush.rs` (the
-//! ring; `bessel.rs`, `waves.rs`), `order.rs`, `sweep.rs` and `gmres.rs` (the linear solver), `solve.rs`,
-//! `temperatures.rs`, `power_sheet.rs`.
+//! `eddies.rs` (those of turbulent films), `network.rs` (what is given), `transport.rs` (the balances), `walls.rs`
+//! (which unknowns there are), `bush.rs` (the ring; `bessel.rs`, `waves.rs`), `order.rs`, `sweep.rs` and `gmres.rs`
+//! (the linear solver), `solve.rs`, `temperatures.rs`, `power_sheet.rs`.
 
 mod bessel;
 mod bush;
+mod eddies;
 mod gmres;
 mod layers;
 mod network;
@@ -30,6 +31,7 @@ mod walls;
 mod waves;
 
 pub use bush::{BushRing, BushShape};
+pub use eddies::{EddyScales, TurbulentFlow};
 pub use layers::{COUNTS, Layers, MOST_POINTS};
 pub use network::{
     BushSide, FeedSupply, FilmCell, FilmLink, FilmNetwork, FilmPort, JournalSide, OilProperties, PortKind,

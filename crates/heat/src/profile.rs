@@ -22,11 +22,11 @@
 //! | w_l (eta - F1/F0)/(mu F0) | 1 | `cross_friction`, sums to 0 |
 //!
 //! **Source.** Dowson, Int. J. Mech. Sci. 4 (1962) 159.
-//! **Range.** Laminar films, viscosity above zero. All integrals are sums over the points of [`Layers`], by which the
-//! sums of the shares are exact. **Verified by** `crates/heat/tests/layers.rs`.
+//! **Range.** Viscosity above zero; turbulent films in `eddies.rs`. All integrals are sums over the points of
+//! [`Layers`], by which the sums of the shares are exact. **Verified by** `crates/heat/tests/layers.rs`.
 
-use crate::Layers;
 use crate::layers::MOST_POINTS;
+use crate::{EddyScales, Layers};
 
 /// Numbers for each point across a film; those past the last point are zero.
 pub type PerLayer = [f64; MOST_POINTS];
@@ -50,6 +50,12 @@ pub struct LayerProfile {
     pub driven_friction: PerLayer,
     /// Heat of each layer for the two flows together, by the factor [`crate::FilmCell::cross_power`].
     pub cross_friction: PerLayer,
+    /// Part of the gap that each layer takes; the mean across the film weighs temperatures by it.
+    pub weights: PerLayer,
+    /// Resistance to the conduction of heat across the film over that of still oil [1].
+    pub resistance: f64,
+    /// What eddies make of the flow; none in a laminar film.
+    pub eddies: Option<EddyScales>,
 }
 
 impl LayerProfile {
@@ -90,7 +96,15 @@ impl LayerProfile {
             shear_friction: friction(f0, &|_| 1.0),
             driven_friction: friction(f2, &|l| (eta[l] - centre).powi(2)),
             cross_friction: friction(f0, &|l| eta[l] - centre),
+            weights: std::array::from_fn(|l| weights.get(l).copied().unwrap_or(0.0)),
+            resistance: 1.0,
+            eddies: None,
         }
+    }
+
+    /// Mean temperature across the film of those at the points.
+    pub fn mean(&self, temperatures: &[f64]) -> f64 {
+        temperatures.iter().zip(&self.weights).map(|(t, weight)| t * weight).sum()
     }
 
     /// Flow that the journal drags along, over U h: 1 - F1/F0, a half for one viscosity.
@@ -108,7 +122,7 @@ impl LayerProfile {
     }
 }
 
-fn of_unit_sum(shares: PerLayer) -> PerLayer {
+pub(crate) fn of_unit_sum(shares: PerLayer) -> PerLayer {
     let sum: f64 = shares.iter().sum();
     shares.map(|share| share / sum)
 }

@@ -137,7 +137,8 @@ impl Transport {
         let mut blocks = vec![0.0; cells * points * points];
         for (c, block) in blocks.chunks_exact_mut(points * points).enumerate() {
             let cell = &network.cells[c];
-            let conductance = cell.film_fraction * network.oil.conductivity * cell.wall_area / cell.thickness;
+            let resistance = profiles[c].resistance * cell.thickness;
+            let conductance = cell.film_fraction * network.oil.conductivity * cell.wall_area / resistance;
             fill(block, layers, conductance, &net_outflow[c].map(|flow| capacity * flow));
             for j in 0..points {
                 block[j * points + j] += capacity * outflow[c][j];

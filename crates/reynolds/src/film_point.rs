@@ -1,5 +1,7 @@
 //! The film at one point of the developed surface.
 
+use crate::EddyFactors;
+
 /// What the terms of the equation may ask of a point.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FilmPoint {
@@ -19,6 +21,8 @@ pub struct FilmPoint {
     pub drag: f64,
     /// Surface velocity `(U_x, U_z)` of the journal [m/s].
     pub velocity: [f64; 2],
+    /// What eddies make of the flow where the temperature varies across a turbulent film; else none.
+    pub eddies: Option<EddyFactors>,
 }
 
 /// What flows at a point where the pressure gradient is `grad p`: `J_d = flux_d - conductance_d dp/dx_d` [m2/s].

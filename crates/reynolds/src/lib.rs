@@ -92,5 +92,5 @@ pub use reference_film::ReferenceFilm;
 pub use solved_film::SolvedFilm;
 pub use storage::Storage;
 pub use theory::Theory;
-pub use viscosity_across::{AcrossFilm, ViscosityAcross};
+pub use viscosity_across::{AcrossFilm, EddyFactors, ViscosityAcross};
 pub use whirl::Whirl;

@@ -9,7 +9,8 @@
 //!                                                         tau_b = theta U/(h F0) - (1 - s) h grad p
 //! ```
 //! so that two viscosities and s describe a film: `1/(12 F2)` where pressure drives oil, `1/F0` where the gap is
-//! sheared. Both are mu, and s is 1/2, where mu is even.
+//! sheared. Both are mu, and s is 1/2, where mu is even. Eddies of a turbulent film divide 1/mu in these integrals
+//! ([`EddyFactors`]); s is that with eddies.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -34,6 +35,38 @@ pub struct AcrossFilm {
     pub shear_viscosity: f64,
     /// Mean velocity of the oil that the journal drags along, over that of its surface [1].
     pub drag: f64,
+    /// What eddies make of a turbulent film; none in a laminar one, whose viscosities are those above.
+    pub eddies: Option<EddyFactors>,
+}
+
+/// Flow of a turbulent film over that of a laminar one with the same temperatures, as powers of the gap about that for
+/// which it was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EddyFactors {
+    /// Gap for which the factors were found [m].
+    pub gap: f64,
+    /// Conductances along x and along z over those of the laminar film at that gap [1].
+    pub conductance: [f64; 2],
+    /// Powers of the gap with which they grow [1], negative.
+    pub conductance_growth: [f64; 2],
+    /// Shear stress over that of the laminar film at that gap [1].
+    pub shear: f64,
+    /// Power of the gap with which it grows [1].
+    pub shear_growth: f64,
+}
+
+impl EddyFactors {
+    /// The means by the weights of three corners.
+    fn mean(weights: [f64; 3], corners: [&Self; 3]) -> Self {
+        let of = |value: &dyn Fn(&Self) -> f64| (0..3).map(|k| weights[k] * value(corners[k])).sum::<f64>();
+        Self {
+            gap: of(&|at| at.gap),
+            conductance: [0, 1].map(|axis| of(&|at| at.conductance[axis])),
+            conductance_growth: [0, 1].map(|axis| of(&|at| at.conductance_growth[axis])),
+            shear: of(&|at| at.shear),
+            shear_growth: of(&|at| at.shear_growth),
+        }
+    }
 }
 
 /// The viscosity of a film that varies across it, at each node; linear on the sub-triangles between them.
@@ -83,6 +116,8 @@ impl ViscosityAcross {
             point.viscosity = mean(|node| node.viscosity);
             point.shear_viscosity = mean(|node| node.shear_viscosity);
             point.drag = mean(|node| node.drag);
+            let [a, b, c] = corners.map(|corner| self.nodes[dofs[corner]].eddies.as_ref());
+            point.eddies = a.zip(b).zip(c).map(|((a, b), c)| EddyFactors::mean(weights, [a, b, c]));
         }
     }
 }

@@ -217,8 +217,8 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
 
 /// A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let Some(heat) = &scene.heat else { return };
     field::check(scene, complaints);
+    let Some(heat) = &scene.heat else { return };
     for key in SHARED {
         refuse_beside(complaints, "heat", &TABLES, key);
     }

@@ -1,7 +1,7 @@
 //! `[orbit]`: the path of the journal under a load over a cycle.
 
 use crate::reader::TableReader;
-use crate::{Complaints, Scene};
+use crate::{Complaints, Scene, Turbulence};
 
 /// Local error of a step where a scene gives none.
 const TOLERANCE: f64 = 1e-3;
@@ -98,5 +98,11 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "mesh.tolerance",
         "stands beside [orbit], whose mesh is not refined",
         "remove mesh.tolerance, and give [mesh] size",
+    );
+    complaints.refuse_if(
+        scene.turbulence == Some(Turbulence::Reichardt),
+        "turbulence.model",
+        "finds eddies for a gap that stands still, but the journal follows an orbit",
+        "write model = \"ng-pan\" and remove heat.field, or remove [orbit]",
     );
 }

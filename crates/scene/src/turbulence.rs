@@ -7,12 +7,16 @@ use crate::{Complaints, Scene, TheoryKey};
 keys! {
     "turbulence" = Table; "", "the film is laminar, however fast it flows", "",
         "the resistance and shear of a turbulent film, by its Reynolds number at each place";
-    "turbulence.model" = Choice(&["ng-pan", "constantinescu"]); "ng-pan", "required", "",
-        "how resistance and shear grow with `Re = rho U h/mu`: Ng and Pan's eddy viscosity, or Constantinescu's mixing length, each by its usual fits";
+    "turbulence.model" = Choice(&["ng-pan", "constantinescu", "reichardt"]); "ng-pan", "required", "",
+        "how resistance and shear grow with `Re = rho U h/mu`: Ng and Pan's eddy viscosity, or Constantinescu's mixing length, each by its usual fits; with `heat.field` Reichardt's eddies at each place across the film, which carry heat too";
 }
 
 /// Models by their names in scenes.
-const MODELS: [(&str, Turbulence); 2] = [("ng-pan", Turbulence::NgPan), ("constantinescu", Turbulence::Constantinescu)];
+const MODELS: [(&str, Turbulence); 3] = [
+    ("ng-pan", Turbulence::NgPan),
+    ("constantinescu", Turbulence::Constantinescu),
+    ("reichardt", Turbulence::Reichardt),
+];
 
 /// How the film resists more than a laminar one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,11 +25,17 @@ pub enum Turbulence {
     NgPan,
     /// Constantinescu's theory of a mixing length.
     Constantinescu,
+    /// Reichardt's eddies across the film, which carry heat too.
+    Reichardt,
 }
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Option<Turbulence> {
     if !table.has("model") && table.is_readable() {
-        table.complain("model", "is missing", "write model = \"ng-pan\" or \"constantinescu\"");
+        table.complain(
+            "model",
+            "is missing",
+            "write model = \"ng-pan\" or \"constantinescu\", or \"reichardt\" beside heat.field",
+        );
     }
     table.word("model", &MODELS)
 }

@@ -207,9 +207,9 @@ fn temperatures(film: &Film, heat: &FilmHeat, nodes: &Nodes) -> [PictureField; 4
     let (points, fed) = (heat.layers.points.len(), film.model.sockets.heat_field.as_ref());
     let fed = fed.map_or(0.0, |model| model.surroundings.inlet);
     let mut at_dofs = vec![[fed - ZERO_CELSIUS; 4]; film.system.space().dofs()];
-    for (at, &dof) in heat.temperatures.layers.chunks_exact(points).zip(&heat.dofs) {
+    for ((at, &dof), profile) in heat.temperatures.layers.chunks_exact(points).zip(&heat.dofs).zip(&heat.profiles) {
         let greatest = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        at_dofs[dof] = [heat.layers.mean(at), greatest, at[0], at[points - 1]].map(|t| t - ZERO_CELSIUS);
+        at_dofs[dof] = [profile.mean(at), greatest, at[0], at[points - 1]].map(|t| t - ZERO_CELSIUS);
     }
     let rows = [&TEMPERATURE, &GREATEST_TEMPERATURE, &BUSH_TEMPERATURE, &JOURNAL_TEMPERATURE];
     [0, 1, 2, 3].map(|k| scalars(rows[k], nodes.dofs.iter().map(|&dof| at_dofs[dof][k]).collect()))

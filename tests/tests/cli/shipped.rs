@@ -13,7 +13,7 @@ const COARSELY: &str = "the film is not resolved where it is thin";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 39] = [
+const SCENES: [(&str, &[&str]); 40] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -71,6 +71,7 @@ const SCENES: [(&str, &[&str]); 39] = [
     ("38_thermal_turbine", &[]),
     ("39_turbine_turbulent", &[HEATED]),
     ("40_design", &[]),
+    ("41_thermal_turbulent", &[]),
 ];
 
 /// Scenes that are solved on one thread too: a linear film, one that breaks, a balance of heat, a tangent, a wall.

@@ -276,6 +276,17 @@ fn scene_39_turbine_turbulent() {
     assert!(says(&laminar, "give [turbulence]") && !says(&found, "Reynolds number"));
 }
 
+/// The film with eddies across it, on a mesh of half the size and with six layers; its heat balances.
+#[test]
+fn scene_41_thermal_turbulent() {
+    let found = answer(&variant("41_thermal_turbulent", |_| ()));
+    close(value(&found, "eccentricity"), 0.5370, 5e-3);
+    close(value(&found, "friction_power"), 233_200.0, 1e-2);
+    assert!((value(&found, "temperature_max") - 88.9).abs() < 0.4);
+    close(value(&found, "heat_carried") + value(&found, "heat_bush"), value(&found, "heat_power"), 1e-9);
+    assert!(found.tail.warnings.is_empty(), "{:?}", found.tail.warnings);
+}
+
 /// Force and least film of the worn ring in `profiles`, a ring of finite volumes (`tests/data/shaped_bearings.json`).
 #[test]
 fn scene_31_worn_bore() {

@@ -117,6 +117,7 @@ pub(crate) fn mean_gap(factors: &[Arc<dyn FlowFactor>], gap: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::EddyFactors;
     use crate::terms::{Couette, Poiseuille, Term, squeeze::Squeeze};
 
     /// Reynolds numbers of the films below reach some 5e4 with it.
@@ -143,11 +144,23 @@ mod tests {
             Arc::new(TurbulenceModel::NgPan),
             Arc::new(TurbulenceModel::Constantinescu),
         ];
+        check_variations(&factors, None);
+        let eddies = EddyFactors {
+            gap: 1.2,
+            conductance: [0.4, 0.6],
+            conductance_growth: [-0.7, -0.5],
+            shear: 1.8,
+            shear_growth: 0.6,
+        };
+        check_variations(&[Arc::new(TurbulenceModel::Reichardt)], Some(eddies));
+    }
+
+    fn check_variations(factors: &[Arc<dyn FlowFactor>], eddies: Option<EddyFactors>) {
         let change =
             FilmPoint { thickness: 0.4, slope: [0.3, -0.2], rate: 0.7, viscosity: 0.2, ..FilmPoint::default() };
         for thickness in [0.1, 0.6, 1.7, 4.0, 9.5] {
             let (slope, velocity) = ([0.2, 0.1], [1.3, 0.6]);
-            let even = FilmPoint { viscosity: 0.7, shear_viscosity: 0.7, drag: 0.5, ..FilmPoint::default() };
+            let even = FilmPoint { viscosity: 0.7, shear_viscosity: 0.7, drag: 0.5, eddies, ..FilmPoint::default() };
             let film = FilmPoint { thickness, slope, rate: -0.4, velocity, ..even };
             let at = |step: f64| FilmPoint {
                 thickness: film.thickness + step * change.thickness,
@@ -161,8 +174,8 @@ mod tests {
                 term.add(&film, &mut smooth);
                 term.vary(&film, &change, &mut varied);
             }
-            FlowScales { factors: &factors, density: DENSITY }.vary(&film, &change, &smooth, &mut varied);
-            let (ahead, behind) = (flow(&factors, &at(1e-5)), flow(&factors, &at(-1e-5)));
+            FlowScales { factors, density: DENSITY }.vary(&film, &change, &smooth, &mut varied);
+            let (ahead, behind) = (flow(factors, &at(1e-5)), flow(factors, &at(-1e-5)));
             for (k, exact) in values(&varied).into_iter().enumerate() {
                 let difference = (ahead[k] - behind[k]) / 2e-5;
                 let scale = 1.0 + exact.abs();

@@ -19,6 +19,10 @@
 //! | k_x, k_z | 1 | `resistance` |
 //! | tau over mu U/h | 1 | `shear` |
 //!
+//! **Reichardt**'s eddies are found across the film, with its temperatures there; their factors stand at each place of
+//! the film ([`crate::EddyFactors`]) as powers of its gap. A film of one temperature has Ng and Pan's laws, which fit
+//! them.
+//!
 //! **Source.** Ng, Pan, Trans. ASME J. Basic Eng. 87 (1965) 675, by the usual fits to their integrals; Constantinescu,
 //! Trans. ASME J. Basic Eng. 84 (1962) 139, whose mixing length of `k = 0.125 Re^0.07` makes
 //! `k_x = 12 + 0.53 (k^2 Re)^0.725` and `k_z = 12 + 0.296 (k^2 Re)^0.65` these. **Range.** The shear of the journal
@@ -27,7 +31,7 @@
 //! by** the tests below and `tests/tests/turbulence`.
 
 use super::{ConductanceFactor, FlowFactor};
-use crate::FilmPoint;
+use crate::{EddyFactors, FilmPoint};
 
 /// A law `a Re^n` of what turbulence adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +53,8 @@ pub enum TurbulenceModel {
     NgPan,
     /// Constantinescu's theory of a mixing length.
     Constantinescu,
+    /// Reichardt's eddy viscosity at each place across the film.
+    Reichardt,
 }
 
 impl TurbulenceModel {
@@ -56,7 +62,7 @@ impl TurbulenceModel {
     fn laws(self) -> [PowerLaw; 3] {
         let law = |coefficient: f64, exponent: f64| PowerLaw { coefficient, exponent };
         match self {
-            Self::NgPan => [law(0.0136, 0.90), law(0.0043, 0.96), law(0.0012, 0.94)],
+            Self::NgPan | Self::Reichardt => [law(0.0136, 0.90), law(0.0043, 0.96), law(0.0012, 0.94)],
             Self::Constantinescu => [law(0.0260, 0.8265), law(0.0198, 0.741), law(0.0023, 0.855)],
         }
     }
@@ -83,6 +89,7 @@ impl FlowFactor for TurbulenceModel {
         match self {
             Self::NgPan => "ng-pan",
             Self::Constantinescu => "constantinescu",
+            Self::Reichardt => "reichardt",
         }
     }
 
@@ -92,6 +99,9 @@ impl FlowFactor for TurbulenceModel {
 
     /// Re is in proportion to `h/mu`: a law `r = a Re^n` changes by `n r` with the logarithm of either.
     fn conductance(&self, film: &FilmPoint, density: f64) -> [ConductanceFactor; 2] {
+        if let Some(eddies) = &film.eddies {
+            return [0, 1].map(|axis| eddies.conductance_in(film, axis));
+        }
         let reynolds_number = reynolds_number(film, density);
         let [x, z, _] = self.laws();
         [x, z].map(|law| {
@@ -107,7 +117,19 @@ impl FlowFactor for TurbulenceModel {
     }
 
     fn shear(&self, film: &FilmPoint, density: f64) -> f64 {
-        self.shear_at(reynolds_number(film, density))
+        match &film.eddies {
+            Some(eddies) => eddies.shear * (film.thickness / eddies.gap).powf(eddies.shear_growth),
+            None => self.shear_at(reynolds_number(film, density)),
+        }
+    }
+}
+
+impl EddyFactors {
+    fn conductance_in(&self, film: &FilmPoint, axis: usize) -> ConductanceFactor {
+        let power = self.conductance_growth[axis];
+        let value = self.conductance[axis] * (film.thickness / self.gap).powf(power);
+        // The viscosities of the film for which the factors were found stand in them.
+        ConductanceFactor { value, by_gap: power * value / film.thickness, by_viscosity: 0.0 }
     }
 }
 

@@ -39,6 +39,39 @@ pub struct NodeNetwork {
     pub ports: Vec<FilmPort>,
     /// Number of each feed among the regions of the supply.
     pub feeds: Vec<usize>,
+    /// What makes the eddies of a turbulent film; none of a laminar one.
+    pub eddies: Option<EddySources>,
+}
+
+/// What makes the eddies of a turbulent film.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EddySources {
+    /// Film thickness at every dof [m].
+    pub gaps: Vec<f64>,
+    /// Speed of the journal's surface [m/s].
+    pub speed: f64,
+    /// Density of the oil [kg/m3].
+    pub density: f64,
+}
+
+impl EddySources {
+    /// What makes the eddies of this film; none where it is laminar.
+    pub fn of(film: &SolvedFilm) -> Option<Self> {
+        let SolvedFilm { problem, system, .. } = film;
+        if problem.is_laminar() {
+            return None;
+        }
+        let (space, mesh) = (system.space(), system.space().mesh());
+        let mut gaps = vec![0.0; space.dofs()];
+        for t in 0..mesh.triangles().len() {
+            let places = mesh.nodes(t);
+            for (&dof, place) in space.element_dofs(t).iter().zip(&places) {
+                gaps[dof] = problem.thickness_at(t, &[*place])[0];
+            }
+        }
+        let [x, z] = problem.surface_velocity();
+        Some(Self { gaps, speed: x.hypot(z), density: problem.lubricant.density })
+    }
 }
 
 /// What the triangles of a film make of its cells.
@@ -117,7 +150,7 @@ pub fn heat_network(film: &SolvedFilm, inlet: f64) -> Result<Option<NodeNetwork>
         driven: side.driven,
     });
     let links = links.collect();
-    Ok(Some(NodeNetwork { dofs, cells, links, ports, feeds }))
+    Ok(Some(NodeNetwork { dofs, cells, links, ports, feeds, eddies: EddySources::of(film) }))
 }
 
 /// Adds to the nodes what shear makes of heat: that of each triangle by `theta/(h F0)` at its nodes.

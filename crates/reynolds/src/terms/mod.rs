@@ -49,6 +49,7 @@ fn check(term: &dyn Term) {
         shear_viscosity: 0.8,
         drag: 0.45,
         velocity: [1.3, 0.6],
+        eddies: None,
     };
     let change = FilmPoint { thickness: 0.9, slope: [-0.5, 0.8], rate: -1.1, viscosity: 0.3, ..FilmPoint::default() };
     let values = |flow: FilmFlow| [flow.conductance[0], flow.flux[0], flow.flux[1], flow.divergence, flow.storage];

@@ -1,12 +1,12 @@
 //! `field` of `[heat]`: the temperature as a field in the film, in the bush around it, and in the journal.
 
 use crate::reader::TableReader;
-use crate::{Complaints, Scene, TheoryKey};
+use crate::{Complaints, Scene, TheoryKey, Turbulence};
 
 keys! {
     "heat.field" = Switch; "true", "`false`: the film has one temperature", "with the cavitation model `jfo`",
         "whether the temperature is found at each place of the film and across it, with that of bush, journal and feeds";
-    "heat.layers" = Number; "6", "4, 6 or 8 by the Graetz number of the film; 6 or 8 beside an adiabatic bush", "whole, 4, 6 or 8",
+    "heat.layers" = Number; "6", "4, 6 or 8 by the Graetz number of the film; 6 or 8 beside an adiabatic bush; 8 of a turbulent film", "whole, 4, 6 or 8",
         "layers N between bush and journal: temperatures stand at N + 1 points across the film";
     "heat.bush" = Table; "", "adiabatic: no heat goes through the bore", "",
         "a ring around the film that conducts heat; its ends are insulated";
@@ -132,7 +132,14 @@ fn expansion(mut table: TableReader<'_>) -> HeatExpansion {
 
 /// What a field needs, and what has no meaning beside it.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let Some(field) = scene.heat.and_then(|heat| heat.field) else { return };
+    let field = scene.heat.and_then(|heat| heat.field);
+    complaints.refuse_if(
+        scene.turbulence == Some(Turbulence::Reichardt) && field.is_none(),
+        "turbulence.model",
+        "finds eddies by the temperatures across the film, but the film has one temperature",
+        "write model = \"ng-pan\", which fits the same eddies, or give heat.field = true",
+    );
+    let Some(field) = field else { return };
     let closure = scene.cavitation.map(|cavitation| cavitation.model);
     complaints.refuse_if(
         !closure.is_some_and(crate::CavitationModel::conserves_oil),
@@ -153,10 +160,10 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "remove it, or remove heat.field",
     );
     complaints.refuse_if(
-        scene.turbulence.is_some(),
-        "heat.field",
-        "finds temperatures across laminar layers, which eddies of a turbulent film mix",
-        "remove field: the film has one temperature then; or remove [turbulence]",
+        scene.turbulence.is_some_and(|model| model != Turbulence::Reichardt),
+        "turbulence.model",
+        "has no eddies across the film, which mix the heat of its layers",
+        "write model = \"reichardt\", or remove heat.field: the film has one temperature then",
     );
     let Some(bush) = field.bush else { return };
     complaints.refuse_if(

@@ -25,6 +25,7 @@ pub(super) const ROW: Effect = Effect {
             let model = match model {
                 Turbulence::NgPan => TurbulenceModel::NgPan,
                 Turbulence::Constantinescu => TurbulenceModel::Constantinescu,
+                Turbulence::Reichardt => TurbulenceModel::Reichardt,
             };
             Arc::new(model) as _
         }));

@@ -80,7 +80,7 @@ fn on_both(
     let layers = layers(&first.solved.primary, model)?;
     rough.last = first.last;
     let clearance = fine.film.problem.bearing.clearance;
-    let search = |start, growth, closed| HeatSearch { layers: &layers, start, growth, closed, clearance };
+    let search = |start, growth, closed| HeatSearch { layers: &layers, start, eddies: None, growth, closed, clearance };
     let at_inlet = vec![inlet; rough.film.system.space().dofs() * layers.points.len()];
     let coarse = rough.rounds(model, search(at_inlet, 0.0, ROUGHLY_CLOSED))?;
     let at_dofs = match &fine.film.system.coarser {

@@ -76,7 +76,8 @@ mod tests {
     }
 }
 
-/// Temperatures from the bush to the journal, at the points between which they are one polynomial.
+/// Temperatures from the bush to the journal: of a laminar film at the points between which they are one polynomial, of
+/// a turbulent one at more points, which lie dense at the walls.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct TemperatureAcross {
@@ -95,17 +96,25 @@ impl TemperatureAcross {
     pub fn hottest(heat: &FilmHeat, length: f64) -> Self {
         let spot = heat.hottest();
         let across = heat.temperatures.of_cell(&heat.layers, spot.cell);
+        let (eta, across): (Vec<f64>, Vec<f64>) = match &heat.profiles[spot.cell].eddies {
+            None => (heat.layers.points.clone(), across.to_vec()),
+            Some(eddies) => eddies.places().into_iter().map(|[eta, xi]| (eta, heat.layers.at(across, xi))).unzip(),
+        };
         Self {
             angle: spot.angle.to_degrees().rem_euclid(360.0),
             z: spot.along * length,
-            eta: heat.layers.points.clone(),
+            eta,
             temperature: across.iter().map(|t| t - ZERO_CELSIUS).collect(),
         }
     }
 
     /// The temperature [degrees C] at a distance eta from the bush; none of points that are not those of a film.
     pub fn at(&self, eta: f64) -> Option<f64> {
-        let layers = Layers::new(self.temperature.len().checked_sub(1)?)?;
-        Some(layers.at(&self.temperature, eta))
+        if let Some(layers) = Layers::new(self.temperature.len().checked_sub(1)?) {
+            return Some(layers.at(&self.temperature, eta));
+        }
+        let right = self.eta.iter().position(|at| *at >= eta)?.max(1);
+        let [[a, b], [from, to]] = [&self.eta, &self.temperature].map(|values| [values[right - 1], values[right]]);
+        Some(from + (eta - a) / (b - a) * (to - from))
     }
 }

@@ -8,6 +8,7 @@ use oilwedge_bearing::thermal_film::{HeatRound, HeatSearch, NoHeat, balance_heat
 use oilwedge_bearing::{InitialGuess, graetz_number};
 use oilwedge_heat::{BushSide, Layers};
 use oilwedge_reynolds::SolvedFilm;
+use oilwedge_reynolds::quantities::heat_network::EddySources;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::heating::Heating;
@@ -35,6 +36,9 @@ const WELL: f64 = 0.5;
 const LAYERS: [usize; 3] = [4, 6, 8];
 /// Fewest layers beside a bush that takes no heat: with fewer the oil at a hot rim is 9 to 13 K too hot there.
 const BESIDE_ADIABATIC: usize = 6;
+
+/// Layers of a turbulent film: steps, of which it takes more than a polynomial has terms.
+const OF_TURBULENT: usize = 8;
 
 /// Solves a film with the temperatures that balance its heat.
 ///
@@ -77,12 +81,15 @@ fn on_levels(
             (first, at_dofs, 0.0, layers)
         }
     };
-    balanced(
-        (film, first),
-        model,
-        options,
-        HeatSearch { layers: &layers, start: at_dofs, growth, closed, clearance: film.problem.bearing.clearance },
-    )
+    let search = HeatSearch {
+        layers: &layers,
+        start: at_dofs,
+        eddies: EddySources::of(&first.primary),
+        growth,
+        closed,
+        clearance: film.problem.bearing.clearance,
+    };
+    balanced((film, first), model, options, search)
 }
 
 /// The film of the last round from a `first` one, and its temperatures.
@@ -128,6 +135,10 @@ fn of_one_temperature(film: &Film, model: &HeatFieldModel, options: &SolveOption
 
 /// The points across a film that the model gives, or that its Graetz number asks for.
 pub(crate) fn layers(film: &SolvedFilm, model: &HeatFieldModel) -> Result<Layers, NoAnswer> {
+    if !film.problem.is_laminar() {
+        let count = model.layers.as_ref().map_or(OF_TURBULENT, Layers::count);
+        return Ok(Layers::linear(count).expect("a number that laminar films have too"));
+    }
     if let Some(layers) = &model.layers {
         return Ok(layers.clone());
     }

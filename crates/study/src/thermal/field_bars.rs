@@ -55,7 +55,8 @@ fn open(
     let by_mesh = HeatBeside { across, ..on_vertices };
     let here = numbers(&solved.film, &solved.primary);
     let mut open: HashMap<Cow<'static, str>, f64> = here.iter().map(|quantity| (quantity.name.clone(), 0.0)).collect();
-    for HeatBeside { heat, across } in [by_layers, by_mesh] {
+    let of_layers = heat.layers.left_open(&by_layers.heat.layers);
+    for (part, HeatBeside { heat, across }) in [(of_layers, by_layers), (1.0, by_mesh)] {
         let mut film = Film { heat: Some(Arc::new(heat)), ..solved.film.clone() };
         film.problem.viscosity_across = Some(across);
         let guess = InitialGuess::Near(Neighbour::Start(&solved.primary));
@@ -63,7 +64,7 @@ fn open(
         let there = numbers(&beside.film, &beside.primary);
         for quantity in &here {
             let other = there.iter().find(|other| other.name == quantity.name)?;
-            *open.get_mut(&quantity.name)? += quantity.row.difference(other.value, quantity.value).abs();
+            *open.get_mut(&quantity.name)? += part * quantity.row.difference(other.value, quantity.value).abs();
         }
     }
     Some(open)
@@ -72,7 +73,7 @@ fn open(
 /// Other layers than those of temperatures found: more of them, or less where there are no more.
 pub(crate) fn more_layers(heat: &FilmHeat) -> Option<Layers> {
     let count = heat.layers.count();
-    Layers::new(count + MORE).or_else(|| Layers::new(count - MORE))
+    heat.layers.alike(count + MORE).or_else(|| heat.layers.alike(count - MORE))
 }
 
 fn numbers(film: &Film, solved: &SolvedFilm) -> Vec<Quantity> {
