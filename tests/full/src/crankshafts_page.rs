@@ -171,12 +171,7 @@ fn closed() -> Table {
         ("counterweight [kg m]", CLOSED_THROW.best(), -best.at[0]),
         ("greatest load [N]", CLOSED_THROW.least_peak(), -best.value),
     ] {
-        rows.push(vec![
-            name.to_owned(),
-            format!("{wanted:.6}"),
-            format!("{found:.6}"),
-            off(found / wanted),
-        ]);
+        rows.push(vec![name.to_owned(), format!("{wanted:.6}"), format!("{found:.6}"), off(found / wanted)]);
     }
     rows
 }
