@@ -208,6 +208,7 @@ impl Solve {
         let (result, reasons) = with_derivatives(&scene, &run, inputs, &options);
         complain::warn(&reasons);
         // Its factors are large.
+        drop(run.solved);
         let run = Run { result, solved: None, ..run };
         let mut records = Records::default();
         for kind in self.compared() {

@@ -182,7 +182,7 @@ impl<'a> Iteration<'a> {
             true => solver.balanced(self.first, &self.residual, self.linearisation.constraints()),
             false => Enough::residual(solver.roughly_enough(self.first)),
         };
-        let step = Seconds::time(&mut self.seconds.solve, || self.linearisation.solve_to(&minus, enough))?;
+        let step = Seconds::time(&mut self.seconds.solve, || self.linearisation.solve_to(minus, enough))?;
         for (u, step) in self.u.iter_mut().zip(&step) {
             *u += step;
         }

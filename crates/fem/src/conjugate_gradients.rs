@@ -60,7 +60,7 @@ pub(crate) fn conjugate_gradients(
         *r = if fixed { 0.0 } else { *r };
     }
     let mut x = vec![0.0; r.len()];
-    let first = dot(&r, &r).sqrt();
+    let first = products(&r, [&r, &r])[0].sqrt();
     let mut residual = first;
     let mut direction: Vec<f64> = Vec::new();
     let mut image = vec![0.0; r.len()];
@@ -73,17 +73,15 @@ pub(crate) fn conjugate_gradients(
             return Ok(None);
         }
         let z = precondition(&r)?;
-        let next = dot(&r, &z);
+        let [next, turned] = products(&z, [&r, &image]);
         if steps == 0 {
             direction = z;
         } else {
             // (z, r - r before) over (z before, r before): exact also for a preconditioner that varies.
-            let turn = -length * dot(&z, &image) / product;
-            update(&mut direction, |i, d| z[i] + turn * d);
+            turn(&mut direction, -length * turned / product, &z);
         }
         product = next;
-        matrix.multiply_free(&direction, fixed, &mut image);
-        let curvature = dot(&direction, &image);
+        let curvature = matrix.multiply_free(&direction, fixed, &mut image);
         if !curvature.is_finite() || !product.is_finite() {
             return Err(Error::NotFinite { what: "solution of the linear system" });
         }
@@ -91,9 +89,7 @@ pub(crate) fn conjugate_gradients(
             return Err(Error::NotPositiveDefinite);
         }
         length = product / curvature;
-        update(&mut x, |i, x| x + length * direction[i]);
-        update(&mut r, |i, r| r - length * image[i]);
-        residual = dot(&r, &r).sqrt();
+        residual = step([&mut x, &mut r], length, [&direction, &image]).sqrt();
     }
     unreachable!("the steps are bounded")
 }
@@ -117,17 +113,37 @@ fn is_slow(ending: Ending, first: f64, residual: f64, steps: usize) -> bool {
     pace >= 0.0 || steps as f64 + left > ending.most_steps as f64
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let portions = a.par_chunks(PORTION).zip(b.par_chunks(PORTION));
-    let portions = portions.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum());
-    in_order::<f64>(portions).iter().sum()
+/// Scalar products of a vector with two others, by one pass.
+fn products(z: &[f64], [a, b]: [&[f64]; 2]) -> [f64; 2] {
+    let portions = z.par_chunks(PORTION).zip(a.par_chunks(PORTION)).zip(b.par_chunks(PORTION));
+    let portions = portions.map(|((z, a), b)| {
+        let add = |[with_a, with_b]: [f64; 2], ((z, a), b): ((&f64, &f64), &f64)| [with_a + z * a, with_b + z * b];
+        z.iter().zip(a).zip(b).fold([0.0; 2], add)
+    });
+    in_order(portions).iter().fold([0.0; 2], |[a, b], [more_a, more_b]| [a + more_a, b + more_b])
 }
 
-/// Replaces each entry by a function of its place and itself.
-fn update(x: &mut [f64], new: impl Fn(usize, f64) -> f64 + Sync) {
-    x.par_chunks_mut(PORTION).enumerate().for_each(|(portion, x)| {
-        for (k, x) in x.iter_mut().enumerate() {
-            *x = new(portion * PORTION + k, *x);
+/// `z + factor direction` instead of the direction.
+fn turn(direction: &mut [f64], factor: f64, z: &[f64]) {
+    direction.par_chunks_mut(PORTION).zip(z.par_chunks(PORTION)).for_each(|(direction, z)| {
+        for (direction, z) in direction.iter_mut().zip(z) {
+            *direction = z + factor * *direction;
         }
     });
+}
+
+/// A step of this `length` of solution and residual; what is returned is the square of the new residual.
+fn step([x, r]: [&mut [f64]; 2], length: f64, [direction, image]: [&[f64]; 2]) -> f64 {
+    let before = x.par_chunks_mut(PORTION).zip(r.par_chunks_mut(PORTION));
+    let portions = before.zip(direction.par_chunks(PORTION)).zip(image.par_chunks(PORTION));
+    let squares = portions.map(|(((x, r), direction), image)| {
+        let mut square = 0.0;
+        for (((x, r), direction), image) in x.iter_mut().zip(r).zip(direction).zip(image) {
+            *x += length * direction;
+            *r -= length * image;
+            square += *r * *r;
+        }
+        square
+    });
+    in_order::<f64>(squares).iter().sum()
 }

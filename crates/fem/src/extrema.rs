@@ -44,7 +44,7 @@ const LATTICE: u32 = 6;
 /// An upper bound of the polynomial with these nodal values over its triangle.
 pub(crate) fn bound(degree: usize, nodal: &[f64; MOST_SHAPES]) -> f64 {
     match degree {
-        1 => f64::NEG_INFINITY,
+        1 => nodal[..3].iter().fold(f64::NEG_INFINITY, |greatest, &u| greatest.max(u)),
         2 => quadratic_bound(nodal),
         _ => cubic_bound(nodal),
     }

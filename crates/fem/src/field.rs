@@ -27,6 +27,7 @@ pub struct Extremum {
 
 impl Field<'_> {
     /// Nodal values of triangle `t` in local order.
+    #[inline]
     pub fn element_values(&self, t: usize) -> [f64; MOST_SHAPES] {
         let dofs = self.space.element_dofs(t);
         let mut values = [0.0; MOST_SHAPES];
@@ -92,6 +93,10 @@ impl Field<'_> {
         let nodes = lagrange::nodes(degree);
         for t in 0..self.space.mesh().triangles().len() {
             let values = self.element_values(t).map(|value| sign * value);
+            let bound = extrema::bound(degree, &values);
+            if bound <= best.value && !values.iter().any(|value| value.is_nan()) {
+                continue;
+            }
             let mut offer = |value: f64, point: [f64; 2]| {
                 if value > best.value || value.is_nan() {
                     best = Extremum { value, triangle: t, point };
@@ -100,7 +105,7 @@ impl Field<'_> {
             for (i, &node) in nodes.iter().enumerate() {
                 offer(values[i], node);
             }
-            if extrema::bound(degree, &values) > best.value && smooth(t) {
+            if bound > best.value && smooth(t) {
                 for point in extrema::candidates(degree, &values) {
                     let value = evaluate(degree, &values, point);
                     if value > best.value {

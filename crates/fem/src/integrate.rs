@@ -40,6 +40,7 @@ pub struct Points<'a> {
     pub cell: usize,
     /// Positions on the developed surface [m].
     pub positions: &'a [[f64; 2]],
+    /// The map at each point, or one for all points of a straight triangle.
     places: &'a [MappedPoint],
     weights: &'a [f64],
     values: &'a [Nodal],
@@ -75,6 +76,7 @@ impl Rule {
     }
 
     /// Values of the shape functions at point `q`.
+    #[inline]
     pub fn shapes(&self, q: usize) -> &Nodal {
         &self.values[q]
     }
@@ -108,14 +110,11 @@ impl Rule {
     pub(crate) fn visit_batch(&self, mapping: &Mapping, t: usize, batch: Range<usize>, mut visit: impl FnMut(&Points)) {
         let Quadrature { points, weights, .. } = &self.quadrature;
         let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [MappedPoint::default(); MOST_POINTS]);
-        mapping.all_at(&points[batch.clone()], &mut places[..batch.len()]);
-        for (position, place) in positions.iter_mut().zip(&places) {
-            *position = place.position;
-        }
+        let set = mapping.all_at(&points[batch.clone()], &mut positions[..batch.len()], &mut places);
         visit(&Points {
             cell: t,
             positions: &positions[..batch.len()],
-            places: &places[..batch.len()],
+            places: &places[..set],
             weights: &weights[batch.clone()],
             values: &self.values[batch.clone()],
             gradients: &self.gradients[batch],
@@ -132,10 +131,19 @@ impl Rule {
 }
 
 impl Points<'_> {
+    /// The map of the triangle at point `q`, but for the position.
+    #[inline]
+    pub fn place(&self, q: usize) -> &MappedPoint {
+        match self.places {
+            [one] => one,
+            each => &each[q],
+        }
+    }
+
     /// Weight times Jacobian determinant [m2] of point `q`.
     #[inline]
     pub fn area(&self, q: usize) -> f64 {
-        self.weights[q] * self.places[q].determinant
+        self.weights[q] * self.place(q).determinant
     }
 
     /// Value at point `q` of the function with the given nodal values.
@@ -152,7 +160,7 @@ impl Points<'_> {
             QUADRATIC => (self.gradients[q][..QUADRATIC].iter().zip(nodal)).fold([0.0; 2], add),
             shapes => (self.gradients[q][..shapes].iter().zip(nodal)).fold([0.0; 2], add),
         };
-        self.places[q].gradient(reference)
+        self.place(q).gradient(reference)
     }
 
     /// Values of the shape functions at point `q`.
@@ -160,14 +168,19 @@ impl Points<'_> {
         &self.values[q]
     }
 
-    /// Gradient [1/m] of shape function `i` at point `q`.
-    pub fn shape_gradient(&self, q: usize, i: usize) -> [f64; 2] {
-        self.places[q].gradient(self.gradients[q][i])
+    /// Adds to each entry the slope [1/m] of its shape function along `direction` at point `q`.
+    #[inline]
+    pub fn add_slopes(&self, q: usize, direction: [f64; 2], entries: &mut Nodal) {
+        let [along_xi, along_eta] = self.place(q).reference_direction(direction);
+        for (entry, [xi, eta]) in entries.iter_mut().zip(&self.gradients[q]) {
+            *entry += along_xi * xi + along_eta * eta;
+        }
     }
 
-    /// The map of the triangle at point `q`.
-    pub fn place(&self, q: usize) -> MappedPoint {
-        self.places[q]
+    /// Gradient [1/m] of shape function `i` at point `q`.
+    #[inline]
+    pub fn shape_gradient(&self, q: usize, i: usize) -> [f64; 2] {
+        self.place(q).gradient(self.gradients[q][i])
     }
 }
 

@@ -1,7 +1,7 @@
 //! A large symmetric system by conjugate gradients with multigrid, and by a factor where that is slow.
 
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 use crate::conjugate_gradients::{Ending, Enough, TOLERANCE, conjugate_gradients};
 use crate::linear_solver::MultigridSolver;
@@ -15,7 +15,8 @@ const WORTH_A_FACTOR: usize = 30;
 #[derive(Debug)]
 pub(crate) struct Iterated {
     solver: MultigridSolver,
-    multigrid: Multigrid,
+    /// Nothing after [`Iterated::free`], until a system is solved again.
+    multigrid: RwLock<Option<Arc<Multigrid>>>,
     /// Factor that is made where multigrid is slow.
     factor: OnceLock<Result<Factorization, Error>>,
     /// Steps of conjugate gradients made so far.
@@ -29,7 +30,7 @@ impl Iterated {
     /// [`Error::NotFinite`] or [`Error::NotPositiveDefinite`].
     pub(crate) fn new(solver: &MultigridSolver, matrix: &Matrix, fixed: &[bool]) -> Result<Self, Error> {
         Ok(Self {
-            multigrid: Multigrid::new(solver.between.clone(), matrix, fixed)?,
+            multigrid: RwLock::new(Some(Arc::new(Multigrid::new(solver.between.clone(), matrix, fixed)?))),
             solver: solver.clone(),
             factor: OnceLock::new(),
             steps: AtomicUsize::new(0),
@@ -42,7 +43,30 @@ impl Iterated {
     /// [`Error::NotPositiveDefinite`].
     pub(crate) fn mask(&mut self, matrix: &Matrix, fixed: &[bool]) -> Result<(), Error> {
         self.factor = OnceLock::new();
-        self.multigrid.mask(matrix, fixed)
+        let multigrid = self.multigrid.get_mut().unwrap_or_else(PoisonError::into_inner);
+        match multigrid.as_mut().and_then(Arc::get_mut) {
+            Some(levels) => levels.mask(matrix, fixed),
+            None => {
+                *multigrid = None;
+                Ok(())
+            }
+        }
+    }
+
+    /// Frees the levels of multigrid, which are made again where they are needed.
+    pub(crate) fn free(&self) {
+        *self.multigrid.write().unwrap_or_else(PoisonError::into_inner) = None;
+    }
+
+    /// The levels of multigrid.
+    fn levels(&self, matrix: &Matrix, fixed: &[bool]) -> Result<Arc<Multigrid>, Error> {
+        let there = self.multigrid.read().unwrap_or_else(PoisonError::into_inner).clone();
+        if let Some(levels) = there {
+            return Ok(levels);
+        }
+        let levels = Arc::new(Multigrid::new(self.solver.between.clone(), matrix, fixed)?);
+        *self.multigrid.write().unwrap_or_else(PoisonError::into_inner) = Some(levels.clone());
+        Ok(levels)
     }
 
     /// The factor, if multigrid was slow.
@@ -71,9 +95,10 @@ impl Iterated {
         }
         let ending = Ending { enough, most_steps: WORTH_A_FACTOR };
         if self.factor.get().is_none() {
+            let levels = self.levels(matrix, &constraints.fixed)?;
             let precondition = |r: &[f64]| {
                 self.steps.fetch_add(1, Ordering::Relaxed);
-                self.multigrid.cycle(r)
+                levels.cycle(r)
             };
             match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition) {
                 Ok(Some(x)) => return Ok(x),
@@ -95,13 +120,13 @@ impl Iterated {
     ///
     /// # Errors
     /// Those of a factor.
-    pub(crate) fn precondition(&self, mut r: Vec<f64>) -> Result<Vec<f64>, Error> {
+    pub(crate) fn precondition(&self, matrix: &Matrix, fixed: &[bool], mut r: Vec<f64>) -> Result<Vec<f64>, Error> {
         match self.factor() {
             Some(factor) => {
                 factor.solve(&mut r)?;
                 Ok(r)
             }
-            None => self.multigrid.cycle(&r),
+            None => self.levels(matrix, fixed)?.cycle(&r),
         }
     }
 }

@@ -113,6 +113,13 @@ impl Linearisation {
         }
     }
 
+    /// Frees the levels of multigrid, for those who have solved what they need; they are made again if it is not so.
+    pub fn free_levels(&self) {
+        if let Factor::Multigrid(iterated) = &self.factor {
+            iterated.free();
+        }
+    }
+
     /// The tangent, unmasked.
     pub fn matrix(&self) -> &Matrix {
         &self.matrix
@@ -143,14 +150,14 @@ impl Linearisation {
     /// # Errors
     /// [`Error::NotFinite`], or [`Error::Inaccurate`] if the residual stays above 1e-7 of `b`.
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, false, Enough::residual(0.0), REFINE_ABOVE)
+        self.refined(b.to_vec(), false, Enough::residual(0.0), REFINE_ABOVE)
     }
 
     /// Solves likewise to what is `enough`; a factor gives what it has.
     ///
     /// # Errors
     /// As [`Linearisation::solve`].
-    pub fn solve_to(&self, b: &[f64], enough: Enough) -> Result<Vec<f64>, Error> {
+    pub fn solve_to(&self, b: Vec<f64>, enough: Enough) -> Result<Vec<f64>, Error> {
         self.refined(b, false, enough, REFINE_ABOVE)
     }
 
@@ -161,7 +168,7 @@ impl Linearisation {
     /// As [`Linearisation::solve`], where the residual stays above both 1e-7 and `part` of b.
     pub fn solve_within(&self, b: &[f64], part: f64) -> Result<Vec<f64>, Error> {
         let enough = Enough::residual(part * self.constraints.free_norm(b));
-        self.refined(b, false, enough, part.max(REFINE_ABOVE))
+        self.refined(b.to_vec(), false, enough, part.max(REFINE_ABOVE))
     }
 
     /// Solves `(dR/du)^T x = b`, likewise.
@@ -169,7 +176,7 @@ impl Linearisation {
     /// # Errors
     /// As [`Linearisation::solve`].
     pub fn solve_transposed(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, true, Enough::residual(0.0), REFINE_ABOVE)
+        self.refined(b.to_vec(), true, Enough::residual(0.0), REFINE_ABOVE)
     }
 
     /// Solves `(dR/du)^T x = b` until the residual is this `part` of b, likewise.
@@ -178,7 +185,7 @@ impl Linearisation {
     /// As [`Linearisation::solve_within`].
     pub fn solve_transposed_within(&self, b: &[f64], part: f64) -> Result<Vec<f64>, Error> {
         let enough = Enough::residual(part * self.constraints.free_norm(b));
-        self.refined(b, true, enough, part.max(REFINE_ABOVE))
+        self.refined(b.to_vec(), true, enough, part.max(REFINE_ABOVE))
     }
 
     /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there
@@ -201,7 +208,7 @@ impl Linearisation {
         let b = self.masked(b);
         let factor = match &self.factor {
             Factor::Cholesky(factor) => factor,
-            Factor::Multigrid(iterated) => return iterated.precondition(b),
+            Factor::Multigrid(iterated) => return iterated.precondition(&self.matrix, &self.constraints.fixed, b),
             Factor::Lu(_) | Factor::Nested(_) => return self.apply_factor(b, false),
         };
         let mut x = b.clone();
@@ -229,8 +236,8 @@ impl Linearisation {
     }
 
     /// The solution; where a residual is above this part of the right-hand side it is refined once.
-    fn refined(&self, b: &[f64], transposed: bool, enough: Enough, refine_above: f64) -> Result<Vec<f64>, Error> {
-        let b = self.masked(b.to_vec());
+    fn refined(&self, b: Vec<f64>, transposed: bool, enough: Enough, refine_above: f64) -> Result<Vec<f64>, Error> {
+        let b = self.masked(b);
         let mut x = b.clone();
         self.back_solve(&mut x, transposed, enough)?;
         if !self.has_factor() {
@@ -260,8 +267,8 @@ impl Linearisation {
     }
 
     /// True if `x` solves a system whose every entry is that of this one to rounding (Oettli, Prager, Numer. Math. 6
-    /// (1964) 405): where conductances differ by many orders residuals over the right-hand side say little. Not of
-    /// solutions so large that the matrix must be singular.
+    /// (1964) 405), the right-hand side in each row to rounding of the whole: where conductances differ by many orders
+    /// residuals over the right-hand side say little. Not of solutions so large that the matrix must be singular.
     fn is_stable(&self, b: &[f64], x: &[f64], residual: &[f64], transposed: bool) -> bool {
         let absolute = Matrix {
             pattern: self.matrix.pattern.clone(),
@@ -272,8 +279,9 @@ impl Linearisation {
             (Factor::Lu(_), true) => absolute.multiply_transposed(&x),
             _ => absolute.multiply(&x),
         });
-        let is_bounded = self.constraints.free_norm(&sizes) < SINGULAR_ABOVE * self.constraints.free_norm(b);
-        is_bounded && (residual.iter().zip(&sizes).zip(b)).all(|((r, size), b)| r.abs() <= ROUNDING * (size + b.abs()))
+        let whole = self.constraints.free_norm(b);
+        let is_bounded = self.constraints.free_norm(&sizes) < SINGULAR_ABOVE * whole;
+        is_bounded && residual.iter().zip(&sizes).all(|(r, size)| r.abs() <= ROUNDING * (size + whole))
     }
 
     fn residual(&self, b: &[f64], x: &[f64], transposed: bool) -> Vec<f64> {

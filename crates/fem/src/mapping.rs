@@ -31,6 +31,12 @@ impl MappedPoint {
     pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
         (self.inverse_transposed * Vector2::from(reference)).into()
     }
+
+    /// Direction in the reference triangle along which functions change as along `direction` on the surface.
+    #[inline]
+    pub fn reference_direction(&self, direction: [f64; 2]) -> [f64; 2] {
+        self.inverse_transposed.tr_mul(&Vector2::from(direction)).into()
+    }
 }
 
 impl Mapping {
@@ -44,6 +50,14 @@ impl Mapping {
         match self {
             Self::Straight([a, b, c]) => (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]),
             Self::Curved(_) => self.at(point).determinant,
+        }
+    }
+
+    /// Position [m] at the reference point `(xi, eta)`.
+    pub fn position(&self, point: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Straight(corners) => position(&lagrange::barycentric(point), corners),
+            Self::Curved(_) => self.at(point).position,
         }
     }
 
@@ -61,20 +75,23 @@ impl Mapping {
         }
     }
 
-    /// Position and derivatives at each of the reference points; a straight triangle has one derivative.
-    pub(crate) fn all_at(&self, points: &[[f64; 2]], places: &mut [MappedPoint]) {
+    /// Sets the positions [m] at some reference points and the map there, which is the first of `places` alone where
+    /// the triangle is straight; what is returned is how many places are set.
+    pub(crate) fn all_at(&self, points: &[[f64; 2]], positions: &mut [[f64; 2]], places: &mut [MappedPoint]) -> usize {
         match self {
-            Self::Straight(corners) => {
-                let first = points.first().map_or(MappedPoint::default(), |&point| self.at(point));
-                for (place, &point) in places.iter_mut().zip(points) {
-                    let position = position(&lagrange::barycentric(point), corners);
-                    *place = MappedPoint { position, ..first };
+            Self::Straight(_) => {
+                places[0] = self.at(points[0]);
+                for (position, &point) in positions.iter_mut().zip(points) {
+                    *position = self.position(point);
                 }
+                1
             }
             Self::Curved(_) => {
-                for (place, &point) in places.iter_mut().zip(points) {
+                for ((at, place), &point) in positions.iter_mut().zip(places).zip(points) {
                     *place = self.at(point);
+                    *at = place.position;
                 }
+                points.len()
             }
         }
     }

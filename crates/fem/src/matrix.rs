@@ -5,6 +5,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::Pattern;
+use crate::in_order;
 
 /// Rows of a product that one task computes; fixed, so that threads do not change a bit.
 const ROWS_A_TASK: usize = 8192;
@@ -45,35 +46,45 @@ impl Matrix {
         product
     }
 
-    /// `A x` into `product`, zero at `fixed` dofs.
-    pub(crate) fn multiply_free(&self, x: &[f64], fixed: &[bool], product: &mut [f64]) {
-        self.rows_of_product(x, product, |i| !fixed[i]);
+    /// `A x` into `product`, zero at `fixed` dofs; what is returned is `x . A x` of the others.
+    pub(crate) fn multiply_free(&self, x: &[f64], fixed: &[bool], product: &mut [f64]) -> f64 {
+        self.rows_of_product(x, product, |i| !fixed[i])
     }
 
-    /// The wanted rows of `A x`; others are zero.
-    fn rows_of_product(&self, x: &[f64], product: &mut [f64], is_wanted: impl Fn(usize) -> bool + Sync) {
-        let Pattern { row_start, columns } = &*self.pattern;
-        product.par_chunks_mut(ROWS_A_TASK).enumerate().for_each(|(task, out)| {
-            for (k, y) in out.iter_mut().enumerate() {
-                let i = task * ROWS_A_TASK + k;
-                if !is_wanted(i) {
-                    *y = 0.0;
-                    continue;
-                }
-                let row = row_start[i] as usize..row_start[i + 1] as usize;
-                *y = columns[row.clone()]
-                    .iter()
-                    .zip(&self.values[row])
-                    .map(|(&column, value)| value * x[column as usize])
-                    .sum();
+    /// The wanted rows of `A x`, others zero, and their product with `x`.
+    fn rows_of_product(&self, x: &[f64], product: &mut [f64], is_wanted: impl Fn(usize) -> bool + Sync) -> f64 {
+        let rows = |(task, out): (usize, &mut [f64])| {
+            let mut curvature = 0.0;
+            for (i, y) in (task * ROWS_A_TASK..).zip(out) {
+                *y = if is_wanted(i) { self.row_times(i, x) } else { 0.0 };
+                curvature += *y * x[i];
             }
-        });
+            curvature
+        };
+        let curvatures = product.par_chunks_mut(ROWS_A_TASK).enumerate().map(rows);
+        in_order::<f64>(curvatures).iter().sum()
+    }
+
+    /// Row `i` times `x`.
+    #[inline(always)]
+    fn row_times(&self, i: usize, x: &[f64]) -> f64 {
+        let row = self.pattern.row(i);
+        let (columns, values) = (&self.pattern.columns[row.clone()], &self.values[row]);
+        let ((columns, last_column), (values, last)) = (columns.as_chunks(), values.as_chunks());
+        // Two sums, so that one need not wait for the other.
+        let [mut even, mut odd] = [0.0; 2];
+        for ([a, b], [of_a, of_b]) in columns.iter().zip(values) {
+            even += of_a * x[*a as usize];
+            odd += of_b * x[*b as usize];
+        }
+        let rest: f64 = last_column.iter().zip(last).map(|(&column, value)| value * x[column as usize]).sum();
+        even + odd + rest
     }
 
     /// `A^T x`.
     pub fn multiply_transposed(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];
-        for (i, x) in x.iter().enumerate() {
+        for (i, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
             for k in self.pattern.row(i) {
                 product[self.pattern.columns[k] as usize] += self.values[k] * x;
             }

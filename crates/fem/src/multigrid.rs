@@ -103,6 +103,7 @@ impl Multigrid {
         }
         self.between.add_prolonged(&self.vertices.solve(&left)?, &mut z);
         self.quadratic.backward(&rough, &mut z);
+        drop(rough);
         let size = greatest * self.scale;
         Ok(in_order(z.par_iter().map(|&z| size * f64::from(z))))
     }

@@ -167,7 +167,7 @@ impl Equation<'_> {
         let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()))?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let step = Seconds::time(&mut seconds.solve, || {
-            linearisation.solve_to(&minus, solver.balanced(first, residual, constraints))
+            linearisation.solve_to(minus, solver.balanced(first, residual, constraints))
         })?;
         Ok((linearisation, step))
     }

@@ -144,7 +144,7 @@ impl Space {
         for t in 0..self.mesh.triangles().len() {
             let mapping = Mapping::of(&self.mesh, t);
             for (dof, &node) in self.element_dofs(t).iter().zip(&nodes) {
-                positions[*dof] = mapping.at(node).position;
+                positions[*dof] = mapping.position(node);
             }
         }
         for (v, &point) in (0u32..).zip(self.mesh.points()) {

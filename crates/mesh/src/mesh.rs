@@ -64,6 +64,7 @@ impl Mesh {
     }
 
     /// The three corners of triangle `t` [m], side by side also across the seam of a ring.
+    #[inline]
     pub fn corners(&self, t: usize) -> [[f64; 2]; 3] {
         unwrap_corners(self.triangles[t].map(|v| self.points[v as usize]), self.period)
     }

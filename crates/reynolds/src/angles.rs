@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 
 use oilwedge_fem::quadrature::MOST_POINTS;
 
-/// Angles [rad] from the first point up to which five terms of the series below end with rounding, and seven.
-const NEAR: [f64; 2] = [0.125, 0.5];
+/// Angles [rad] from the first point up to which three terms of the series below end with rounding, five, and seven.
+const NEAR: [f64; 3] = [0.03, 0.125, 0.5];
 
 /// The angle [rad] in `[-pi, pi]` that differs from `angle` by whole turns.
 pub fn wrapped(angle: f64) -> f64 {
@@ -34,30 +34,35 @@ pub(crate) fn sines_and_cosines(positions: &[[f64; 2]], radius: f64) -> [PointVa
         *distance = (x - origin) * per_radius;
         farthest = farthest.max(distance.abs());
     }
-    if farthest > NEAR[1] {
-        for ((&[x, _], sine), cosine) in positions.iter().zip(&mut sines).zip(&mut cosines) {
-            (*sine, *cosine) = (x / radius).sin_cos();
+    let turned = [sin, cos];
+    let of_distances = (&distances[..n], &mut sines[..n], &mut cosines[..n]);
+    match NEAR.iter().position(|&near| farthest <= near) {
+        Some(0) => add_series::<3>(turned, of_distances),
+        Some(1) => add_series::<5>(turned, of_distances),
+        Some(_) => add_series::<7>(turned, of_distances),
+        None => {
+            for ((&[x, _], sine), cosine) in positions.iter().zip(&mut sines).zip(&mut cosines) {
+                (*sine, *cosine) = (x / radius).sin_cos();
+            }
         }
-        return [sines, cosines];
-    }
-    let has_more_terms = farthest > NEAR[0];
-    for ((d, sine), cosine) in distances[..n].iter().zip(&mut sines[..n]).zip(&mut cosines[..n]) {
-        let s = d * d;
-        let [rest_of_sine, rest_of_cosine] = match has_more_terms {
-            true => [1.0 - s / 156.0 * (1.0 - s / 210.0), 1.0 - s / 132.0 * (1.0 - s / 182.0)],
-            false => [1.0; 2],
-        };
-        let sin_d = d * series(s, [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0], rest_of_sine);
-        let cos_d = series(s, [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0], rest_of_cosine);
-        *sine = sin * cos_d + cos * sin_d;
-        *cosine = cos * cos_d - sin * sin_d;
     }
     [sines, cosines]
 }
 
-/// `1 - a s (1 - b s (1 - c s (1 - d s (1 - e s rest))))`.
-fn series(s: f64, [a, b, c, d, e]: [f64; 5], rest: f64) -> f64 {
-    1.0 - a * s * (1.0 - b * s * (1.0 - c * s * (1.0 - d * s * (1.0 - e * s * rest))))
+/// Sines and cosines at small `distances` [rad] from an angle with the given ones, by series of `TERMS` terms after the
+/// first.
+fn add_series<const TERMS: usize>([sin, cos]: [f64; 2], (distances, sines, cosines): (&[f64], &mut [f64], &mut [f64])) {
+    /// Ratios of the terms of the sine, and of the cosine.
+    const OF_SINE: [f64; 7] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0];
+    const OF_COSINE: [f64; 7] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0];
+    // 1 - a s (1 - b s (1 - c s ...)).
+    let series = |s: f64, ratios: &[f64; 7]| ratios[..TERMS].iter().rev().fold(1.0, |rest, a| 1.0 - a * s * rest);
+    for ((d, sine), cosine) in distances.iter().zip(sines).zip(cosines) {
+        let s = d * d;
+        let (sin_d, cos_d) = (d * series(s, &OF_SINE), series(s, &OF_COSINE));
+        *sine = sin * cos_d + cos * sin_d;
+        *cosine = cos * cos_d - sin * sin_d;
+    }
 }
 
 #[cfg(test)]

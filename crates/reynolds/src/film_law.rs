@@ -5,6 +5,7 @@ use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{ConservationLaw, Dual, TangentKind};
 
 use crate::film_problem::{FilmProblem, Form};
+use crate::film_thickness::FilmContribution;
 use crate::{FilmChange, FilmFlow, FilmPoint, flow_factors};
 
 /// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves or the gap grows.
@@ -19,6 +20,29 @@ impl FilmProblem {
     /// The law whose flux balances in this film.
     pub fn law(&self) -> impl ConservationLaw + '_ {
         FilmLaw::new(self, 1.0)
+    }
+
+    /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell`
+    /// as a quadrature rule has at once.
+    pub(crate) fn unbent_at(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<f64> {
+        self.thickness_of(|contribution| contribution.as_deflection().is_none(), (cell, positions))
+    }
+
+    /// Film thickness [m] at as many positions [m] in triangle `cell` as a quadrature rule has at once.
+    pub fn thickness_at(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<f64> {
+        self.thickness_of(|_| true, (cell, positions))
+    }
+
+    fn thickness_of(
+        &self,
+        counts: impl Fn(&dyn FilmContribution) -> bool,
+        (cell, positions): (usize, &[[f64; 2]]),
+    ) -> AtPoints<f64> {
+        let mut film = [FilmPoint::default(); MOST_POINTS];
+        for contribution in self.film_thickness.iter().filter(|contribution| counts(&***contribution)) {
+            contribution.add(&self.journal, cell, positions, &mut film[..positions.len()]);
+        }
+        film.map(|point| point.thickness)
     }
 }
 
@@ -43,13 +67,20 @@ impl<'a> FilmLaw<'a> {
         self.problem.surface_velocity().map(|velocity| self.motion * velocity)
     }
 
-    fn film(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmPoint> {
+    /// Film at `positions` in triangle `cell`.
+    pub(crate) fn film(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmPoint> {
         let mut film = [FilmPoint::default(); MOST_POINTS];
+        self.set_film(cell, positions, &mut film[..positions.len()]);
+        film
+    }
+
+    /// Sets the film at `positions` in triangle `cell`, where `film` is zero so far.
+    fn set_film(&self, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         for contribution in &self.problem.film_thickness {
-            contribution.add(&self.problem.journal, cell, positions, &mut film[..positions.len()]);
+            contribution.add(&self.problem.journal, cell, positions, film);
         }
         let velocity = self.velocity();
-        for point in &mut film[..positions.len()] {
+        for point in &mut *film {
             point.viscosity = self.problem.lubricant.viscosity;
             point.shear_viscosity = self.problem.lubricant.viscosity;
             point.drag = 0.5;
@@ -57,34 +88,35 @@ impl<'a> FilmLaw<'a> {
             point.rate *= self.motion;
         }
         if let Some(across) = &self.problem.viscosity_across {
-            across.set(cell, positions, &mut film[..positions.len()]);
+            across.set(cell, positions, film);
         }
         if !self.problem.flow_factors.is_empty() {
             let factors = self.problem.factors();
-            film[..positions.len()].iter_mut().for_each(|point| point.shear_viscosity *= factors.shear(point));
+            film.iter_mut().for_each(|point| point.shear_viscosity *= factors.shear(point));
         }
-        film
     }
 
     /// Film (or its change) and what flows (or the change of that) at `positions` in triangle `cell`.
     pub(crate) fn film_and_flows(&self, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
-        let film = self.film(cell, positions);
-        match &self.change {
-            None => (film, self.flows_in(&film[..positions.len()])),
-            Some(change) => self.moved(change, &film, (cell, positions)),
+        if let Some(change) = &self.change {
+            return self.moved(change, &self.film(cell, positions), (cell, positions));
         }
+        // Both are set where they are returned: copies of them would take as long as the film.
+        let mut of_film = ([FilmPoint::default(); MOST_POINTS], [FilmFlow::default(); MOST_POINTS]);
+        let (film, flows) = &mut of_film;
+        self.set_film(cell, positions, &mut film[..positions.len()]);
+        self.set_flows(&film[..positions.len()], flows);
+        of_film
     }
 
-    /// What flows in a film.
-    fn flows_in(&self, film: &[FilmPoint]) -> AtPoints<FilmFlow> {
-        let mut flows = [FilmFlow::default(); MOST_POINTS];
+    /// Sets what flows in a film, where `flows` are zero so far.
+    fn set_flows(&self, film: &[FilmPoint], flows: &mut AtPoints<FilmFlow>) {
         for term in &self.problem.terms {
-            term.add_all(film, &mut flows);
+            term.add_all(film, flows);
         }
         if !self.problem.flow_factors.is_empty() {
-            self.scale(film, &mut flows);
+            self.scale(film, flows);
         }
-        flows
     }
 
     /// The change of a film, and of what flows in it.
@@ -94,7 +126,7 @@ impl<'a> FilmLaw<'a> {
         film: &AtPoints<FilmPoint>,
         (cell, positions): (usize, &[[f64; 2]]),
     ) -> FilmAndFlows {
-        let (mut moved, mut flows) = FilmAndFlows::default();
+        let (mut moved, mut flows) = ([FilmPoint::default(); MOST_POINTS], [FilmFlow::default(); MOST_POINTS]);
         self.vary(change, cell, positions, &mut moved[..positions.len()]);
         for term in &self.problem.terms {
             for ((point, change), flow) in film[..positions.len()].iter().zip(&moved).zip(&mut flows) {
@@ -133,11 +165,12 @@ impl<'a> FilmLaw<'a> {
     }
 
     fn of_oil(&self, film: &AtPoints<FilmPoint>, number: usize) -> FilmAndFlows {
-        let mut oil = *film;
+        let (mut oil, mut flows) = (*film, [FilmFlow::default(); MOST_POINTS]);
         for (point, [mean, _]) in oil.iter_mut().zip(self.mean_gaps(&film[..number])) {
             point.thickness = mean;
         }
-        (oil, self.flows_in(&film[..number]))
+        self.set_flows(&film[..number], &mut flows);
+        (oil, flows)
     }
 
     /// [`FilmLaw::oil_and_flows`], and its first-order change with each of some `changes` of the journal or the gap, by
@@ -186,10 +219,6 @@ impl<'a> FilmLaw<'a> {
             }
         }
     }
-
-    fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmFlow> {
-        self.film_and_flows(cell, positions).1
-    }
 }
 
 impl ConservationLaw for FilmLaw<'_> {
@@ -210,7 +239,7 @@ impl ConservationLaw for FilmLaw<'_> {
 
     /// `div(flux - conductance grad q) + storage = 0` in the reduced pressure q.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
-        for (flow, out) in self.flows(cell, positions).iter().zip(out) {
+        for (flow, out) in self.film_and_flows(cell, positions).1.iter().zip(out) {
             *out = Conduction { conductance: flow.conductance, flux: flow.flux, source: flow.storage };
         }
     }
@@ -226,7 +255,8 @@ impl ConservationLaw for FilmLaw<'_> {
             None => Dual::default(),
         };
         let along = self.directions();
-        for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
+        let flows = self.film_and_flows(cell, positions).1;
+        for ((flow, state), out) in flows.iter().zip(states).zip(out) {
             *out = Response {
                 flux: [0, 1].map(|k| state.gradient[k] * (-flow.conductance[k] * along[k]) + flow.flux[k]),
                 source: thickening(state.value) * (flow.divergence + flow.storage) + flow.storage,

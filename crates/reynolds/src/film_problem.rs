@@ -9,7 +9,6 @@ use oilwedge_fem::kink_rule::Kink;
 use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, NewtonStep, Seconds};
 use oilwedge_fem::ordering::elimination_order;
-use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{
     Analysis, Assembler, ControlVolumes, LinearProlongation, LinearSolver, Linearisation, Prolongation, Space,
     UnsymmetricAnalysis,
@@ -22,11 +21,11 @@ use crate::contact::{Contact, Fineness};
 use crate::film_thickness::{FilmContribution, Follows};
 use crate::flow_factors::{FlowFactor, FlowScales};
 use crate::levels::CoarseLevel;
-use crate::lubricant::Lubricant;
+use crate::lubricant::{Lubricant, PressureLaw};
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::wall::{GapTangent, Grid, Pressing};
-use crate::{Bearing, Cavitation, Fallback, FilmPoint, JournalState, Storage, Theory, ViscosityAcross};
+use crate::{Bearing, Cavitation, Fallback, JournalState, Storage, Theory, ViscosityAcross};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that
 /// grows with the unknowns; on one core a factor is as quick up to a million (docs/performance.md).
@@ -350,6 +349,11 @@ impl FilmProblem {
         Self { contact: self.contact.map(|contact| Contact { fineness, ..contact }), ..self }
     }
 
+    /// Whether the pressure that the film exerts is its unknown: viscosity is constant, and no pressure is dropped.
+    pub(crate) fn has_linear_pressure(&self) -> bool {
+        self.lubricant.pressure_law == PressureLaw::Constant && self.cavitation.kink().is_none()
+    }
+
     /// The pressure [Pa] that the film exerts where the unknown is `u`.
     pub fn pressure_at(&self, u: f64) -> f64 {
         self.cavitation.effective_pressure(self.equation_pressure(u))
@@ -391,25 +395,5 @@ impl FilmProblem {
     pub fn on_vertices(&self) -> Self {
         let viscosity_across = self.viscosity_across.as_ref().map(|across| Arc::new(across.on_vertices()));
         Self { viscosity_across, ..self.clone() }
-    }
-
-    /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell`
-    /// as a quadrature rule has at once.
-    pub(crate) fn unbent_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {
-        let mut film = [FilmPoint::default(); MOST_POINTS];
-        let is_rigid = |it: &&Arc<dyn FilmContribution>| it.as_deflection().is_none();
-        for contribution in self.film_thickness.iter().filter(is_rigid) {
-            contribution.add(&self.journal, cell, positions, &mut film[..positions.len()]);
-        }
-        film.map(|point| point.thickness)
-    }
-
-    /// Film thickness [m] at positions [m] in triangle `cell`.
-    pub fn thickness_at<const N: usize>(&self, cell: usize, positions: &[[f64; 2]; N]) -> [f64; N] {
-        let mut film = [FilmPoint::default(); N];
-        for contribution in &self.film_thickness {
-            contribution.add(&self.journal, cell, positions, &mut film);
-        }
-        film.map(|point| point.thickness)
     }
 }

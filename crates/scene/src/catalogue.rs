@@ -3,6 +3,9 @@
 //! The rows stand beside the code that reads the keys and drive it: a reader asks for a key, and takes form, example
 //! and range from its row. The schema, `oilwedge explain` and `docs/reference/scene.md` are made of the rows, too.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use crate::keys::Key;
 
 keys! {
@@ -60,10 +63,18 @@ pub fn keys() -> impl Iterator<Item = &'static Key> {
     TABLES.iter().copied().flatten()
 }
 
+/// The rows by the first part of their paths, which no user chooses.
+static BY_FIRST_PART: LazyLock<HashMap<&str, Vec<&Key>>> = LazyLock::new(|| {
+    let mut rows: HashMap<&str, Vec<&Key>> = HashMap::new();
+    keys().for_each(|key| rows.entry(parted(key.path).0).or_default().push(key));
+    rows
+});
+
 /// The row of the key at a path, whose lists of tables may have numbers, `feed[0].group`; a name that the user chooses
 /// may be one of several parts.
 pub(crate) fn row(path: &str) -> Option<&'static Key> {
-    keys().filter(|key| is_row(key.path, path)).max_by_key(|key| key.path.len())
+    let rows = BY_FIRST_PART.get(parted(path).0.split('[').next()?)?;
+    rows.iter().copied().filter(|key| is_row(key.path, path)).max_by_key(|key| key.path.len())
 }
 
 /// The row of the key at a path below `[sweep]`.

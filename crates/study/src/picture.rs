@@ -174,9 +174,12 @@ fn pointwise(film: &SolvedFilm, nodes: &Nodes) -> Vec<PictureField> {
     let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
     let pressure = |&dof: &usize| problem.pressure_at(solution.unknown[dof]).max(floor);
     let pressure: Vec<f64> = nodes.dofs.iter().map(pressure).collect();
-    let thickness: Vec<f64> = (nodes.cells.iter().zip(&nodes.positions))
-        .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
-        .collect();
+    let mut thickness = Vec::with_capacity(nodes.cells.len());
+    // Nodes that were met in one triangle follow each other.
+    for cells in nodes.cells.chunk_by(|a, b| a == b) {
+        let positions = &nodes.positions[thickness.len()..][..cells.len()];
+        thickness.extend_from_slice(&problem.thickness_at(cells[0], positions)[..cells.len()]);
+    }
     let contact =
         (problem.contact.as_ref()).map(|contact| thickness.iter().map(|&gap| contact.law.at(gap).pressure).collect());
     let viscosity = (pressure.iter().zip(&nodes.dofs)).map(|(&p, &dof)| problem.viscosity_at_dof(p, dof)).collect();
@@ -229,7 +232,8 @@ fn places(film: &Film, nodes: &Nodes, surface: Surface) -> [PictureField; 2] {
     };
     let angle = |&[x, _]: &[f64; 2]| {
         let angle = (x / radius).to_degrees();
-        if turn.is_finite() { angle.rem_euclid(turn) % turn } else { angle }
+        // Most angles are within the turn, and a division takes long.
+        if (0.0..turn).contains(&angle) || turn.is_infinite() { angle } else { angle.rem_euclid(turn) % turn }
     };
     [
         scalars(&ANGLE, nodes.positions.iter().map(angle).collect()),

@@ -90,6 +90,8 @@ pub fn run_telling(
     let mut result = without_outcome(&answer.film, &answer.levels, options);
     let (picture, solved) = match answer.outcome {
         Ok((solved, estimated)) => {
+            // As large as the film and its picture together.
+            solved.primary.solution.linearisation.free_levels();
             let picture = picture(&solved.film, &solved.primary, estimated.indicator.as_deref(), options.picture);
             report((&solved, estimated), options, &mut result);
             (Some(picture), Some(solved))

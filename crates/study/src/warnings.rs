@@ -98,7 +98,7 @@ fn steepest_cell(film: &Film) -> f64 {
     let mesh = film.system.space().mesh();
     (0..mesh.triangles().len())
         .map(|t| {
-            let thickness = film.problem.thickness_at(t, &mesh.corners(t));
+            let thickness = &film.problem.thickness_at(t, &mesh.corners(t))[..3];
             let least = thickness.iter().copied().fold(f64::INFINITY, f64::min);
             thickness.iter().copied().fold(0.0, f64::max) / least
         })

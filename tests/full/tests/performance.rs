@@ -2,8 +2,10 @@
 
 use oilwedge_full::performance::films::{Films, Kind, scene};
 use oilwedge_full::performance::floor::Path;
+use oilwedge_full::performance::gate::{Count, compiler, counted, judged, of_profile, recorded, scenes};
 use oilwedge_full::performance::phases;
 use oilwedge_mesh::{Quality, gmsh};
+use oilwedge_tests::program::{oilwedge_command, repository};
 
 /// The file that stands for one of gmsh holds the mesh that was drawn, in another order.
 #[test]
@@ -44,4 +46,36 @@ fn sizes_are_those_of_a_ring() {
     let whole = sizes.work(Path::FileToLoad)[0];
     let parts: f64 = [Path::Read, Path::Number, Path::Assemble].map(|path| sizes.work(path)[0]).iter().sum();
     assert_eq!(whole, parts + 12.0 * sizes.entries);
+}
+
+/// Four scenes cost what the page records for this compiler and its settings, to a hundredth.
+#[test]
+fn scenes_cost_no_more_instructions_than_recorded() {
+    let page = std::fs::read_to_string(repository().join("docs/performance.md")).expect("a page");
+    let (films, program) = (Films::new(), oilwedge_command());
+    for (scene, film) in scenes(&films) {
+        let Some(before) = recorded(&page, scene) else {
+            eprintln!("no count of {scene} is recorded for {}", compiler());
+            continue;
+        };
+        let Some(count) = counted(program.get_program().as_ref(), &film) else {
+            eprintln!("instructions cannot be counted: there is no valgrind");
+            return;
+        };
+        let (told, is_open) = judged(scene, &count, &before);
+        assert!(is_open, "{told}");
+    }
+}
+
+/// A count is read from a profile, and one that grows is told with the functions that grew.
+#[test]
+fn functions_that_grew_are_told() {
+    let text = "version: 1\ncmd: 1 2\nfn=quick\n0 700\ncfn=slow\ncalls=1 0\n0 300\n0 100\n\nfn=slow\n0 200\n";
+    let before = of_profile(text);
+    assert_eq!((before.total, &before.functions["quick"], &before.functions["slow"]), (1000.0, &800.0, &200.0));
+    let after = of_profile(&text.replace("0 200", "0 230"));
+    let (told, is_open) = judged("a scene", &after, &before);
+    assert!(!is_open && told.contains("+3.00 %") && told.ends_with("+30 after 200: slow"), "{told}");
+    let (told, is_open) = judged("a scene", &Count { total: 1009.0, ..before.clone() }, &before);
+    assert!(is_open && !told.contains("slow"), "{told}");
 }

@@ -99,6 +99,15 @@ fn steps_do_not_grow_with_the_mesh() {
 }
 
 #[test]
+fn levels_that_were_freed_are_made_again() {
+    let system = TestSystem::on(&ring(60, 24, 0.4));
+    let multigrid = system.linearised(&system.multigrid);
+    let x = multigrid.solve(&system.b).expect("solved");
+    multigrid.free_levels();
+    assert_eq!(multigrid.solve(&system.b).expect("solved"), x);
+}
+
+#[test]
 fn needles_go_to_a_factor() {
     let system = TestSystem::on(&ring(20, 60, 0.01));
     let multigrid = system.linearised(&system.multigrid);

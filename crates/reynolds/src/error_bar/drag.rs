@@ -4,9 +4,9 @@
 //! and `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the
 //! difference of the two films times the vector is the change of the power, but for what the rules of integration add.
 
-use oilwedge_fem::integrate::Rule;
+use oilwedge_fem::Field;
+use oilwedge_fem::integrate::{Nodal, Points, Rule};
 use oilwedge_fem::quadrature::Quadrature;
-use oilwedge_fem::{Field, integrate};
 
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
@@ -21,74 +21,69 @@ pub(super) fn shear(problem: &FilmProblem, film: &FilmPoint, p: f64) -> f64 {
     film.shear_viscosity * problem.lubricant.pressure_law.viscosity_ratio(p) * (x * x + z * z) / film.thickness
 }
 
-/// What the rules of integration for the two degrees differ by in the power of shear [W] of the `cubic` film: summed
-/// over triangles without sign, since the difference of the two powers is small by chance where it cancels. Zero for a
-/// journal at rest. `system` is that of the quadratic film.
-pub(super) fn difference_of_rules(system: &FilmSystem, cubic: &SolvedFilm) -> f64 {
-    let problem = &cubic.problem;
-    let law = FilmLaw::new(problem, 1.0);
-    if law.velocity() == [0.0; 2] {
-        return 0.0;
-    }
-    let better = cubic.system.space();
-    let mesh = better.mesh();
-    let is_film = system.supply.film(mesh);
-    let values = &cubic.solution.unknown[..];
-    let rules =
-        [system.space(), better].map(|space| Rule::new(Quadrature::for_degree(space.degree()), better.degree()));
-    integrate(mesh, |t| {
-        if !is_film[t] {
-            return 0.0;
-        }
-        let nodal = Field { space: better, values }.element_values(t);
-        let [quadratic, cubic] = rules.each_ref().map(|rule| {
-            rule.integrate(mesh, t, |points, sum: &mut f64| {
-                let film = law.film_and_flows(t, points.positions).0;
-                for (q, film) in film[..points.positions.len()].iter().enumerate() {
-                    *sum += points.area(q) * shear(problem, film, problem.pressure_at(points.value(q, &nodal)));
-                }
-            })
-        });
-        (quadratic - cubic).abs()
-    })
+/// The power that the journal puts in, as goals.
+pub(super) struct DragGoals {
+    /// Vectors for shear and pressure [W/Pa]; zero for a journal at rest.
+    pub(super) vectors: [Vec<f64>; 2],
+    /// What the rules of integration for the two degrees differ by in the power of shear [W] of the cubic film: summed
+    /// over triangles without sign, since the difference of the two powers is small by chance where it cancels. Zero
+    /// for a journal at rest.
+    pub(super) shear_rules: f64,
 }
 
-/// The vectors for shear and pressure [W/Pa]; zero for a journal at rest.
-pub(super) fn goal_vectors(cubic: &SolvedFilm, raised: &[f64]) -> [Vec<f64>; 2] {
+/// The goals between a film, whose `system` and unknown `raised` to cubic functions are given, and the `cubic` one.
+pub(super) fn goals(film: &FilmSystem, cubic: &SolvedFilm, raised: &[f64]) -> DragGoals {
     let SolvedFilm { problem, system, solution } = cubic;
     let (space, better) = (system.space(), &solution.unknown[..]);
-    let mut goals = [0, 1].map(|_| vec![0.0; space.dofs()]);
+    let mut goals = DragGoals { vectors: [0, 1].map(|_| vec![0.0; space.dofs()]), shear_rules: 0.0 };
     let law = FilmLaw::new(problem, 1.0);
     let velocity = law.velocity();
     if velocity == [0.0; 2] {
         return goals;
     }
-    let is_film = system.supply.film(space.mesh());
-    let rule = Rule::for_degree(space.degree());
+    let mesh = space.mesh();
+    let is_film = system.supply.film(mesh);
+    let [rule, other] =
+        [space, film.space()].map(|space| Rule::new(Quadrature::for_degree(space.degree()), system.space().degree()));
     let thickens = !matches!(problem.lubricant.pressure_law, PressureLaw::Constant);
+    let sheared = |points: &Points, q: usize, film: &FilmPoint, better: &Nodal| {
+        let pressure = if thickens { problem.pressure_at(points.value(q, better)) } else { 0.0 };
+        points.area(q) * shear(problem, film, pressure)
+    };
     for t in (0..is_film.len()).filter(|&t| is_film[t]) {
         let nodal = [better, raised].map(|values| Field { space, values }.element_values(t));
-        let dofs = &space.element_dofs(t)[..space.shapes()];
-        rule.visit(space.mesh(), t, |points| {
-            let film = law.film_and_flows(t, points.positions).0;
+        let (mut element, mut by_rules) = ([Nodal::default(); 2], [0.0; 2]);
+        rule.visit(mesh, t, |points| {
+            let film = law.film(t, points.positions);
             for (q, film) in film[..points.positions.len()].iter().enumerate() {
                 let area = points.area(q);
-                for (i, &dof) in dofs.iter().enumerate() {
-                    let [x, z] = points.shape_gradient(q, i);
-                    goals[1][dof] += area * 0.5 * film.thickness * (velocity[0] * x + velocity[1] * z);
-                }
+                points.add_slopes(q, velocity.map(|u| area * 0.5 * film.thickness * u), &mut element[1]);
+                by_rules[0] += sheared(points, q, film, &nodal[0]);
                 if thickens {
                     let at_unknown = |u: f64| shear(problem, film, problem.pressure_at(u));
                     let [better, raised] = nodal.each_ref().map(|nodal| points.value(q, nodal));
                     let density = area * secant(&at_unknown, better, raised);
-                    for (&dof, value) in dofs.iter().zip(points.shapes(q)) {
-                        goals[0][dof] += density * value;
+                    for (entry, value) in element[0].iter_mut().zip(points.shapes(q)) {
+                        *entry += density * value;
                     }
                 }
             }
         });
+        other.visit(mesh, t, |points| {
+            let film = law.film(t, points.positions);
+            for (q, film) in film[..points.positions.len()].iter().enumerate() {
+                by_rules[1] += sheared(points, q, film, &nodal[0]);
+            }
+        });
+        goals.shear_rules += (by_rules[1] - by_rules[0]).abs();
+        let dofs = &space.element_dofs(t)[..space.shapes()];
+        for (goal, element) in goals.vectors.iter_mut().zip(&element) {
+            for (&dof, entry) in dofs.iter().zip(element) {
+                goal[dof] += entry;
+            }
+        }
     }
-    for (goal, (&a, &b)) in goals[1].iter_mut().zip(better.iter().zip(raised)) {
+    for (goal, (&a, &b)) in goals.vectors[1].iter_mut().zip(better.iter().zip(raised)) {
         *goal *= secant(&|u| problem.pressure_at(u), a, b);
     }
     goals

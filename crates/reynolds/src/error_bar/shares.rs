@@ -9,10 +9,10 @@ use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, KinkRule, Matrix};
 
+use super::drag::DragGoals;
 use super::following::{FollowingWall, GOALS};
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
-use crate::lubricant::PressureLaw;
 use crate::quantities::load::{Share, possible_load};
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSystem, Form, SolvedFilm};
@@ -71,7 +71,7 @@ pub(super) fn film_error(
         }
         false => None,
     };
-    let [shear, pressure] = drag::goal_vectors(cubic, &raised);
+    let DragGoals { vectors: [shear, pressure], shear_rules } = drag::goals(system, cubic, &raised);
     let drag = [
         judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
         // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
@@ -87,20 +87,15 @@ pub(super) fn film_error(
         goals,
         moments,
         drag,
-        shear_rules: drag::difference_of_rules(system, cubic),
+        shear_rules,
         flows,
-        is_smooth: is_smooth(problem) && !front.contains(&true),
+        is_smooth: problem.has_linear_pressure() && !front.contains(&true),
         front,
         deep,
         corner,
         bend,
         nonlinear: problem.form == Form::AsPrinted,
     })
-}
-
-/// Whether the pressure is linear in the unknown of a linear equation.
-fn is_smooth(problem: &FilmProblem) -> bool {
-    problem.lubricant.pressure_law == PressureLaw::Constant && problem.cavitation.kink().is_none()
 }
 
 /// The difference of the two films, ready to be weighed by duals.
@@ -147,7 +142,8 @@ impl<'a> Split<'a> {
                 .map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k))))
                 .collect();
             let chi = self.film.system.cubic().prolongation.prolong(&chi);
-            let (_, error) = self.goal(&self.stiffness.multiply(&chi))?;
+            // Symmetric: by the few rows at the region rather than by all columns.
+            let (_, error) = self.goal(&self.stiffness.multiply_transposed(&chi))?;
             if region.kind == BoundaryKind::End {
                 both = both.plus(1.0, &error);
             }
@@ -206,6 +202,7 @@ impl GoalVectors<'_> {
         let (SolvedFilm { problem, system, solution }, following) = (self.cubic, self.following);
         let (space, mesh) = (system.space(), system.space().mesh());
         let rule = KinkRule::for_degree(space.degree());
+        let is_linear = problem.has_linear_pressure();
         let mut goals = [(); N].map(|()| vec![0.0; space.dofs()]);
         for t in 0..mesh.triangles().len() {
             let dofs = &space.element_dofs(t)[..space.shapes()];
@@ -214,7 +211,11 @@ impl GoalVectors<'_> {
             rule.visit(mesh, t, problem.kink([&p3, &p2]), |points| {
                 let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
                 for q in 0..points.positions.len() {
-                    let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));
+                    let slope = match is_linear {
+                        true => 1.0,
+                        false => secant(problem, points.value(q, &p3), points.value(q, &p2)),
+                    };
+                    let area = points.area(q) * slope;
                     let position = points.positions[q];
                     let weights = weights(WeighingPoint {
                         cos: cosines[q],

@@ -162,7 +162,7 @@ fn add_shear(film: &SolvedFilm, of_triangles: &[f64], sums: &mut [CellSums]) {
     for (t, &shear) in of_triangles.iter().enumerate().filter(|(_, shear)| **shear > 0.0) {
         let dofs = space.element_dofs(t);
         let number = space.shapes();
-        let points = law.film_and_flows(t, &mesh.nodes(t)[..number]).0;
+        let points = law.film(t, &mesh.nodes(t)[..number]);
         // Corners belong to one of the four sub-triangles, middles of sides to three.
         let share = |k: usize| {
             let p = excess(problem, solution.unknown[dofs[k]]);

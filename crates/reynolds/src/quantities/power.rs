@@ -229,6 +229,7 @@ fn of_triangle<'a>(
     let rule = Rule::for_degree(space.degree());
     let parts = SubTriangleRules::new(space.degree(), 1);
     let law = FilmLaw::new(problem, 1.0);
+    let drops_pressures = problem.cavitation.drops_pressures();
     move |t| {
         let fields = [&solution.unknown[..], excess].map(|values| Field { space, values }.element_values(t));
         let work = rule.integrate(mesh, t, |points, work| cell_work(problem, &law, points, &fields, work));
@@ -240,7 +241,8 @@ fn of_triangle<'a>(
             }
             _ => work.shear,
         };
-        PowerIntegrals { shear, cavity_shear: shear * broken_share(film, t), ..work }
+        let cavity_shear = if drops_pressures { shear * broken_share(film, t) } else { 0.0 };
+        PowerIntegrals { shear, cavity_shear, ..work }
     }
 }
 
@@ -255,9 +257,11 @@ fn cell_work(
     let (film, flows) = law.film_and_flows(points.cell, points.positions);
     let (velocity, along) = (law.velocity(), problem.theory.directions());
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let (is_linear, is_rough) = (problem.has_linear_pressure(), problem.is_rough());
     for q in 0..points.positions.len() {
         let area = points.area(q);
-        let (of_unknown, of_pressure) = (points.gradient(q, unknown), points.gradient(q, excess));
+        let of_pressure = points.gradient(q, excess);
+        let of_unknown = if is_linear { of_pressure } else { points.gradient(q, unknown) };
         let p = points.value(q, excess);
         let (conductance, along) = flows[q].parts(along);
         let FilmPoint { thickness, drag, .. } = film[q];
@@ -267,7 +271,7 @@ fn cell_work(
             shear: area * shear_viscosity(problem, &film[q], p) / thickness * dot(velocity, velocity),
             pressure,
             uneven: area * (drag - 0.5) * thickness * dot(velocity, of_pressure),
-            dragged: match problem.is_rough() {
+            dragged: match is_rough {
                 false => pressure,
                 true => area * dot(flows[q].flux, of_pressure),
             },
@@ -304,7 +308,7 @@ fn broken_shear(
     let mut shear = 0.0;
     for (corners, carried) in sub_triangles(space, t).iter().zip(carried) {
         parts.of(corners).visit(space.mesh(), t, |points| {
-            let film = law.film_and_flows(t, points.positions).0;
+            let film = law.film(t, points.positions);
             for (q, point) in film[..points.positions.len()].iter().enumerate() {
                 let FilmPoint { thickness, drag, .. } = point;
                 let [gap, _] = mean_gap(&problem.flow_factors, *thickness);

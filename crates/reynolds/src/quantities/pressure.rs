@@ -46,7 +46,7 @@ pub fn extremes(film: &SolvedFilm) -> Extremes {
     let greatest = film.problem.pressure_at(top.value);
     let (least, least_in) = least(film);
     let summit = summit(film, &top, least);
-    let unpressed = FilmLaw::new(&film.problem, 1.0).film_and_flows(top.triangle, &[summit.position]).0[0].viscosity;
+    let unpressed = FilmLaw::new(&film.problem, 1.0).film(top.triangle, &[summit.position])[0].viscosity;
     Extremes { greatest, summit, least, least_in, unpressed }
 }
 

@@ -24,7 +24,7 @@ pub struct TurbulentFilm {
 
 /// Reynolds numbers [1] at positions [m] in triangle `cell`.
 pub fn reynolds_numbers(problem: &FilmProblem, cell: usize, positions: &[[f64; 2]]) -> AtPoints<f64> {
-    let film = FilmLaw::new(problem, 1.0).film_and_flows(cell, positions).0;
+    let film = FilmLaw::new(problem, 1.0).film(cell, positions);
     film.map(|point| if point.viscosity > 0.0 { reynolds_number(&point, problem.lubricant.density) } else { 0.0 })
 }
 

@@ -239,7 +239,7 @@ fn front_cell(law: &FilmLaw, space: &Space, rule: &Rule, rays: &Rays, t: usize) 
                     RaySide::Rupture | RaySide::Bare => f64::INFINITY,
                 },
                 rise: flux[0].hypot(flux[1]) / flows[q].conductance[0],
-                place: points.place(q),
+                place: *points.place(q),
             });
         }
     });

@@ -30,6 +30,24 @@ pub(super) struct CubicPair<'a> {
     /// What the edge of the cavity of the cubic film leaves open of stiffness and damping, triangle by triangle; none
     /// where they are not asked for, or could not be computed.
     pub(super) edge: Option<Vec<Coefficients>>,
+    /// What bars of the load are made of: sums over all triangles, made once for all quantities.
+    pub(super) of_load: LoadErrors,
+}
+
+/// What the errors of two films say of the load.
+#[derive(Clone, Copy)]
+pub(super) struct LoadErrors {
+    /// Bars of the load along and across its direction [N].
+    pub(super) bars: [Bar; 2],
+    /// False where the mesh does not resolve the film.
+    pub(super) is_resolved: bool,
+}
+
+impl LoadErrors {
+    /// Sums the errors of a film for this value.
+    pub(super) fn of(error: &FilmError, value: Value) -> Self {
+        Self { bars: [error.load(value), error.across(value)], is_resolved: error.is_resolved() }
+    }
 }
 
 /// Parts of the difference of the tangents of both films that each of them is off by: of the quadratic one, of the
@@ -51,7 +69,7 @@ const PER_EXTREME: f64 = 3.0;
 
 impl Estimate for CubicPair<'_> {
     fn is_resolved(&self) -> bool {
-        self.error.is_resolved()
+        self.of_load.is_resolved
     }
 
     fn force(&self) -> f64 {
@@ -208,7 +226,7 @@ impl CubicPair<'_> {
 
     /// Bars of the load along and across its direction [N].
     fn bars(&self) -> [Bar; 2] {
-        [self.error.load(self.value), self.error.across(self.value)].map(|bar| bar + self.unseen())
+        self.of_load.bars.map(|bar| bar + self.unseen())
     }
 
     /// What neither film sees of a load [N]: rounding of the film thickness, as much as for the drag through the whole

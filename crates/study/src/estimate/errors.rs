@@ -16,7 +16,7 @@ use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use super::Estimate;
 use super::coarse::CoarseComparison;
-use super::cubic::CubicPair;
+use super::cubic::{CubicPair, LoadErrors};
 use super::linked::link;
 use super::position_sensitivity::position_bars;
 use super::wall::wall_bars;
@@ -108,16 +108,17 @@ fn by_cubic(solved: &Solved, cubic: &SolvedFilm) -> Estimated {
         measured: [&quadratic, &reported],
         value: Value::Cubic,
         edge: edge_of(film, cubic),
+        of_load: LoadErrors::of(&error, Value::Cubic),
     };
-    let along = error.load(Value::Cubic);
-    let load = bars_of_balance(film, &reported, [along, error.across(Value::Cubic)], pair.moment());
+    let LoadErrors { bars, is_resolved } = pair.of_load;
+    let load = bars_of_balance(film, &reported, bars, pair.moment());
     Estimated {
         of_hill: Vec::new(),
-        carried: error.is_resolved().then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
+        carried: is_resolved.then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
         narrowed: 1.0,
         quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,
-        is_local: along.front > along.discretisation,
+        is_local: bars[0].front > bars[0].discretisation,
         spread: 0.0,
         indicator: Some(error.indicator()),
         seconds: 0.0,
@@ -196,6 +197,7 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
         measured: [&quadratic, &better],
         value: Value::Quadratic,
         edge: edge_of(film, cubic),
+        of_load: LoadErrors::of(&error, Value::Quadratic),
     };
     Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), &[]))
 }

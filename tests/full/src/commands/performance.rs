@@ -1,6 +1,7 @@
 //! `performance [MAX_UNKNOWNS]`: times the program and writes the tables of `docs/performance.md` anew.
 //! `performance bearings`: only the table of bearings under load.
-//! `performance gate [PROGRAM]`: does the plain scene cost what the page records, or what another program needs for it?
+//! `performance gate [PROGRAM]`: do four scenes cost what the page records, or what another program needs for them?
+//! `performance record`: counts them, and records that as what they may cost.
 //! Build the program first (`cargo build --release`).
 
 use std::path::Path;
@@ -8,7 +9,7 @@ use std::process::ExitCode;
 
 use oilwedge_full::performance::bearings;
 use oilwedge_full::performance::films::Films;
-use oilwedge_full::performance::gate::{instructions, judged, recorded};
+use oilwedge_full::performance::gate::{counted, judged, record, recorded, scenes};
 use oilwedge_full::performance::page::{SIZES, page};
 use oilwedge_full::performance::process::{APART, answer};
 use oilwedge_full::tables::replace;
@@ -22,18 +23,27 @@ pub(crate) fn run(arguments: &[String]) -> std::io::Result<ExitCode> {
     match arguments.first().map(String::as_str) {
         Some(APART) => answer(&arguments[1..]),
         Some("gate") => {
-            let before = match arguments.get(1) {
-                Some(other) => instructions(Path::new(other)),
-                None => recorded(&written),
-            };
-            let (Some(count), Some(before)) = (instructions(&program), before) else {
-                eprintln!("the gate needs valgrind, and a count in docs/performance.md or another program");
-                return Ok(ExitCode::from(2));
-            };
-            let (told, open) = judged(count, before);
-            println!("{told}");
-            return Ok(if open { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+            let (films, other) = (Films::new(), arguments.get(1).map(Path::new));
+            let mut are_open = true;
+            for (scene, film) in scenes(&films) {
+                let before = match other {
+                    Some(other) => counted(other, &film),
+                    None => recorded(&written, scene),
+                };
+                let (Some(before), Some(count)) = (before, counted(&program, &film)) else {
+                    eprintln!("the gate needs valgrind, and counts of this compiler or another program");
+                    return Ok(ExitCode::from(2));
+                };
+                let (told, is_open) = judged(scene, &count, &before);
+                println!("{told}");
+                are_open &= is_open;
+            }
+            return Ok(if are_open { ExitCode::SUCCESS } else { ExitCode::FAILURE });
         }
+        Some("record") => match record(&written, &program)? {
+            Some(page) => std::fs::write(&path, page)?,
+            None => eprintln!("counts need valgrind"),
+        },
         Some("bearings") => {
             let rows = bearings::rows(&Films::new(), &program);
             std::fs::write(&path, replace(&written, "bearings", &rows))?;

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use super::bearings;
 use super::films::Films;
-use super::gate::{compiler, instructions};
+use super::gate::{compiler, record};
 use super::machine::{Machine, busy, processor};
 use super::phase_table::{column, exponent, rows};
 use super::{figures, peers};
@@ -45,7 +45,7 @@ pub fn page(written: &str, program: &Path, most: usize) -> String {
     page = replace(&page, "bearings", &bearings::rows(&films, program));
     page = replace(&page, "figures", &figures::rows(&films, program, &machine, [one, two], most));
     page = replace(&page, "peers", &peers::rows(program, most));
-    replace(&page, "gate", &gate(program))
+    record(&page, program).expect("counts of functions can be written").unwrap_or(page)
 }
 
 fn facts(machine: &Machine) -> Vec<Vec<String>> {
@@ -74,13 +74,4 @@ fn facts(machine: &Machine) -> Vec<Vec<String>> {
             revision,
         ],
     ]
-}
-
-/// The table of the gate.
-///
-/// # Panics
-/// If the program fails.
-pub fn gate(program: &Path) -> Vec<Vec<String>> {
-    let count = instructions(program).map_or("not counted: no valgrind here".to_owned(), |count| format!("{count:.0}"));
-    vec![row(["scene", "instructions", "compiler"]), vec!["01_plain_ring".to_owned(), count, compiler()]]
 }
