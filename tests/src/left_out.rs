@@ -70,6 +70,14 @@ pub fn missing_for_fuzzing() -> Vec<Missing> {
     }
 }
 
+/// What counts instructions, if this machine lacks it.
+pub fn missing_for_counting() -> Vec<Missing> {
+    match succeeds(Command::new("valgrind").arg("--version")) {
+        true => Vec::new(),
+        false => vec![Missing::new("valgrind", "valgrind")],
+    }
+}
+
 /// Where notes are kept until the end of the tests: beside the programs of this profile.
 fn folder() -> PathBuf {
     let own = std::env::current_exe().expect("path of this test");

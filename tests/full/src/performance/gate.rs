@@ -83,15 +83,26 @@ pub fn of_profile(text: &str) -> Count {
     count
 }
 
-/// The compiler, as it names itself, and its settings where they are not those of a release.
+/// The compiler, as it names itself, its settings where they are not those of a release, and the library of C with the
+/// processor for which that chooses its functions.
 pub fn compiler() -> String {
-    let output = Command::new("rustc").arg("--version").output();
-    let name = output.map_or("unknown".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    let told = |program: &str, argument: &str| {
+        let output = Command::new(program).arg(argument).output();
+        output.map_or("unknown".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    };
     let settings = [
+        Some(format!(", {}", told("getconf", "GNU_LIBC_VERSION"))),
+        has_avx2().then(|| ", AVX2".to_owned()),
         option_env!("CARGO_PROFILE_RELEASE_CODEGEN_UNITS").map(|units| format!(", {units} codegen units")),
         option_env!("CARGO_INCREMENTAL").filter(|kind| *kind != "0").map(|_| ", incremental".to_owned()),
     ];
-    settings.into_iter().flatten().fold(name, |name, setting| name + &setting)
+    settings.into_iter().flatten().fold(told("rustc", "--version"), |name, setting| name + &setting)
+}
+
+/// Whether this processor has AVX2, by which the library of C chooses how it copies and takes powers.
+fn has_avx2() -> bool {
+    let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    told.split_whitespace().any(|flag| flag == "avx2")
 }
 
 /// The count of a scene that is recorded for this compiler.
