@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let problem = &solved.study.problem;
     let pressure: Vec<f64> = solved.film.solution.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
     let thickness: Vec<f64> =
-        (space.positions().iter()).flat_map(|&position| problem.thickness_at(0, &[position])).collect();
+        (space.positions().iter()).map(|&position| problem.thickness_at(0, &[position])[0]).collect();
     let (mut points, mut pressures, mut thicknesses) = (Vec::new(), Vec::new(), Vec::new());
     for t in 0..space.mesh().triangles().len() {
         if t % STRIDE == 0 || space.mesh().is_curved(t) {
