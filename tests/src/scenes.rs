@@ -96,3 +96,19 @@ pub fn parsed(text: &str) -> Result<Scene, String> {
         other => other.to_string(),
     })
 }
+
+/// Quantities whose derivatives are compared with differences of films.
+pub const DIFFERENTIATED: [&str; 12] = [
+    "load",
+    "eccentricity",
+    "attitude_angle",
+    "tilt_x",
+    "film_thickness_min",
+    "pressure_max",
+    "friction_power",
+    "side_flow",
+    "temperature_effective",
+    "stiffness_xx",
+    "damping_xy",
+    "critical_mass",
+];

@@ -10,6 +10,7 @@ use oilwedge_scene::{KeyTolerance, Scene};
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::{CHECKS, RunOptions, run};
 use oilwedge_tests::program::repository;
+use oilwedge_tests::scenes::DIFFERENTIATED;
 
 /// Films of each kind: what follows the tables of bearing and oil.
 const FILMS: [(&str, &str); 8] = [
@@ -82,22 +83,6 @@ fn derivatives_by(scene: &Scene, inputs: &[KeyTolerance]) -> Vec<Quantity> {
     result.quantities
 }
 
-/// The quantities that are compared.
-const HEADLINES: [&str; 12] = [
-    "load",
-    "eccentricity",
-    "attitude_angle",
-    "tilt_x",
-    "film_thickness_min",
-    "pressure_max",
-    "friction_power",
-    "side_flow",
-    "temperature_effective",
-    "stiffness_xx",
-    "damping_xy",
-    "critical_mass",
-];
-
 #[test]
 fn films_solved_again_on_the_mesh_have_the_derivatives_of_the_tangent() {
     let part = 2e-4;
@@ -117,7 +102,7 @@ fn films_solved_again_on_the_mesh_have_the_derivatives_of_the_tangent() {
         let scenes: Vec<Scene> = std::iter::once(scene.clone()).chain(ends.map(beside)).collect();
         let films = chain_of(&scenes, &options());
         for (input, ends) in inputs.iter().zip(films[1..].chunks(2)) {
-            for quantity in quantities.iter().filter(|quantity| HEADLINES.contains(&&*quantity.name)) {
+            for quantity in quantities.iter().filter(|quantity| DIFFERENTIATED.contains(&&*quantity.name)) {
                 let Some(found) = quantity.sensitivity.get(&input.key) else { continue };
                 assert!(!found.is_by_films, "{kind} {}", input.key);
                 let value =

@@ -267,8 +267,9 @@ impl Linearisation {
     }
 
     /// True if `x` solves a system whose every entry is that of this one to rounding (Oettli, Prager, Numer. Math. 6
-    /// (1964) 405), the right-hand side in each row to rounding of the whole: where conductances differ by many orders
-    /// residuals over the right-hand side say little. Not of solutions so large that the matrix must be singular.
+    /// (1964) 405): where conductances differ by many orders residuals over the right-hand side say little. An entry of
+    /// the right-hand side below rounding of the whole counts as that, for terms may be as small as 1e-44 of it. Not of
+    /// solutions so large that the matrix must be singular.
     fn is_stable(&self, b: &[f64], x: &[f64], residual: &[f64], transposed: bool) -> bool {
         let absolute = Matrix {
             pattern: self.matrix.pattern.clone(),
@@ -281,7 +282,8 @@ impl Linearisation {
         });
         let whole = self.constraints.free_norm(b);
         let is_bounded = self.constraints.free_norm(&sizes) < SINGULAR_ABOVE * whole;
-        is_bounded && residual.iter().zip(&sizes).all(|(r, size)| r.abs() <= ROUNDING * (size + whole))
+        let own = |b: f64| b.abs().max(ROUNDING * whole);
+        is_bounded && (residual.iter().zip(&sizes).zip(b)).all(|((r, size), &b)| r.abs() <= ROUNDING * (size + own(b)))
     }
 
     fn residual(&self, b: &[f64], x: &[f64], transposed: bool) -> Vec<f64> {

@@ -162,11 +162,6 @@ impl Layers {
             }
         }
     }
-
-    /// Mean across the film of values at the points.
-    pub fn mean(&self, values: &[f64]) -> f64 {
-        self.weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
-    }
 }
 
 /// Legendre's polynomial of a degree and its slope at `x` in -1..1, both ends excluded.

@@ -22,11 +22,6 @@ impl LayerTemperatures {
         &self.layers[cell * points..(cell + 1) * points]
     }
 
-    /// Mean temperature across the film of a cell.
-    pub fn mean(&self, layers: &Layers, cell: usize) -> f64 {
-        layers.mean(self.of_cell(layers, cell))
-    }
-
     /// Highest temperature of all points.
     pub fn highest(&self) -> f64 {
         self.layers.iter().copied().fold(f64::NEG_INFINITY, f64::max)

@@ -28,7 +28,8 @@ impl FilmProblem {
         self.thickness_of(|contribution| contribution.as_deflection().is_none(), (cell, positions))
     }
 
-    /// Film thickness [m] at as many positions [m] in triangle `cell` as a quadrature rule has at once.
+    /// Film thickness [m] at positions [m] in triangle `cell`, at most as many as a quadrature rule has at once; what
+    /// stands behind them is zero.
     pub fn thickness_at(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<f64> {
         self.thickness_of(|_| true, (cell, positions))
     }

@@ -12,7 +12,7 @@ use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::Status;
 use oilwedge_study::{CHECKS, RunOptions, run};
 use oilwedge_tests::random_bearings::Dice;
-use oilwedge_tests::scenes::written;
+use oilwedge_tests::scenes::{DIFFERENTIATED, written};
 
 /// Edges of triangles over the circumference.
 const EDGE: f64 = 1.0 / 50.0;
@@ -22,22 +22,6 @@ const APART: f64 = 3e-5;
 const KELVIN: f64 = 100.0;
 /// A quantity with a greater exponent is next to nothing.
 const NOTHING: f64 = 333.0;
-
-/// The quantities that are compared.
-const HEADLINES: [&str; 12] = [
-    "load",
-    "eccentricity",
-    "attitude_angle",
-    "tilt_x",
-    "film_thickness_min",
-    "pressure_max",
-    "friction_power",
-    "side_flow",
-    "temperature_effective",
-    "stiffness_xx",
-    "damping_xy",
-    "critical_mass",
-];
 
 /// A derivative beside the difference of two films.
 #[derive(Debug, Clone)]
@@ -165,7 +149,7 @@ pub fn compared(number: u64) -> Result<Vec<Compared>, String> {
     let films = chain_of(&scenes, &options);
     let mut all = Vec::new();
     for (input, ends) in inputs.iter().zip(films[1..].chunks(2)) {
-        for quantity in result.quantities.iter().filter(|quantity| HEADLINES.contains(&&*quantity.name)) {
+        for quantity in result.quantities.iter().filter(|quantity| DIFFERENTIATED.contains(&&*quantity.name)) {
             let Some(own) = quantity.sensitivity.get(&input.key) else { continue };
             let of = |film: &CaseOutcome| -> Option<Quantity> {
                 film.quantities.iter().find(|it| it.name == quantity.name).cloned()
