@@ -14,7 +14,7 @@
 //! | R, R_o, L | m | `inner_radius`, `outer_radius`, `length` |
 //! | k | W/(m K) | `conductivity` |
 //! | H | W/(m2 K) | `transfer` |
-//! | C_nm | W/(m2 K) | [`BushShape::conductance`] |
+//! | C_nm | W/(m2 K) | [`BushShape::conductances`] |
 //! | b_k | K | `LayerTemperatures::bush` |
 //!
 //! **Source.** Carslaw and Jaeger, Conduction of Heat in Solids (1959), ch. 8.
@@ -23,7 +23,7 @@
 
 use std::f64::consts::PI;
 
-use crate::bessel::{bessel_i, bessel_k};
+use crate::bessel::{Logarithmic, bessel};
 
 /// Waves along with a greater product of wave number and radius are so short that the ring is a plate to them.
 const SHORT_WAVE: f64 = 1e4;
@@ -46,8 +46,17 @@ pub struct BushShape {
 }
 
 impl BushShape {
-    /// Conductance C_nm [W/(m2 K)] of the mode n around and m half waves along.
-    pub fn conductance(&self, n: usize, m: usize) -> f64 {
+    /// Conductances C_nm [W/(m2 K)] of the modes with n = 0 to `last` waves around and m half waves along.
+    pub fn conductances(&self, last: usize, m: usize) -> Vec<f64> {
+        let wave = PI * m as f64 / self.length;
+        let is_ring = m > 0 && wave * self.inner_radius <= SHORT_WAVE;
+        let both = [self.inner_radius, self.outer_radius];
+        let both = both.map(|radius| if is_ring { bessel(last, wave * radius) } else { Vec::new() });
+        (0..=last).map(|n| self.conductance(n, m, &both)).collect()
+    }
+
+    /// The conductance of a mode, by Bessel's functions at both radii.
+    fn conductance(&self, n: usize, m: usize, both: &[Vec<[Logarithmic; 2]>; 2]) -> f64 {
         let Self { inner_radius: inner, outer_radius: outer, conductivity, transfer, .. } = *self;
         if n == 0 && m == 0 {
             return 1.0 / (inner * ((outer / inner).ln() / conductivity + 1.0 / (transfer * outer)));
@@ -72,8 +81,7 @@ impl BushShape {
             (grows, falls) = ([inner, outer].map(slope), [inner, outer].map(|radius| -slope(radius)));
             (least_grows, least_falls) = (power, power);
         } else {
-            let i = [inner, outer].map(|radius| bessel_i(n, wave * radius));
-            let k = [inner, outer].map(|radius| bessel_k(n, wave * radius));
+            let [i, k] = [0, 1].map(|kind| both.each_ref().map(|at_radius| at_radius[n][kind]));
             (grows, falls) = (i.map(|i| wave * i.slope), k.map(|k| wave * k.slope));
             (least_grows, least_falls) = ((i[0].log - i[1].log).exp(), (k[1].log - k[0].log).exp());
         }
@@ -106,10 +114,11 @@ impl BushRing {
     pub fn new(shape: BushShape, around: usize, along: usize) -> Self {
         let bore = 2.0 * PI * shape.inner_radius * shape.length;
         let half = |index: usize| if index == 0 { 1.0 } else { 0.5 };
+        let by_waves: Vec<_> = (0..=along).map(|m| shape.conductances(around, m)).collect();
         let mut conductances = Vec::new();
         for n in 0..=around {
             for _ in 0..if n == 0 { 1 } else { 2 } {
-                conductances.extend((0..=along).map(|m| shape.conductance(n, m) * bore * half(n) * half(m)));
+                conductances.extend((0..=along).map(|m| by_waves[m][n] * bore * half(n) * half(m)));
             }
         }
         Self { shape, around, along, conductances }
