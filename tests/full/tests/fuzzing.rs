@@ -1,6 +1,6 @@
 //! Half a minute of coverage-guided fuzzing from the corpus of the repository. The targets are a workspace of their
-//! own, `fuzz/`; they are built here with libFuzzer, which needs a C++ compiler; without one this is left out, and
-//! named.
+//! own, `fuzz/`, which shares the target folder of this test; they are built here with libFuzzer, which needs a C++
+//! compiler; without one this is left out, and named.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,11 +20,11 @@ fn in_fuzz(program: &str) -> Command {
     let mut command = Command::new(program);
     // To name the functions of a backtrace takes more memory than a target may have.
     command.current_dir(repository().join("fuzz")).env("RUST_BACKTRACE", "0");
+    // Another wrapper of the user would leave out the counters.
+    command.env("RUSTC_WRAPPER", repository().join("fuzz/counted"));
     for (name, _) in std::env::vars_os() {
-        let cargo = name.to_string_lossy().starts_with("CARGO_PKG_")
-            || name == "RUSTFLAGS"
-            || name == "RUSTC_BOOTSTRAP"
-            || name == "CARGO_TARGET_DIR";
+        let cargo =
+            name.to_string_lossy().starts_with("CARGO_PKG_") || name == "RUSTFLAGS" || name == "RUSTC_BOOTSTRAP";
         if cargo {
             command.env_remove(name);
         }
@@ -32,20 +32,25 @@ fn in_fuzz(program: &str) -> Command {
     command
 }
 
+/// The target folder of this test.
+fn target_folder() -> PathBuf {
+    let own = std::env::current_exe().expect("path of this test");
+    own.ancestors().nth(3).expect("target/PROFILE/deps").to_owned()
+}
+
 /// Builds all targets and returns the folder they are in.
 fn build() -> PathBuf {
-    let built = in_fuzz(env!("CARGO")).args(["build", "--release", "--locked", "--bins"]).output();
-    let built = built.expect("cargo starts");
+    let mut cargo = in_fuzz(env!("CARGO"));
+    cargo.args(["build", "--release", "--locked", "--bins"]).env("CARGO_TARGET_DIR", target_folder());
+    let built = cargo.output().expect("cargo starts");
     let told = String::from_utf8_lossy(&built.stderr);
     assert!(built.status.success(), "the targets do not build:\n{told}");
-    let folders = std::fs::read_dir(repository().join("target/fuzz")).expect("target/fuzz");
-    let mut folders = folders.map(|entry| entry.expect("an entry").path().join("release"));
-    folders.find(|folder| folder.join("msh").is_file()).expect("the targets were built")
+    target_folder().join("release")
 }
 
 /// Runs a target; what it says if it ends otherwise than well.
 fn fuzz(programs: &Path, target: &str, seconds: u32) -> Option<String> {
-    let found = repository().join("target/fuzz/artifacts");
+    let found = target_folder().join("fuzz/artifacts");
     std::fs::create_dir_all(&found).expect("a folder for what is found");
     let new = tempfile::tempdir().expect("a folder for new inputs");
     // A program takes over the peak of memory of the process that starts it, and libFuzzer counts that. A shell has
@@ -65,6 +70,7 @@ fn fuzz(programs: &Path, target: &str, seconds: u32) -> Option<String> {
     }
     let output = command.arg(new.path()).arg(format!("corpus/{target}")).output().expect("a target starts");
     let told = String::from_utf8_lossy(&output.stderr);
+    assert!(told.contains("inline 8-bit counters"), "{target} has no counters:\n{told}");
     let runs = told.lines().find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
     println!("{target}: {} executions", runs.unwrap_or("no").trim());
     if output.status.success() {
