@@ -344,7 +344,7 @@ class Solver:
             found, failed = gmres(matrix, right, rtol=1e-11, restart=20, maxiter=1, M=earlier)
             if not failed:
                 return found
-        self.factor = splu(matrix.tocsc())
+        self.factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.1, options={"SymmetricMode": True})
         return self.factor.solve(right)
 
     def _limited(self, temperatures, axis, oil):
