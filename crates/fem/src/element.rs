@@ -296,7 +296,7 @@ impl ElementKernel {
         let mut pair = 0;
         for i in 0..MOST_SHAPES {
             for j in i..MOST_SHAPES {
-                let entry = (0..3).map(|k| metric[k] * weighed[k][pair]).sum();
+                let entry = metric[0] * weighed[0][pair] + metric[1] * weighed[1][pair] + metric[2] * weighed[2][pair];
                 out.tangent[i][j] = entry;
                 out.tangent[j][i] = entry;
                 pair += 1;

@@ -6,6 +6,7 @@
 //! among the triangles that it lives on.
 
 use oilwedge_fem::integrate::Nodal;
+use oilwedge_fem::matrix::AT_ONCE;
 use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, KinkRule, Matrix};
 
@@ -38,45 +39,43 @@ pub(super) fn film_error(
     let split = Split::new(film, cubic, &raised);
     let vectors = GoalVectors { cubic, raised: &raised, following };
     let [x, y, thrust] = vectors.of(|WeighingPoint { cos, sin, mu, .. }| [cos + mu[0], sin + mu[1], 1.0]);
-    let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
-        let (dual, error) = split.goal(goal)?;
-        let geometry = geometry::rims(film, &dual, given);
-        Ok(GoalError { geometry, ..error })
+    let tilting =
+        problem.can_tilt().then(|| vectors.of(|WeighingPoint { cos, sin, z, mu }| [z * cos + mu[2], z * sin + mu[3]]));
+    let DragGoals { vectors: of_drag, shear_rules } = drag::goals(system, cubic, &raised);
+    let loads = [x, y, thrust].into_iter().chain(tilting.into_iter().flatten());
+    let mut judged = split.errors(of_drag.into_iter().chain(loads).collect())?.into_iter();
+    let mut next = |given: geometry::RimWeight| {
+        let (dual, error) = judged.next().unwrap_or_default();
+        GoalError { geometry: geometry::rims(film, &dual, given), ..error }
     };
+    let drag = [
+        next(&|region, _, film| drag::shear(problem, film, region.pressure)),
+        // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
+        next(&|_, _, _| 0.0),
+    ];
     // What is cut out counts with its circle if it has one, else with the element edges; it presses on no wall.
-    let load = |goal: &[f64], part: Option<usize>, weight: &dyn Fn(&SupplyRegion, [f64; 2]) -> f64| {
-        let given = |region: &SupplyRegion, [x, z]: [f64; 2], _: &FilmPoint| {
+    let mut load = |part: Option<usize>, weight: &dyn Fn(&SupplyRegion, [f64; 2]) -> f64| {
+        next(&|region: &SupplyRegion, [x, z]: [f64; 2], _: &FilmPoint| {
             let carried = match region.disc {
                 None => 0.0,
                 Some(_) => weight(region, [x / problem.bearing.radius, z]),
             };
             let following = following.zip(part).map_or(0.0, |(wall, part)| wall.at([x, z])[part]);
             carried + following * region.pressure
-        };
-        judged(goal, &given)
+        })
     };
     let excess = |region: &SupplyRegion| region.pressure - problem.bearing.end_pressure;
     let goals = [
-        load(&x, Some(0), &|region, [angle, _]| excess(region) * angle.cos())?,
-        load(&y, Some(1), &|region, [angle, _]| excess(region) * angle.sin())?,
-        load(&thrust, None, &|region, _| region.pressure)?,
+        load(Some(0), &|region, [angle, _]| excess(region) * angle.cos()),
+        load(Some(1), &|region, [angle, _]| excess(region) * angle.sin()),
+        load(None, &|region, _| region.pressure),
     ];
-    let moments = match problem.can_tilt() {
-        true => {
-            let [x, y] = vectors.of(|WeighingPoint { cos, sin, z, mu }| [z * cos + mu[2], z * sin + mu[3]]);
-            Some([
-                load(&x, Some(2), &|region, [angle, z]| excess(region) * z * angle.cos())?,
-                load(&y, Some(3), &|region, [angle, z]| excess(region) * z * angle.sin())?,
-            ])
-        }
-        false => None,
-    };
-    let DragGoals { vectors: [shear, pressure], shear_rules } = drag::goals(system, cubic, &raised);
-    let drag = [
-        judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
-        // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
-        judged(&pressure, &|_, _, _| 0.0)?,
-    ];
+    let moments = problem.can_tilt().then(|| {
+        [
+            load(Some(2), &|region, [angle, z]| excess(region) * z * angle.cos()),
+            load(Some(3), &|region, [angle, z]| excess(region) * z * angle.sin()),
+        ]
+    });
     let flows = split.flows()?;
     let (front, deep) = front(cubic);
     let [corner, bend] = corners(problem, system);
@@ -130,20 +129,20 @@ impl<'a> Split<'a> {
     /// The errors of the flows through both ends together, and through each region that gives a pressure.
     fn flows(&self) -> Result<Vec<(FlowGoal, GoalError)>, Error> {
         let supply = &self.film.system.supply;
-        let mut both = GoalError::default();
-        let mut flows = Vec::new();
-        for (k, region) in supply.regions().iter().enumerate() {
-            if region.kind == BoundaryKind::Sealed {
-                continue;
-            }
-            // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the
-            // cubic film.
+        let giving = supply.regions().iter().enumerate().filter(|(_, region)| region.kind != BoundaryKind::Sealed);
+        // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic
+        // film.
+        let goal = |(k, _): (usize, _)| {
             let chi: Vec<f64> = (0..self.film.solution.unknown.len())
                 .map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k))))
                 .collect();
-            let chi = self.film.system.cubic().prolongation.prolong(&chi);
             // Symmetric: by the few rows at the region rather than by all columns.
-            let (_, error) = self.goal(&self.stiffness.multiply_transposed(&chi))?;
+            self.stiffness.multiply_transposed(&self.film.system.cubic().prolongation.prolong(&chi))
+        };
+        let errors = self.errors(giving.clone().map(goal).collect())?;
+        let mut both = GoalError::default();
+        let mut flows = Vec::new();
+        for ((_, region), (_, error)) in giving.zip(errors) {
             if region.kind == BoundaryKind::End {
                 both = both.plus(1.0, &error);
             }
@@ -153,26 +152,43 @@ impl<'a> Split<'a> {
         Ok(flows)
     }
 
-    /// The dual of a goal with this vector, and its error but for the geometry.
-    fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
-        let between = &self.film.system.cubic().prolongation;
-        if goal.iter().all(|&entry| entry == 0.0) {
-            let shares = vec![0.0; self.film.system.space().mesh().triangles().len()];
-            let dual = vec![0.0; self.film.system.space().dofs()];
-            return Ok((dual, GoalError { shares, ..GoalError::default() }));
+    /// The duals of goals with these vectors, and their errors but for the geometry.
+    fn errors(&self, goals: Vec<Vec<f64>>) -> Result<Vec<(Vec<f64>, GoalError)>, Error> {
+        let SolvedFilm { system, solution, .. } = self.film;
+        let between = &system.cubic().prolongation;
+        let mut errors: Vec<Option<(Vec<f64>, GoalError)>> = vec![None; goals.len()];
+        let goals = errors.iter_mut().zip(goals).filter(|(_, goal)| goal.iter().any(|&entry| entry != 0.0));
+        for some in goals.collect::<Vec<_>>().chunks_mut(AT_ONCE) {
+            let dual = |(_, goal): &(_, Vec<f64>)| solution.linearisation.apply_factor(between.restrict(goal), true);
+            let duals = some.iter().map(dual).collect::<Result<Vec<_>, Error>>()?;
+            let mut raised = vec![[0.0; AT_ONCE]; self.residual.len()];
+            for (k, dual) in duals.iter().enumerate() {
+                raised.iter_mut().zip(between.prolong(dual)).for_each(|(raised, z)| raised[k] = z);
+            }
+            let images = self.stiffness.multiply_at_once(&raised);
+            for (k, ((error, goal), dual)) in some.iter_mut().zip(duals).enumerate() {
+                goal.iter_mut().zip(&images).for_each(|(j, kz)| *j -= kz[k]);
+                let of_goal = self.error(&dual, raised.iter().map(|z| z[k]), goal);
+                **error = Some((dual, of_goal));
+            }
         }
-        let dual = self.film.solution.linearisation.apply_factor(between.restrict(goal), true)?;
-        let raised = between.prolong(&dual);
-        let image = self.stiffness.multiply(&raised);
-        let left: Vec<f64> = goal.iter().zip(image).map(|(j, kz)| j - kz).collect();
-        let mut products = self.difference.times(&between.test(&left));
+        let of_nothing = || {
+            let shares = vec![0.0; system.space().mesh().triangles().len()];
+            (vec![0.0; system.space().dofs()], GoalError { shares, ..GoalError::default() })
+        };
+        Ok(errors.into_iter().map(|error| error.unwrap_or_else(of_nothing)).collect())
+    }
+
+    /// The error of a goal with this `dual`, `raised` to cubic functions, of whose vector j this is `left`: j - K z.
+    fn error(&self, dual: &[f64], raised: impl Iterator<Item = f64>, left: &[f64]) -> GoalError {
+        let between = &self.film.system.cubic().prolongation;
+        let mut products = self.difference.times(&between.test(left));
         for (product, (z, reaction)) in products.quadratic.iter_mut().zip(dual.iter().zip(&self.reaction)) {
             *product += z * reaction;
         }
-        let parts = self.residual.iter().zip(&raised).map(|(r, z)| -r * z);
+        let parts = self.residual.iter().zip(raised).map(|(r, z)| -r * z);
         let (algebra, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
-        let error = GoalError { shares: between.shared(&products), geometry: 0.0, algebra, scatter: squares.sqrt() };
-        Ok((dual, error))
+        GoalError { shares: between.shared(&products), geometry: 0.0, algebra, scatter: squares.sqrt() }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The errors of a pressure film, estimated by the film in cubic elements.
 
+use std::cell::OnceCell;
+
 use oilwedge_bearing::{Coefficients, Dynamics};
 use oilwedge_fem::Field;
 use oilwedge_reynolds::SolvedFilm;
@@ -32,6 +34,15 @@ pub(super) struct CubicPair<'a> {
     pub(super) edge: Option<Vec<Coefficients>>,
     /// What bars of the load are made of: sums over all triangles, made once for all quantities.
     pub(super) of_load: LoadErrors,
+    /// What is made once when it is first asked for.
+    pub(super) shared: SharedBars,
+}
+
+/// Bars that several quantities ask for.
+#[derive(Default)]
+pub(super) struct SharedBars {
+    summit: OnceCell<[f64; 2]>,
+    inlet_flow: OnceCell<f64>,
 }
 
 /// What the errors of two films say of the load.
@@ -134,11 +145,11 @@ impl Estimate for CubicPair<'_> {
 
     /// Differences of the gradients along the line cancel in that of the flow: they are summed without their signs too.
     fn inlet_flow(&self, number: Scaled) -> f64 {
-        let apart = match [self.quadratic, self.cubic].map(inlet_flows) {
+        let apart = || match [self.quadratic, self.cubic].map(inlet_flows) {
             [Some(quadratic), Some(cubic)] => quadratic.iter().zip(&cubic).map(|(a, b)| (a - b).abs()).sum(),
             _ => 0.0,
         };
-        number.change.abs().max(OF_FLOWS * apart / number.unit.abs())
+        number.change.abs().max(OF_FLOWS * self.shared.inlet_flow.get_or_init(apart) / number.unit.abs())
     }
 
     /// What the cavity makes is what all others bring and take.
@@ -175,7 +186,7 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn summit(&self) -> [f64; 2] {
-        places::summit(&self.placed(), self.greatest_pressure())
+        *self.shared.summit.get_or_init(|| places::summit(&self.placed(), self.greatest_pressure()))
     }
 
     fn film_end(&self, end: ExtentEnd) -> Option<Bar> {

@@ -16,7 +16,7 @@ use oilwedge_reynolds::{ReferenceFilm, SolvedFilm};
 
 use super::Estimate;
 use super::coarse::CoarseComparison;
-use super::cubic::{CubicPair, LoadErrors};
+use super::cubic::{CubicPair, LoadErrors, SharedBars};
 use super::linked::link;
 use super::position_sensitivity::position_bars;
 use super::wall::wall_bars;
@@ -109,6 +109,7 @@ fn by_cubic(solved: &Solved, cubic: &SolvedFilm) -> Estimated {
         value: Value::Cubic,
         edge: edge_of(film, cubic),
         of_load: LoadErrors::of(&error, Value::Cubic),
+        shared: SharedBars::default(),
     };
     let LoadErrors { bars, is_resolved } = pair.of_load;
     let load = bars_of_balance(film, &reported, bars, pair.moment());
@@ -198,6 +199,7 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
         value: Value::Quadratic,
         edge: edge_of(film, cubic),
         of_load: LoadErrors::of(&error, Value::Quadratic),
+        shared: SharedBars::default(),
     };
     Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), &[]))
 }
