@@ -1,8 +1,7 @@
 //! The HTML page: what is in it, that it needs nothing else, that it is small and the same each time. How it looks and
 //! behaves in a browser: `tests/crosscheck/test_report.py`.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use base64_simd::STANDARD;
 use oilwedge_report::page::{Extras, film_page};
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
@@ -111,7 +110,7 @@ fn the_policy_names_the_hashes_of_script_and_style() {
     let script = *between(&page, "<script>", "</script>").last().expect("a script");
     let style = between(&page, "<style>", "</style>")[0];
     for (directive, text) in [("script-src", script), ("style-src", style)] {
-        let hash = STANDARD.encode(Sha256::digest(text));
+        let hash = STANDARD.encode_to_string(Sha256::digest(text));
         assert!(policy.contains(&format!("{directive} 'sha256-{hash}'")), "{directive}: {policy}");
     }
     let body = page.split("<body>").nth(1).expect("a body").split("<script").next().expect("its elements");

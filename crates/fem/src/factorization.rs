@@ -197,19 +197,28 @@ impl SingleFactor {
         }
         // The range of single precision is small.
         let mut rough: Vec<f32> = x.iter().map(|x| (x / greatest) as f32).collect();
+        self.solve_rough(&mut rough)?;
+        for (x, rough) in x.iter_mut().zip(&rough) {
+            *x = greatest * f64::from(*rough);
+        }
+        Ok(())
+    }
+
+    /// [`SingleFactor::solve`] of numbers that have single precision already.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if the solution is not finite.
+    pub(crate) fn solve_rough(&self, x: &mut [f32]) -> Result<(), Error> {
         let symbolic = &self.analysis.symbolic;
         let unknowns = x.len();
         let requirement = symbolic.solve_in_place_scratch::<f32>(1, Par::Seq);
         let mut memory = MemBuffer::try_new(requirement).map_err(|_| Error::TooLarge { unknowns })?;
         LltRef::new(symbolic, &self.factor).solve_in_place_with_conj(
             Conj::No,
-            MatMut::from_column_major_slice_mut(&mut rough, unknowns, 1),
+            MatMut::from_column_major_slice_mut(x, unknowns, 1),
             Par::Seq,
             MemStack::new(&mut memory),
         );
-        for (x, rough) in x.iter_mut().zip(&rough) {
-            *x = greatest * f64::from(*rough);
-        }
         match x.iter().all(|x| x.is_finite()) {
             true => Ok(()),
             false => Err(Error::NotFinite { what: "solution of the linear system" }),

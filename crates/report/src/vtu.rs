@@ -84,8 +84,8 @@ impl VtuForm {
 pub fn to_vtu(picture: &FilmPicture, form: VtuForm) -> Result<Vec<u8>, Error> {
     check(picture)?;
     let mut file = Writer::new(Vec::new());
-    let head =
-        [("type", "UnstructuredGrid"), ("version", "1.0"), ("byte_order", "LittleEndian"), ("header_type", "UInt64")];
+    let order = if cfg!(target_endian = "big") { "BigEndian" } else { "LittleEndian" };
+    let head = [("type", "UnstructuredGrid"), ("version", "1.0"), ("byte_order", order), ("header_type", "UInt64")];
     let head = head.into_iter().chain(form.compression.compressor().map(|name| ("compressor", name)));
     let grid = |file: &mut Writer<Vec<u8>>| {
         write_lines(file, &picture.lines)?;

@@ -14,7 +14,6 @@ use std::process::Command;
 use crate::toy_effect;
 use oilwedge_tests::program::{cargo, oilwedge, repository};
 use serde_json::Value;
-use tempfile::TempDir;
 
 /// Compile errors that may be left when an effect is deleted.
 const MOST_ERRORS: usize = 5;
@@ -118,29 +117,32 @@ const EFFECTS: [Effect; 4] = [
 
 #[test]
 fn an_effect_comes_by_steps_and_effects_go_away_with_their_files_and_rows() {
-    let folder = TempDir::new().expect("a folder");
+    // Always the same: what is compiled for it stays in the target folder.
+    let tree = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("deletion");
+    let _ = std::fs::remove_dir_all(tree);
+    std::fs::create_dir_all(tree).expect("a folder");
     for entry in TREE {
-        copy(&repository().join(entry), &folder.path().join(entry));
+        copy(&repository().join(entry), &tree.join(entry));
     }
-    let manifest = folder.path().join("crates/cli/Cargo.toml");
+    let manifest = tree.join("crates/cli/Cargo.toml");
     let text = std::fs::read_to_string(&manifest).expect("a manifest")
         + &format!("\n[[bin]]\nname = \"{PROGRAM}\"\npath = \"src/main.rs\"\n");
     std::fs::write(&manifest, text).expect("a manifest");
-    let plain = load(&oilwedge(folder.path(), &["solve", "scenes/01_plain_ring.toml", "--json"]).stdout);
-    let before = toy_effect::add(folder.path());
-    assert_eq!(errors(folder.path()), BTreeSet::new(), "the steps of CONTRIBUTING.md");
+    let plain = load(&oilwedge(tree, &["solve", "scenes/01_plain_ring.toml", "--json"]).stdout);
+    let before = toy_effect::add(tree);
+    assert_eq!(errors(tree), BTreeSet::new(), "the steps of CONTRIBUTING.md");
     let loads = toy_effect::scenes().map(|scene| {
-        std::fs::write(folder.path().join("toy.toml"), scene).expect("a scene");
-        load_by_copy(folder.path(), "toy.toml")
+        std::fs::write(tree.join("toy.toml"), scene).expect("a scene");
+        load_by_copy(tree, "toy.toml")
     });
     assert!(loads[1] < 0.9 * loads[0] && (loads[1] / loads[2] - 1.0).abs() < 1e-9, "{loads:?}");
-    assert_eq!(load_by_copy(folder.path(), "scenes/01_plain_ring.toml"), plain);
-    toy_effect::remove(folder.path(), &before);
+    assert_eq!(load_by_copy(tree, "scenes/01_plain_ring.toml"), plain);
+    toy_effect::remove(tree, &before);
     for effect in &EFFECTS {
-        delete(folder.path(), effect);
+        delete(tree, effect);
     }
-    mend(folder.path());
-    assert_eq!(load_by_copy(folder.path(), "scenes/01_plain_ring.toml"), plain);
+    mend(tree);
+    assert_eq!(load_by_copy(tree, "scenes/01_plain_ring.toml"), plain);
 }
 
 /// The load that the program of the copy computes.
@@ -226,7 +228,7 @@ fn errors(tree: &Path) -> BTreeSet<(PathBuf, usize)> {
 }
 
 /// Builds the program of the copy with the dependencies of this test's profile; the crates of the copy are not
-/// optimised.
+/// optimised, and in each build what the one before it compiled is kept.
 fn build(tree: &Path) -> Command {
     let mut cargo = cargo();
     let profile = if cfg!(debug_assertions) { "dev" } else { "release" };
@@ -240,13 +242,17 @@ fn build(tree: &Path) -> Command {
         PROGRAM,
         "--profile",
         profile,
+        "--config",
+        &format!("profile.{profile}.incremental=true"),
     ]);
     for package in std::fs::read_dir(tree.join("crates")).expect("crates").flatten() {
         let package = match package.file_name().to_string_lossy().as_ref() {
             "cli" => "oilwedge".to_owned(),
             other => format!("oilwedge-{other}"),
         };
-        cargo.args(["--config", &format!("profile.{profile}.package.{package}.opt-level=0")]);
+        for setting in ["opt-level=0", "codegen-units=256"] {
+            cargo.args(["--config", &format!("profile.{profile}.package.{package}.{setting}")]);
+        }
     }
     let target = own_folder();
     cargo.env("CARGO_TARGET_DIR", target.parent().expect("target")).current_dir(tree);

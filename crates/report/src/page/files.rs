@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use base64_simd::STANDARD;
 use oilwedge_scene::{Scene, ShaftScene};
 use serde::Serialize;
 
@@ -83,7 +82,7 @@ pub(super) fn saved(text: &str, files: &[SceneFile]) -> SavedFiles {
     let link = |path: &str, bytes: &[u8]| Link {
         path: path.to_owned(),
         name: path.rsplit(['/', '\\']).next().unwrap_or_default().to_owned(),
-        address: format!("data:application/octet-stream;base64,{}", STANDARD.encode(bytes)),
+        address: format!("data:application/octet-stream;base64,{}", STANDARD.encode_to_string(bytes)),
     };
     let own = (!text.is_empty()).then(|| link(SCENE, text.as_bytes()));
     let links = own.into_iter().chain(files.iter().map(|file| link(&file.name, &file.bytes)));

@@ -26,8 +26,7 @@ mod verdict;
 
 use std::path::Path;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use base64_simd::STANDARD;
 use minijinja::Environment;
 use minijinja::value::Serde;
 use oilwedge_campaign::convergence::ConvergenceReport;
@@ -366,5 +365,5 @@ fn render(page: Page) -> Result<String, Error> {
 
 /// The hash by which a policy names a text.
 fn hash(text: &str) -> String {
-    STANDARD.encode(Sha256::digest(text))
+    STANDARD.encode_to_string(Sha256::digest(text))
 }

@@ -1,7 +1,6 @@
 //! One array of a VTU file: its element, and its numbers as base64 text, in blocks where they are compressed.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD as BASE64;
+use base64_simd::STANDARD as BASE64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use quick_xml::events::{BytesText, Event};
 use quick_xml::{Error as Xml, Writer};
@@ -35,13 +34,13 @@ impl ArrayNumbers<'_> {
         }
     }
 
-    /// The bytes after these first ones, the least significant of each number first.
+    /// The bytes after these first ones, as they are in memory.
     fn bytes(self, mut first: Vec<u8>) -> Vec<u8> {
         first.reserve_exact(self.size());
         match self {
-            Self::Float64(numbers) => numbers.iter().for_each(|x| first.extend_from_slice(&x.to_le_bytes())),
-            Self::Float32(numbers) => numbers.iter().for_each(|&x| first.extend_from_slice(&(x as f32).to_le_bytes())),
-            Self::UInt32(numbers) => numbers.iter().for_each(|x| first.extend_from_slice(&x.to_le_bytes())),
+            Self::Float64(numbers) => first.extend_from_slice(bytemuck::cast_slice(numbers)),
+            Self::Float32(numbers) => first.extend(numbers.iter().flat_map(|&x| (x as f32).to_ne_bytes())),
+            Self::UInt32(numbers) => first.extend_from_slice(bytemuck::cast_slice(numbers)),
             Self::UInt8(numbers) => first.extend_from_slice(numbers),
         }
         first
@@ -78,8 +77,8 @@ impl<'a> Array<'a> {
     pub(super) fn text(&self, compression: Compression) -> String {
         let encoder: fn(&[u8]) -> Vec<u8> = match compression {
             Compression::None => {
-                let size = (self.numbers.size() as u64).to_le_bytes();
-                return BASE64.encode(self.numbers.bytes(size.to_vec()));
+                let size = (self.numbers.size() as u64).to_ne_bytes();
+                return BASE64.encode_to_string(self.numbers.bytes(size.to_vec()));
             }
             Compression::Lz4 => lz4_flex::block::compress,
             Compression::Zlib => |block| compress_to_vec_zlib(block, ZLIB_LEVEL),
@@ -90,8 +89,8 @@ impl<'a> Array<'a> {
         let last = bytes.chunks(BLOCK).last().map_or(0, <[u8]>::len);
         let sizes = [blocks.len(), BLOCK, last];
         let sizes = sizes.into_iter().chain(blocks.iter().map(Vec::len));
-        let header: Vec<u8> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
-        BASE64.encode(header) + &BASE64.encode(blocks.concat())
+        let header: Vec<u8> = sizes.flat_map(|size| (size as u64).to_ne_bytes()).collect();
+        BASE64.encode_to_string(header) + &BASE64.encode_to_string(blocks.concat())
     }
 
     /// Writes its element with this text.

@@ -254,7 +254,8 @@ fn cell_work(
     [unknown, excess]: &[Nodal; 2],
     work: &mut PowerIntegrals,
 ) {
-    let (film, flows) = law.film_and_flows(points.cell, points.positions);
+    // By reference: a copy takes as long as the film.
+    let (film, flows) = &law.film_and_flows(points.cell, points.positions);
     let (velocity, along) = (law.velocity(), problem.theory.directions());
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let (is_linear, is_rough) = (problem.has_linear_pressure(), problem.is_rough());
