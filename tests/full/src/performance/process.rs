@@ -73,7 +73,7 @@ pub fn command(program: &Path, scene: &Path, threads: usize, bars: bool) -> Comm
     command
 }
 
-/// First argument by which the program `performance` is asked to run [`run`] for [`apart`].
+/// Argument by which the command `performance` is asked to run [`run`] for [`apart`].
 pub const APART: &str = "apart";
 
 /// [`run`] from a small process of its own: what a process held at most counts from before its program was loaded, when
@@ -84,7 +84,7 @@ pub const APART: &str = "apart";
 pub fn apart(program: &Path, scene: &Path, threads: usize, bars: bool) -> Process {
     let own = std::env::current_exe().expect("path of this program");
     let mut command = Command::new(own);
-    command.arg(APART).arg(program).arg(scene);
+    command.args(["performance", APART]).arg(program).arg(scene);
     command.args([threads.to_string(), bars.to_string()]);
     let told = command.output().expect("this program starts").stdout;
     let told = String::from_utf8_lossy(&told);
