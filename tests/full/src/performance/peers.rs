@@ -4,15 +4,16 @@ use std::path::Path;
 use std::process::Command;
 
 use oilwedge_tests::program::repository;
+use oilwedge_tests::python_environment::python;
 
 /// Sizes at which they are compared.
 const SIZES: [usize; 2] = [10_000, 100_000];
 
-/// The table that the script prints; where Python or what the script needs is missing, a row that says so.
+/// The table that the script prints; where what the script needs is missing, a row that says so.
 pub fn rows(program: &Path, most: usize) -> Vec<Vec<String>> {
     let sizes = SIZES.into_iter().filter(|&size| size <= most).map(|size| size.to_string());
     eprintln!("peers");
-    let output = Command::new("python3")
+    let output = Command::new(python())
         .arg("compare_speed.py")
         .args(sizes)
         .current_dir(repository().join("tests/crosscheck"))
@@ -25,7 +26,7 @@ pub fn rows(program: &Path, most: usize) -> Vec<Vec<String>> {
             let told = String::from_utf8_lossy(&output.stderr);
             missing(told.lines().last().unwrap_or_default().to_owned())
         }
-        Err(error) => missing(format!("python3: {error}")),
+        Err(error) => missing(format!("python: {error}")),
     }
 }
 
