@@ -10,7 +10,7 @@ use crate::in_order;
 /// Rows of a product that one task computes; fixed, so that threads do not change a bit.
 const ROWS_A_TASK: usize = 8192;
 
-/// Vectors that one pass multiplies.
+/// Vectors that one pass over a matrix multiplies.
 pub const AT_ONCE: usize = 4;
 
 /// Values on a [`Pattern`].
@@ -73,9 +73,9 @@ impl Matrix {
     fn row_times(&self, i: usize, x: &[f64]) -> f64 {
         let row = self.pattern.row(i);
         let (columns, values) = (&self.pattern.columns[row.clone()], &self.values[row]);
-        // Rows of edges between two quadratic triangles: most of all.
+        // Three rows in four.
         if let (Ok(columns), Ok(values)) = (columns.try_into(), values.try_into()) {
-            return product::<9>(columns, values, x);
+            return row_of_edge(columns, values, x);
         }
         let ((columns, last_column), (values, last)) = (columns.as_chunks(), values.as_chunks());
         // Two sums, so that one need not wait for the other.
@@ -115,8 +115,8 @@ impl Matrix {
     }
 }
 
-/// The sum of `values` times the entries of `x` in `columns`.
+/// The product of the row of an edge between two quadratic triangles, nine entries, with `x`.
 #[inline(always)]
-fn product<const N: usize>(columns: &[u32; N], values: &[f64; N], x: &[f64]) -> f64 {
-    (0..N).map(|k| values[k] * x[columns[k] as usize]).sum()
+fn row_of_edge(columns: &[u32; 9], values: &[f64; 9], x: &[f64]) -> f64 {
+    (0..9).map(|k| values[k] * x[columns[k] as usize]).sum()
 }

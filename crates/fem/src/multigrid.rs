@@ -25,7 +25,8 @@ use crate::linear_prolongation::LinearProlongation;
 use crate::sweeps::Sweeps;
 use crate::{Analysis, Error, Matrix};
 
-/// A level of at most this many unknowns is factorised: of few more, a factor costs as much as it saves steps.
+/// A level of at most this many unknowns is factorised: against a thousand this saves a step in sixteen and 5 % of the
+/// instructions of assembly and solution at a hundred thousand unknowns.
 const COARSEST: usize = 6000;
 /// A second step on a level is left out where the first reduces the residual to this part.
 const GOOD_STEP: f64 = 0.25;

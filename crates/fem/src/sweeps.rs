@@ -11,8 +11,8 @@
 //! A forward and a backward sweep around something symmetric are symmetric. A masked dof has an inverse diagonal of
 //! zero: it stays zero.
 //!
-//! The entries left of the diagonal are stored alone. A row takes what its columns have by them, and gives to those
-//! columns what it has: so one pass over a half of the matrix is a sweep, and what is left by it.
+//! The matrix is symmetric, so entries left of the diagonal are stored alone: `a_ij` counts in row i with `x_j`, and in
+//! row j with `x_i`. One pass over this half is a sweep, and gives what the sweep leaves.
 
 use std::ops::Range;
 

@@ -45,7 +45,7 @@ pub(super) fn film_error(
     let loads = [x, y, thrust].into_iter().chain(tilting.into_iter().flatten());
     let mut judged = split.errors(of_drag.into_iter().chain(loads).collect())?.into_iter();
     let mut next = |given: geometry::RimWeight| {
-        let (dual, error) = judged.next().unwrap_or_default();
+        let (dual, error) = judged.next().expect("as many errors as goals");
         GoalError { geometry: geometry::rims(film, &dual, given), ..error }
     };
     let drag = [
